@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
 #include <unistd.h>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "app/cli/command.h"
 #include "app/cli/driver_options.h"
 #include "app/cli/plugin_option.h"
+#include "app/cli/signals.h"
 #include "app/cli/terminal.h"
 #include "app/device_bench/compared_device.h"
 #include "app/device_bench/device_choice.h"
@@ -70,18 +72,24 @@ nlohmann::ordered_json json_of(const std::string& device, const DeviceComparison
   return json;
 }
 
-/// As the comparison of many stimuli may take minutes; nothing where nobody looks on, or it is done at once.
-DeviceComparison compared(const SoughtDevice& device, const ProtocolCheck& check,
-                          const std::optional<std::string>& study, const std::string& now_utc,
-                          const ModelRegistry& models) {
-  std::optional<Progress> progress{};
-  StimuliCourse course{};
-  if (isatty(STDERR_FILENO) == 1) {
-    progress.emplace("comparing " + check.protocol->name + " with the device");
-    course.progress = [&progress](double done) { progress->show(done); };
+/// The course of an examination of many stimuli, which may take minutes. Its progress is shown at a terminal only: elsewhere
+/// its lines would stand among the problems.
+class ShownCourse final {
+ public:
+  ShownCourse(const std::string& what, const std::stop_token& stop) : course_{.stop = stop} {
+    if (isatty(STDERR_FILENO) != 1) return;
+    progress_.emplace(what);
+    course_.progress = [this](double done) { progress_->show(done); };
   }
-  return compare_with(device, *check.protocol, check.file, study, now_utc, models, course);
-}
+  ShownCourse(const ShownCourse&) = delete;
+  ShownCourse& operator=(const ShownCourse&) = delete;
+
+  const StimuliCourse& course() const noexcept { return course_; }
+
+ private:
+  std::optional<Progress> progress_{};
+  StimuliCourse course_{};
+};
 
 nlohmann::ordered_json json_of(const std::vector<StimulusDrag>& drags) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
@@ -162,9 +170,23 @@ void say_in_order(const std::vector<Diagnostic>& problems,
   say_warnings_before(nullptr);
 }
 
+/// What of the stimuli whose files are available may not be meant. Returns their drag.
+std::vector<StimulusDrag> examined(const ProtocolCheck& check, StimulusBuilder& builder,
+                                   const std::stop_token& stop, std::vector<Diagnostic>& warnings) {
+  {
+    const ShownCourse shown("examining the stimuli of " + check.protocol->name, stop);
+    for (Diagnostic& warning :
+         warnings_about_stimuli(*check.protocol, check.file, builder, shown.course())) {
+      warnings.push_back(std::move(warning));
+    }
+  }
+  const ShownCourse shown("measuring the drag of " + check.protocol->name, stop);
+  return drag_of_stimuli(*check.protocol, builder, shown.course());
+}
+
 /// The problems of a rehearsal, and what of the study's files and stimuli may not be meant. Returns the stimuli's drag.
 std::vector<StimulusDrag> check_with_study(ProtocolCheck& check, const std::filesystem::path& study,
-                                           const ModelRegistry& models,
+                                           const ModelRegistry& models, const std::stop_token& stop,
                                            std::vector<Diagnostic>& warnings) {
   if (Study::exists(study)) {
     try {
@@ -192,22 +214,17 @@ std::vector<StimulusDrag> check_with_study(ProtocolCheck& check, const std::file
   }
   for (Diagnostic& warning : rehearsed.warnings) warnings.push_back(std::move(warning));
   if (!check.diagnostics.empty()) return {};
-  for (Diagnostic& warning : warnings_about_stimuli(*check.protocol, check.file, builder)) {
-    warnings.push_back(std::move(warning));
-  }
-  return drag_of_stimuli(*check.protocol, builder);
+  return examined(check, builder, stop, warnings);
 }
 
 /// The problems of plug-ins, and what of the stimuli that need no file may not be meant. Returns the drag of these stimuli.
 std::vector<StimulusDrag> check_without_study(ProtocolCheck& check, const ModelRegistry& models,
+                                              const std::stop_token& stop,
                                               std::vector<Diagnostic>& warnings) {
   StimulusBuilder without_files(models, {});
   check.diagnostics = problems_of_plugin_stimuli(*check.protocol, check.file, without_files);
   if (!check.diagnostics.empty()) return {};
-  for (Diagnostic& warning : warnings_about_stimuli(*check.protocol, check.file, without_files)) {
-    warnings.push_back(std::move(warning));
-  }
-  return drag_of_stimuli(*check.protocol, without_files);
+  return examined(check, without_files, stop, warnings);
 }
 
 }  // namespace
@@ -258,6 +275,8 @@ void add_check(CLI::App& program, Job& job) {
       // Looked for once, for the first to be compared with it.
       std::optional<SoughtDevice> device{};
       const std::string now_utc = SystemClock(0).utc();
+      const InterruptWatch interrupt("stopping after this stimulus; its protocol is not reported");
+      const std::stop_token stop = interrupt.token();
       for (const std::string& file : options->files) {
         ProtocolCheck check = check_protocol(file, models, options->study, options->device);
         std::vector<Diagnostic> warnings = check.warnings;
@@ -268,21 +287,29 @@ void add_check(CLI::App& program, Job& job) {
         }
         std::vector<StimulusDrag> drags{};
         if (options->study && check.protocol && check.diagnostics.empty()) {
-          drags = check_with_study(check, *options->study, models, warnings);
+          drags = check_with_study(check, *options->study, models, stop, warnings);
         } else if (check.protocol && check.diagnostics.empty()) {
-          drags = check_without_study(check, models, warnings);
+          drags = check_without_study(check, models, stop, warnings);
         }
         DeviceComparison comparison{};
-        if (options->device && check.protocol && check.diagnostics.empty()) {
+        if (options->device && check.protocol && check.diagnostics.empty() &&
+            !stop.stop_requested()) {
           if (!device) {
             device = sought_device(*options->device, options->drivers, built_in_drivers());
           }
-          comparison = compared(*device, check, options->study, now_utc, models);
+          const ShownCourse shown("comparing " + check.protocol->name + " with the device", stop);
+          comparison = compare_with(*device, *check.protocol, check.file, options->study, now_utc,
+                                    models, shown.course());
           warnings.insert(warnings.end(), comparison.warnings.begin(), comparison.warnings.end());
           if (!comparison.refusal.empty()) {
             check.diagnostics.push_back(JsonDocument(check.protocol->source, check.file)
                                             .at_key("/device", comparison.refusal));
           }
+        }
+        if (stop.stop_requested()) {
+          say("asperity: the check was stopped, and " + check.file +
+              " is not reported; repeat the command to check it");
+          return 1;
         }
         acceptable = acceptable && check.diagnostics.empty();
         sort_by_line(check.diagnostics);

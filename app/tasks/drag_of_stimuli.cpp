@@ -8,7 +8,6 @@
 
 #include "analysis/number_text.h"
 #include "app/session/attempt_measures.h"
-#include "app/session/explored_stimuli.h"
 #include "renderers/offline/sliding_drag.h"
 
 namespace asperity {
@@ -71,9 +70,10 @@ std::optional<double> drag_of(const StimulusDescription& stimulus, const AimedSt
 
 }  // namespace
 
-std::vector<StimulusDrag> drag_of_stimuli(const Protocol& protocol, StimulusBuilder& builder) {
+std::vector<StimulusDrag> drag_of_stimuli(const Protocol& protocol, StimulusBuilder& builder,
+                                          const StimuliCourse& course) {
   std::vector<StimulusDrag> drags{};
-  for_each_stimulus(protocol, {}, [&](const ExploredStimulus& one) {
+  for_each_stimulus(protocol, course, [&](const ExploredStimulus& one) {
     const StimulusDescription& stimulus = one.planned.stimulus;
     const std::optional<AimedStroke> stroke = aimed_stroke(one.exploration, stimulus.patch);
     if (!stroke) return;

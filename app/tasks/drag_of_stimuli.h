@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/explored_stimuli.h"
 #include "app/session/stimulus_builder.h"
 #include "protocols/design/protocol.h"
 
@@ -24,7 +25,8 @@ struct StimulusDrag {
 /// only the law `rounded` (`pd_gradient`) has μ·F_n/√(1 + (v₀/v)²). Stimuli whose files are not available
 /// (StimulusBuilder::can_make), those that cannot be rendered and those without a contact at this force are left out. Equal
 /// texture force is not solved: the amplitude is the stimulus's own.
-std::vector<StimulusDrag> drag_of_stimuli(const Protocol& protocol, StimulusBuilder& builder);
+std::vector<StimulusDrag> drag_of_stimuli(const Protocol& protocol, StimulusBuilder& builder,
+                                          const StimuliCourse& course = {});
 
 /// "mean drag 0.198 N, 99.2 % of friction × normal force: fine, coarse (exploration stroke)", one line for all stimuli of
 /// an exploration with the same numbers. Of more than eight, such as the levels of a staircase, it counts the others.

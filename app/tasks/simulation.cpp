@@ -344,7 +344,8 @@ void Simulation::prepare(Study& study) {
              protocols_[i], file, study, builder_.models(), SessionMode::simulate)) {
       inputs_.warned(warning);
     }
-    for (const Diagnostic& warning : warnings_about_stimuli(protocols_[i], file, builder_)) {
+    for (const Diagnostic& warning :
+         warnings_about_stimuli(protocols_[i], file, builder_, {.stop = stop_})) {
       inputs_.warned(warning);
     }
   }

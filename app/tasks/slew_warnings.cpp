@@ -11,7 +11,6 @@
 #include <glm/geometric.hpp>
 
 #include "analysis/number_text.h"
-#include "app/session/explored_stimuli.h"
 #include "device/force_limiter.h"
 #include "device/probe_state.h"
 #include "device/virtual_hand.h"
@@ -178,10 +177,10 @@ std::string limited_motions(const PreparedStimulus& stimulus, const Protocol& pr
 }  // namespace
 
 std::vector<Diagnostic> warnings_about_slew(const Protocol& protocol, const std::string& file_name,
-                                            StimulusBuilder& builder) {
+                                            StimulusBuilder& builder, const StimuliCourse& course) {
   std::vector<Diagnostic> warnings{};
   std::set<std::string> reported{};  // one texture stands for the others of a stimulus
-  for_each_stimulus(protocol, {}, [&](const ExploredStimulus& one) {
+  for_each_stimulus(protocol, course, [&](const ExploredStimulus& one) {
     const StimulusDescription& stimulus = one.planned.stimulus;
     if (stimulus.surface || stimulus.tool || !builder.can_make(stimulus)) return;
     const std::string where = one.planned.stimulus_template + '\n' + one.exploration.name;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/explored_stimuli.h"
 #include "app/session/stimulus_builder.h"
 #include "protocols/design/protocol.h"
 #include "protocols/file/diagnostic.h"
@@ -22,6 +23,7 @@ namespace asperity {
 /// which the plane alone would give the force. Bodies are not compared, nor stimuli that cannot be rendered or whose files are
 /// not available (StimulusBuilder::can_make).
 std::vector<Diagnostic> warnings_about_slew(const Protocol& protocol, const std::string& file_name,
-                                            StimulusBuilder& builder);
+                                            StimulusBuilder& builder,
+                                            const StimuliCourse& course = {});
 
 }  // namespace asperity

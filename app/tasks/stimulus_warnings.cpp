@@ -13,15 +13,19 @@ namespace asperity {
 
 std::vector<Diagnostic> warnings_about_stimuli(const Protocol& protocol,
                                                const std::string& file_name,
-                                               StimulusBuilder& builder) {
+                                               StimulusBuilder& builder,
+                                               const StimuliCourse& course) {
   std::vector<Diagnostic> warnings{};
-  for (const auto find :
-       {warnings_about_arrangements, warnings_about_forces, warnings_about_bands,
-        warnings_about_slew, warnings_about_indentation, warnings_about_observer}) {
-    std::vector<Diagnostic> found = find(protocol, file_name, builder);
+  const auto add = [&warnings](std::vector<Diagnostic> found) {
     warnings.insert(warnings.end(), std::make_move_iterator(found.begin()),
                     std::make_move_iterator(found.end()));
-  }
+  };
+  add(warnings_about_arrangements(protocol, file_name, builder));
+  add(warnings_about_forces(protocol, file_name, builder));
+  add(warnings_about_bands(protocol, file_name, builder));
+  add(warnings_about_slew(protocol, file_name, builder, course));
+  add(warnings_about_indentation(protocol, file_name, builder));
+  add(warnings_about_observer(protocol, file_name, builder));
   return warnings;
 }
 

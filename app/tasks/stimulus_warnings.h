@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/explored_stimuli.h"
 #include "app/session/stimulus_builder.h"
 #include "protocols/design/protocol.h"
 #include "protocols/file/diagnostic.h"
@@ -13,9 +14,11 @@ namespace asperity {
 
 /// `warnings_about_arrangements`, `warnings_about_forces`, `warnings_about_bands`, `warnings_about_slew`,
 /// `warnings_about_indentation` and `warnings_about_observer`. Without a study those that need no
-/// file (StimulusBuilder::can_make). Errors: as StimulusBuilder; none where the files have been checked before.
+/// file (StimulusBuilder::can_make). `course` is that of `warnings_about_slew`, which takes nearly all of the time. Errors: as
+/// StimulusBuilder; none where the files have been checked before.
 std::vector<Diagnostic> warnings_about_stimuli(const Protocol& protocol,
                                                const std::string& file_name,
-                                               StimulusBuilder& builder);
+                                               StimulusBuilder& builder,
+                                               const StimuliCourse& course = {});
 
 }  // namespace asperity

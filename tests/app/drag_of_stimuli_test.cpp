@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -101,6 +102,16 @@ TEST_F(DragOfStimuli, IsMeasuredOnStrokesThatAreLongEnough) {
   for (const StimulusDrag& drag : found) {
     EXPECT_NEAR(drag.of_coulomb, 1.0, 0.03) << drag.stimulus;
   }
+}
+
+TEST_F(DragOfStimuli, IsNotMeasuredAfterAStop) {
+  StimulusBuilder without_files(models_, {});
+  const Protocol protocol = read_small_protocol(models_, kStrongGratings);
+  std::stop_source stop{};
+  const StimuliCourse course{.stop = stop.get_token(),
+                             .progress = [&](double) { stop.request_stop(); }};
+  EXPECT_THAT(drag_of_stimuli(protocol, without_files, course), SizeIs(1));
+  EXPECT_THAT(drag_of_stimuli(protocol, without_files, course), IsEmpty());
 }
 
 TEST_F(DragOfStimuli, LeavesOutWhatCannotBeRendered) {

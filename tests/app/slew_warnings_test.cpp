@@ -2,6 +2,7 @@
 
 #include "app/tasks/slew_warnings.h"
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -23,24 +24,33 @@ TEST(SlewWarnings, NameAStimulusThatWouldBeLimited) {
   make_small_study(folder / "study");
   const ModelRegistry models = built_in_models();
   StimulusBuilder builder(models, folder / "study");
+  StimuliCourse course{};
   const auto warnings = [&](double stiffness_N_per_m, double speed_m_per_s) {
     Protocol protocol =
         read_small_protocol(models, small_protocol("", R"(, "normal_force_N": {"target": 1.0})"));
     protocol.material.stiffness_N_per_m = stiffness_N_per_m;
     for (auto& each : protocol.explorations) each.second.speed_m_per_s.maximum = speed_m_per_s;
-    return warnings_about_slew(protocol, "p.json", builder);
+    return warnings_about_slew(protocol, "p.json", builder, course);
   };
   EXPECT_TRUE(warnings(500.0, 0.06).empty());
   const std::vector<Diagnostic> found = warnings(100'000.0, 0.3);
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found.front().pointer, "/stimuli/rendered");
   EXPECT_THAT(found.front().message, HasSubstr("(model height_map) would be limited in "));
-  EXPECT_THAT(found.front().message,
-              HasSubstr(" ticks of strokes at 300 mm/s and 1 N and in "));
+  EXPECT_THAT(found.front().message, HasSubstr(" ticks of strokes at 300 mm/s and 1 N and in "));
   EXPECT_THAT(found.front().message,
               HasSubstr(" of 8 touch-downs at 50 mm/s in the exploration \"short\""))
       << "100 kN/m · 50 µm are 5 N in a millisecond";
   EXPECT_THAT(found.front().message, HasSubstr("by more than 1 N"));
+  std::vector<double> progress{};
+  std::stop_source stop{};
+  course = {.stop = stop.get_token(), .progress = [&](double done) { progress.push_back(done); }};
+  EXPECT_FALSE(warnings(100'000.0, 0.3).empty());
+  ASSERT_GE(progress.size(), 2U);
+  EXPECT_EQ(progress.front(), 0.0);
+  EXPECT_LT(progress.back(), 1.0);
+  stop.request_stop();
+  EXPECT_TRUE(warnings(100'000.0, 0.3).empty());
 }
 
 // A lateral force fades in over 0.1 mm, which 50 mm/s pass in two ticks: up to three quarters of it in one. At constant depth and
