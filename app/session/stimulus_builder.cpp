@@ -236,7 +236,7 @@ ParameterValues StimulusBuilder::parameters_for(const ForceModel& model,
   return complete_values(model.declaration, values);
 }
 
-PreparedStimulus StimulusBuilder::prepare(const PlannedPresentation& presentation, Study& study) {
+PreparedStimulus StimulusBuilder::prepare(const PlannedPresentation& presentation, Study* study) {
   PreparedStimulus prepared = of_own_amplitude(presentation.stimulus);
   if (presentation.equal_force) match(prepared, presentation, study);
   scale_amplitude(presentation.stimulus, prepared);
@@ -321,7 +321,7 @@ std::vector<AssetRow> StimulusBuilder::take_assets(const ModelDeclaration& model
 }
 
 void StimulusBuilder::match(PreparedStimulus& prepared, const PlannedPresentation& presentation,
-                            Study& study) {
+                            Study* study) {
   const EqualForce& request = presentation.equal_force.value();
   // The path lies on a plane: so does the texture, also of a stimulus on a body.
   const std::shared_ptr<const BodySurface> body = std::exchange(prepared.inputs.body, nullptr);
@@ -353,7 +353,7 @@ void StimulusBuilder::match(PreparedStimulus& prepared, const PlannedPresentatio
   // One problem at a time: sessions that run in parallel wait for the first to solve it.
   const std::lock_guard lock(matching_mutex_);
   std::string& known = solutions_[key];
-  if (known.empty()) known = study.solution(key).value_or(std::string());
+  if (known.empty() && study != nullptr) known = study->solution(key).value_or(std::string());
   if (known.empty()) {
     const double target_N =
         request.rms_N ? *request.rms_N
@@ -371,7 +371,7 @@ void StimulusBuilder::match(PreparedStimulus& prepared, const PlannedPresentatio
       solution["texture_force_rms_N"] = solved.texture_force_rms_N;
     }
     known = solution.dump();
-    study.remember_solution(key, known);
+    if (study != nullptr) study->remember_solution(key, known);
   }
   const nlohmann::json solution = nlohmann::json::parse(known);
   if (solution.contains("parameter")) {

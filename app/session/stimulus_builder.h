@@ -75,8 +75,8 @@ class StimulusBuilder final {
   /// Whether the files of a stimulus are available: without a study only a stimulus that names none.
   bool can_make(const StimulusDescription& description) const;
 
-  /// `study` stores the solutions; it belongs to the calling thread.
-  PreparedStimulus prepare(const PlannedPresentation& presentation, Study& study);
+  /// `study` stores the solutions; it belongs to the calling thread. Without one they last as long as the builder.
+  PreparedStimulus prepare(const PlannedPresentation& presentation, Study* study = nullptr);
   /// The same stimulus with its force unchanged.
   PreparedStimulus unmatched(const StimulusDescription& description);
   /// The same without its parameters: what the description's files and bodies give, each once.
@@ -106,7 +106,7 @@ class StimulusBuilder final {
   /// Gives `inputs` the assets that the model declares. Returns their rows.
   std::vector<AssetRow> take_assets(const ModelDeclaration& model,
                                     const StimulusDescription& description, RendererInputs& inputs);
-  void match(PreparedStimulus& prepared, const PlannedPresentation& presentation, Study& study);
+  void match(PreparedStimulus& prepared, const PlannedPresentation& presentation, Study* study);
 
   const ModelRegistry& models_;
   std::optional<ModelRegistry> computed_{};  ///< the same, on a compute device

@@ -141,7 +141,7 @@ TrialSurfaces UpcomingSurfaces::take(const Trial& trial, int attempt) {
   }
   return TrialSurfaces(
       trial, Layout{session_.mirrored},
-      [this](const PlannedPresentation& planned) { return builder_.prepare(planned, study_); },
+      [this](const PlannedPresentation& planned) { return builder_.prepare(planned, &study_); },
       random_of(wanted));
 }
 

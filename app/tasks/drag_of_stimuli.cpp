@@ -50,8 +50,9 @@ std::optional<double> measured_drag(PreparedStimulus stimulus, const AimedStroke
   return drag.coulomb_N > 0.0 ? std::optional(drag.mean_N / drag.coulomb_N) : std::nullopt;
 }
 
-std::optional<double> drag_of(const StimulusDescription& stimulus, const AimedStroke& stroke,
+std::optional<double> drag_of(const PlannedPresentation& planned, const AimedStroke& stroke,
                               double rate_Hz, StimulusBuilder& builder) {
+  const StimulusDescription& stimulus = planned.stimulus;
   const ForceModel* const model = builder.models().find(stimulus.model);
   if (model == nullptr || !(stimulus.material.friction > 0.0)) return {};
   const std::vector<Parameter>& declared = model->declaration.parameters;
@@ -61,7 +62,7 @@ std::optional<double> drag_of(const StimulusDescription& stimulus, const AimedSt
   };
   if (declares(kLawName)) {
     if (!builder.can_make(stimulus)) return {};
-    return measured_drag(builder.unmatched(stimulus), stroke, rate_Hz);
+    return measured_drag(builder.prepare(planned), stroke, rate_Hz);
   }
   if (!declares(kSpeedName)) return {};
   const ParameterValues values = complete_values(model->declaration, stimulus.parameters);
@@ -79,7 +80,7 @@ std::vector<StimulusDrag> drag_of_stimuli(const Protocol& protocol, StimulusBuil
     if (!stroke) return;
     std::optional<double> drag{};
     try {
-      drag = drag_of(stimulus, *stroke, protocol.rate_Hz, builder);
+      drag = drag_of(one.planned, *stroke, protocol.rate_Hz, builder);
     } catch (const std::exception&) {  // the session's preparation reports it
       return;
     }

@@ -23,8 +23,7 @@ struct StimulusDrag {
 /// The drag of every stimulus with friction, once for each exploration that requests a speed, at the speed and the normal
 /// force at which the exploration aims: that of sliding_drag, along x, of a point model on a body as on a plane. A model that has
 /// only the law `rounded` (`pd_gradient`) has μ·F_n/√(1 + (v₀/v)²). Stimuli whose files are not available
-/// (StimulusBuilder::can_make), those that cannot be rendered and those without a contact at this force are left out. Equal
-/// texture force is not solved: the amplitude is the stimulus's own.
+/// (StimulusBuilder::can_make), those that cannot be rendered and those without a contact at this force are left out.
 std::vector<StimulusDrag> drag_of_stimuli(const Protocol& protocol, StimulusBuilder& builder,
                                           const StimuliCourse& course = {});
 

@@ -187,7 +187,7 @@ std::vector<Diagnostic> warnings_about_slew(const Protocol& protocol, const std:
     if (reported.contains(where)) return;
     std::string motions{};
     try {
-      motions = limited_motions(builder.unmatched(stimulus), protocol, one.exploration);
+      motions = limited_motions(builder.prepare(one.planned), protocol, one.exploration);
     } catch (const std::exception&) {  // the session's preparation reports it
       return;
     }

@@ -14,7 +14,7 @@ namespace asperity {
 
 /// A warning for every stimulus on a plane, once for each exploration, whose force grows or turns within a millisecond by
 /// more than the limiter of every device permits (ForceLimits::slew_N): another texture is then felt than the protocol
-/// describes.
+/// describes. The amplitude is that of a session, also where equal texture force is requested.
 ///
 /// The probe strokes across the patch in both directions of the exploration, at the constant depth at which the mean
 /// normal force is the requested one, at the greatest speed of its band. A band without a maximum counts with its target

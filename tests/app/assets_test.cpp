@@ -180,7 +180,7 @@ TEST_F(AssetOfAModel, IsReadForTheReferenceOfEqualForceToo) {
     const Protocol protocol = load_protocol(protocol_, models_, study_);
     PlannedPresentation planned = make_plan(protocol, {.seed = 1}).trials.at(0).presentations.at(0);
     planned.stimulus.model = "sinusoid";
-    return number_of(builder.prepare(planned, opened).inputs.parameters, "amplitude_m");
+    return number_of(builder.prepare(planned, &opened).inputs.parameters, "amplitude_m");
   };
   const double of_the_file_m = amplitude();
   EXPECT_GT(of_the_file_m, 0.0);

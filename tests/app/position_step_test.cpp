@@ -228,7 +228,7 @@ TEST_F(PositionStep, DoesNotChangeAnAmplitudeOfEqualForce) {
   const auto prepared_on = [&](double step_m) {
     StimulusBuilder builder(models_, study_);
     builder.assume_position_step(step_m);
-    return builder.prepare(planned, opened).inputs.parameters;
+    return builder.prepare(planned, &opened).inputs.parameters;
   };
   const ParameterValues ideal = prepared_on(0.0);
   ParameterValues on_falcon = prepared_on(kFalconStep_m);

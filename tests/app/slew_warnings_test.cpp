@@ -53,30 +53,41 @@ TEST(SlewWarnings, NameAStimulusThatWouldBeLimited) {
   EXPECT_TRUE(warnings(100'000.0, 0.3).empty());
 }
 
-// A lateral force fades in over 0.1 mm, which 50 mm/s pass in two ticks: up to three quarters of it in one. At constant depth and
-// 5 mm/s it turns slowly.
-TEST(SlewWarnings, NameWhatWouldBeLimitedWhereTheHandTouchesDown) {
+/// Of lateral_gradient at 5 mm/s; `stimulus`: further keys of its stimulus.
+std::vector<Diagnostic> warnings_of_lateral_force(double gain_N, const std::string& stimulus) {
   const TemporaryFolder folder{};
   make_small_study(folder / "study");
   const ModelRegistry models = built_in_models();
   StimulusBuilder builder(models, folder / "study");
   std::string text = small_protocol(
       "", R"(, "normal_force_N": {"target": 1.0}, "speed_m_per_s": {"target": 0.005})");
-  for (std::size_t at = text.find("height_map"); at != std::string::npos;
-       at = text.find("height_map")) {
-    text.replace(at, std::string("height_map").size(), "lateral_gradient");
-  }
-  const auto warnings = [&](double gain_N) {
-    Protocol protocol = read_small_protocol(models, text);
-    protocol.stimuli.at("rendered").parameters["gain_N"].value = gain_N;
-    return warnings_about_slew(protocol, "p.json", builder);
+  const auto replace = [&text](const std::string& from, const std::string& to) {
+    for (std::size_t at = text.find(from); at != std::string::npos;
+         at = text.find(from, at + to.size())) {
+      text.replace(at, from.size(), to);
+    }
   };
-  EXPECT_TRUE(warnings(1.0).empty());
-  const std::vector<Diagnostic> found = warnings(10.0);
+  replace("height_map", "lateral_gradient");
+  replace(R"("texture": "grain"})", R"("texture": "grain")" + stimulus + "}");
+  Protocol protocol = read_small_protocol(models, text);
+  protocol.stimuli.at("rendered").parameters["gain_N"].value = gain_N;
+  return warnings_about_slew(protocol, "p.json", builder);
+}
+
+// A lateral force fades in over 0.1 mm, which 50 mm/s pass in two ticks: up to three quarters of it in one. At constant depth and
+// 5 mm/s it turns slowly.
+TEST(SlewWarnings, NameWhatWouldBeLimitedWhereTheHandTouchesDown) {
+  EXPECT_TRUE(warnings_of_lateral_force(1.0, "").empty());
+  const std::vector<Diagnostic> found = warnings_of_lateral_force(10.0, "");
   ASSERT_EQ(found.size(), 1U);
   EXPECT_THAT(found.front().message, HasSubstr("(model lateral_gradient) would be limited in "));
   EXPECT_THAT(found.front().message, HasSubstr(" of 8 touch-downs at 50 mm/s in the exploration"));
   EXPECT_THAT(found.front().message, Not(HasSubstr("ticks of strokes")));
+}
+
+TEST(SlewWarnings, TakeTheAmplitudeOfEqualForce) {
+  EXPECT_TRUE(warnings_of_lateral_force(10.0, R"(, "equal_force": {"rms_N": 0.05})").empty());
+  EXPECT_FALSE(warnings_of_lateral_force(1.0, R"(, "equal_force": {"rms_N": 2.0})").empty());
 }
 
 TEST(SlewWarnings, LeaveOutWhatCannotBeRendered) {
