@@ -127,14 +127,15 @@ void PartFolder::take_place(Overwrite overwrite) {
   sync_folder(target_.parent_path());
 }
 
-/// The lock goes last: without it what is left could not be distinguished from a user's folder.
+/// The lock is removed last, and only if nothing else is left: without it, the next program could not distinguish the rest
+/// from a user's folder.
 void PartFolder::clear() noexcept {
   if (lock_ < 0) return;
   std::error_code error;
   std::filesystem::remove_all(content_, error);
-  std::filesystem::remove_all(replaced_, error);
-  std::filesystem::remove(lock_path_, error);
-  std::filesystem::remove(part_, error);
+  if (!error) std::filesystem::remove_all(replaced_, error);
+  if (!error) std::filesystem::remove(lock_path_, error);
+  if (!error) std::filesystem::remove(part_, error);
   ::close(lock_);
   lock_ = -1;
 }

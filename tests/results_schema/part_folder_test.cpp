@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <sys/resource.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -75,6 +76,24 @@ TEST(PartFolder, RemovesWhatAKilledProgramLeft) {
   std::filesystem::create_directory(folder / "next.part");  // killed before it had a lock
   EXPECT_NO_THROW(PartFolder(folder / "next", 0700));
   EXPECT_FALSE(std::filesystem::exists(folder / "next.part"));
+}
+
+// A program with too many open files can remove the lock, but not list the content of a folder.
+TEST(PartFolder, KeepsItsLockWhereItsContentCannotBeRemoved) {
+  const TemporaryFolder folder;
+  auto part = std::make_unique<PartFolder>(folder / "out", 0700);
+  write_file(part->content() / "half.txt", "half", Overwrite::refuse);
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);
+  rlimit none = before;
+  none.rlim_cur = 0;
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &none), 0);
+  part.reset();
+  setrlimit(RLIMIT_NOFILE, &before);
+  EXPECT_TRUE(std::filesystem::exists(folder / "out.part/content/half.txt"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "out.part/lock"));
+  PartFolder(folder / "out", 0700).take_place();
+  EXPECT_EQ(entries_in(folder.path()), 1U);
 }
 
 TEST(PartFolder, TouchesNothingThatItMayNotHaveMade) {
