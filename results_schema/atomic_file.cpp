@@ -88,12 +88,6 @@ class StagedFile final {
   std::filesystem::path temporary_{};
 };
 
-bool holds(const std::filesystem::path& path, const std::string& content) {
-  std::error_code error;
-  return std::filesystem::is_regular_file(path, error) &&
-         std::filesystem::file_size(path, error) == content.size() && read_file(path) == content;
-}
-
 /// Files that had the names of new ones, under temporary names: put back unless they are
 /// given up.
 class DisplacedFiles final {
@@ -131,12 +125,19 @@ void write_file(const std::filesystem::path& path, std::string_view content, Ove
   write_file(path, std::as_bytes(std::span(content.data(), content.size())), overwrite);
 }
 
+bool holds(const NewFile& file) {
+  std::error_code error;
+  return std::filesystem::is_regular_file(file.path, error) &&
+         std::filesystem::file_size(file.path, error) == file.content.size() &&
+         read_file(file.path) == file.content;
+}
+
 void write_files_together(const std::vector<NewFile>& files, Overwrite overwrite) {
   std::vector<std::unique_ptr<StagedFile>> staged;
   for (const NewFile& file : files) {
     if (overwrite == Overwrite::refuse && std::filesystem::exists(file.path)) {
       const bool is_last = &file == &files.back();
-      if (is_last || !holds(file.path, file.content)) refuse_existing(file.path);
+      if (is_last || !holds(file)) refuse_existing(file.path);
       continue;  // written by a call that did not come to its end
     }
     staged.push_back(

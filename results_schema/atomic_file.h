@@ -29,6 +29,9 @@ struct NewFile {
   std::string content{};
 };
 
+/// Whether a regular file of this name has this content.
+bool holds(const NewFile& file);
+
 /// Writes files of which the last is of use with all the others only.
 ///
 /// All contents are on disk under temporary names before the first of them gets its own; what a failure leaves is

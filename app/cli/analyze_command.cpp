@@ -21,6 +21,7 @@
 #ifdef ASPERITY_WITH_WINDOWS
 #include "app/figures/figure_files.h"
 #include "app/figures/figures_of.h"
+#include "app/study_files/height_field_files.h"
 #endif
 #include "results_schema/atomic_file.h"
 
@@ -68,15 +69,20 @@ void write_figures(const std::string& folder, const std::vector<Figure>& figures
   std::filesystem::create_directories(folder);
   const LettersWithoutWindows letters;
   if (figures.empty()) say("asperity: this kind of analysis has no figures; leave out --figures");
+  std::vector<NewFile> files{};
+  std::vector<std::string> descriptions{};
   for (const Figure& figure : figures) {
     if (!figure.is_drawn()) {
       say("asperity: " + figure.name + ": " + figure.instead.as_sentence().english());
       continue;
     }
     const std::filesystem::path path = std::filesystem::path(folder) / (figure.name + ".svg");
-    write_svg(path, figure, {}, overwrite);
-    say(path.string() + ": " + figure.title.english() + ". " + figure.note.english());
+    files.push_back({path, svg_of(figure)});
+    descriptions.push_back(path.string() + ": " + figure.title.english() + ". " +
+                           figure.note.english());
   }
+  if (!files.empty()) write_files_or_refuse(files, overwrite);
+  for (const std::string& description : descriptions) say(description);
 }
 #endif
 

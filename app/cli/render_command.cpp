@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -103,7 +104,7 @@ struct RenderPlot {
   ColumnChoice columns() const { return {.x = x, .y = parts_of(y, ',')}; }
 };
 
-void require_plot(const RenderPlot& plot, Overwrite overwrite) {
+void require_plot(const RenderPlot& plot) {
   if (plot.file.empty()) return;
   try {
     require_figure_ending(plot.file);
@@ -111,7 +112,6 @@ void require_plot(const RenderPlot& plot, Overwrite overwrite) {
   } catch (const std::invalid_argument& error) {
     throw WrongUsage(std::string("--plot: ") + error.what());
   }
-  refuse_existing({plot.file}, overwrite);
 }
 
 void add_plot_options(CLI::App& command, RenderPlot& plot) {
@@ -217,10 +217,10 @@ void add_render(CLI::App& program, Job& job) {
   command->callback([options, &job] {
     job = [options] {
       const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
+      // Before the work; the files that go with it are looked at when they are written.
       refuse_existing({options->out}, overwrite);
-      if (options->tool_out) refuse_existing({*options->tool_out}, overwrite);
 #ifdef ASPERITY_WITH_WINDOWS
-      require_plot(options->plot, overwrite);
+      require_plot(options->plot);
 #endif
       require_material(options->material);
       ModelRegistry models = models_with(options->plugins);
@@ -285,20 +285,23 @@ void add_render(CLI::App& program, Job& job) {
       if (model.compute) {
         std::cerr << "Computed by " << described(model.compute->device.name()) << ".\n";
       }
-      write_file(options->out, forces_tsv(path, along.ticks), overwrite);
-      std::cout << options->out.string() << ": " << counted(along.ticks.size(), "row") << '\n';
+      std::vector<NewFile> files{};
       const auto with_tool = [&] { return tool_table(path, along); };
-      if (options->tool_out) {
-        write_file(*options->tool_out, tsv_of(with_tool()), overwrite);
-        std::cout << options->tool_out->string() << ": " << counted(along.tools.size(), "row")
-                  << '\n';
-      }
+      if (options->tool_out) files.push_back({*options->tool_out, tsv_of(with_tool())});
 #ifdef ASPERITY_WITH_WINDOWS
       if (const RenderPlot& plot = options->plot; !plot.file.empty()) {
         const LettersWithoutWindows letters;
-        write_figure(plot.file, column_figure(with_tool(), plot.columns()), {}, overwrite);
+        const Figure figure = column_figure(with_tool(), plot.columns());
+        files.push_back({plot.file, figure_bytes(plot.file, figure)});
       }
 #endif
+      files.push_back({options->out, forces_tsv(path, along.ticks)});
+      write_files_or_refuse(files, overwrite);
+      std::cout << options->out.string() << ": " << counted(along.ticks.size(), "row") << '\n';
+      if (options->tool_out) {
+        std::cout << options->tool_out->string() << ": " << counted(along.tools.size(), "row")
+                  << '\n';
+      }
       tell_limits(model, *renderer, along.ticks.size());
       return 0;
     };

@@ -149,47 +149,36 @@ std::string pdf_of(const Figure& figure, const FigurePrint& print) {
   return text_of_bytes(bytes);
 }
 
-void write_svg(const std::filesystem::path& path, const Figure& figure, const FigurePrint& print,
-               Overwrite overwrite) {
-  write_file(path, svg_of(figure, print), overwrite);
-}
-
-void write_png(const std::filesystem::path& path, const Figure& figure, const FigurePrint& print,
-               Overwrite overwrite) {
-  write_file(path, png_of(figure, print), overwrite);
-}
-
-void write_pdf(const std::filesystem::path& path, const Figure& figure, const FigurePrint& print,
-               Overwrite overwrite) {
-  write_file(path, pdf_of(figure, print), overwrite);
-}
-
 namespace {
 
-using WriteFigure = void (*)(const std::filesystem::path&, const Figure&, const FigurePrint&,
-                             Overwrite);
+using BytesOfFigure = std::string (*)(const Figure&, const FigurePrint&);
 
 /// Null for an extension that is not supported.
-WriteFigure writer_by_ending(const std::filesystem::path& path) {
+BytesOfFigure bytes_by_ending(const std::filesystem::path& path) {
   const std::string ending = path.extension().string();
-  if (ending == ".svg") return write_svg;
-  if (ending == ".png") return write_png;
-  if (ending == ".pdf") return write_pdf;
+  if (ending == ".svg") return svg_of;
+  if (ending == ".png") return png_of;
+  if (ending == ".pdf") return pdf_of;
   return nullptr;
 }
 
 }  // namespace
 
 void require_figure_ending(const std::filesystem::path& path) {
-  if (writer_by_ending(path) != nullptr) return;
+  if (bytes_by_ending(path) != nullptr) return;
   throw std::invalid_argument("the figure \"" + path.filename().string() +
                               "\" cannot be written; its name must end in .svg, .png or .pdf");
 }
 
+std::string figure_bytes(const std::filesystem::path& path, const Figure& figure,
+                         const FigurePrint& print) {
+  require_figure_ending(path);
+  return bytes_by_ending(path)(figure, print);
+}
+
 void write_figure(const std::filesystem::path& path, const Figure& figure, const FigurePrint& print,
                   Overwrite overwrite) {
-  require_figure_ending(path);
-  writer_by_ending(path)(path, figure, print, overwrite);
+  write_file(path, figure_bytes(path, figure, print), overwrite);
 }
 
 namespace {

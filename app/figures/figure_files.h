@@ -26,17 +26,13 @@ std::string svg_of(const Figure& figure, const FigurePrint& print = {});
 std::string png_of(const Figure& figure, const FigurePrint& print = {});
 std::string pdf_of(const Figure& figure, const FigurePrint& print = {});
 
-/// Writes the same to a file. Errors: as write_file.
-void write_svg(const std::filesystem::path& path, const Figure& figure, const FigurePrint& print,
-               Overwrite overwrite);
-void write_png(const std::filesystem::path& path, const Figure& figure, const FigurePrint& print,
-               Overwrite overwrite);
-void write_pdf(const std::filesystem::path& path, const Figure& figure, const FigurePrint& print,
-               Overwrite overwrite);
 /// Checks a path before there is a figure. Errors: std::invalid_argument for an extension other
 /// than .svg, .png or .pdf.
 void require_figure_ending(const std::filesystem::path& path);
-/// Chooses the format by that extension. Errors: those of require_figure_ending and write_file.
+/// The bytes of the file in the format of that extension. Errors: those of require_figure_ending.
+std::string figure_bytes(const std::filesystem::path& path, const Figure& figure,
+                         const FigurePrint& print = {});
+/// Writes them to the file. Errors: those of require_figure_ending and write_file.
 void write_figure(const std::filesystem::path& path, const Figure& figure, const FigurePrint& print,
                   Overwrite overwrite);
 

@@ -77,6 +77,13 @@ void refuse_existing(const std::vector<std::filesystem::path>& files, Overwrite 
   }
 }
 
+void write_files_or_refuse(const std::vector<NewFile>& files, Overwrite overwrite) {
+  for (const NewFile& file : files) {
+    if (&file == &files.back() || !holds(file)) refuse_existing({file.path}, overwrite);
+  }
+  write_files_together(files, overwrite);
+}
+
 LoadedHeightField load_height_field(const std::filesystem::path& png) {
   FilesRead read = read_files(png);
   return {.field = std::make_shared<const HeightField>(std::move(read.stored.field)),
@@ -90,9 +97,6 @@ HeightFieldProvenance provenance_of(const std::filesystem::path& png) {
 void save_height_field(const std::filesystem::path& png, const HeightField& field,
                        HeightFieldProvenance provenance, Overwrite overwrite,
                        const std::vector<PictureFile>& pictures) {
-  std::vector<std::filesystem::path> made{png};
-  for (const PictureFile& one : pictures) made.push_back(one.png);
-  refuse_existing(made, overwrite);
   provenance.program_version = version_line();
   const std::vector<std::byte> content = encode_height_field_png(field);
   const std::string text =
@@ -102,7 +106,7 @@ void save_height_field(const std::filesystem::path& png, const HeightField& fiel
     files.push_back({one.png, one.content});
   }
   files.push_back({png, std::string(text_in(content))});
-  write_files_together(files, overwrite);
+  write_files_or_refuse(files, overwrite);
 }
 
 PictureFile picture_file(const std::filesystem::path& png, const GreyImage& picture) {

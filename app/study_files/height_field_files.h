@@ -38,6 +38,10 @@ std::filesystem::path sidecar_of(const std::filesystem::path& png);
 /// Errors: ResultsError naming it.
 void refuse_existing(const std::vector<std::filesystem::path>& files, Overwrite overwrite);
 
+/// `write_files_together`, for a command with --force. Errors: also those of `refuse_existing`, for the last file and for
+/// another one that has a different content.
+void write_files_or_refuse(const std::vector<NewFile>& files, Overwrite overwrite);
+
 /// A PNG for display.
 struct PictureFile {
   std::filesystem::path png{};
@@ -47,7 +51,7 @@ struct PictureFile {
 PictureFile picture_file(const std::filesystem::path& png, const GreyImage& picture);
 
 /// Writes FILE.png and FILE.png.json, together with pictures of the same height field, as
-/// `write_files_together` does: FILE.png exists with all the others or not at all. The program's
+/// `write_files_or_refuse` does: FILE.png exists with all the others or not at all. The program's
 /// version is added to the provenance.
 void save_height_field(const std::filesystem::path& png, const HeightField& field,
                        HeightFieldProvenance provenance, Overwrite overwrite,

@@ -66,6 +66,22 @@ TEST(HeightFieldFiles, AreCompletedByTheSameCommandAndByNoOther) {
               HasSubstr("a.png already exists"));
 }
 
+// A program that was killed before the last one leaves pictures as well.
+TEST(HeightFieldFiles, AreCompletedWithTheirPictures) {
+  const TemporaryFolder folder;
+  const auto save_with = [&folder](const std::string& picture) {
+    save_height_field(folder / "a.png", ramp(1e-4F), {"test", {}, {}, "", "", ""},
+                      Overwrite::refuse, {{folder / "photo.png", picture}});
+  };
+  save_with("picture");
+  std::filesystem::remove(folder / "a.png");
+  EXPECT_THAT(refusal_of<ResultsError>([&] { save_with("other"); }),
+              HasSubstr("photo.png already exists; use --force to replace it"));
+  EXPECT_EQ(read_file(folder / "photo.png"), "picture");
+  save_with("picture");
+  EXPECT_NO_THROW(load_height_field(folder / "a.png"));
+}
+
 TEST(HeightFieldFiles, AreReplacedTogether) {
   const TemporaryFolder folder;
   save(folder / "a.png", 1e-4F, Overwrite::refuse);

@@ -142,6 +142,29 @@ TEST_F(RenderBodies, DrawsColumnsOfTheTool) {
   EXPECT_THAT(refused("fx_N,tz_N_m"), HasSubstr("--plot: the columns fx_N and tz_N_m have"));
   EXPECT_THAT(refused("f_N"), HasSubstr("there is no column \"f_N\"; write one of time_s, x_m"));
 }
+
+// A program that was killed between the two leaves the figure: the same command completes it, another one does not.
+TEST_F(RenderBodies, AreCompletedWithTheirFigureByTheSameCommandOnly) {
+  const auto render_anew = [this](double z_m) {
+    write_text(place_ / "path.tsv", path_through({{.z_m = 0.0035}, {.z_m = 0.0028}, {.z_m = z_m}}));
+    return asperity({"render", "--model", "pd_gradient", "--stimulus", "plane:0.02,0.02", "--tool",
+                     "sphere:0.006", "--path", place_ / "path.tsv", "--out", place_ / "forces.tsv",
+                     "--tool-out", place_ / "tool.tsv", "--plot", place_ / "force.svg"});
+  };
+  ASSERT_EQ(render_anew(0.0026).status, 0);
+  const std::string forces = text_of(place_ / "forces.tsv");
+  fs::remove(place_ / "forces.tsv");
+  const Outcome other = render_anew(0.0025);
+  EXPECT_EQ(other.status, 1);
+  EXPECT_THAT(other.err, HasSubstr("tool.tsv already exists; use --force to replace it"));
+  EXPECT_FALSE(fs::exists(place_ / "forces.tsv"));
+  const Outcome again = render_anew(0.0026);
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(text_of(place_ / "forces.tsv"), forces);
+  const Outcome complete = render_anew(0.0026);
+  EXPECT_EQ(complete.status, 1);
+  EXPECT_THAT(complete.err, HasSubstr("forces.tsv already exists"));
+}
 #endif
 
 TEST_F(RenderBodies, NamesAModelThatIsNearlyCalledThat) {

@@ -232,8 +232,8 @@ TEST(FigureFiles, StayOnTheSheetInLettersThatCanBeReadForEveryKind) {
         const std::string name = "figure-" + entry.path().filename().string() + "-" + figure.name +
                                  "-" + std::to_string(static_cast<int>(width_mm));
         if (!pictures.isEmpty()) {
-          write_png(std::filesystem::path(pictures.toStdString()) / (name + ".png"), figure,
-                    {.width_mm = width_mm}, Overwrite::allow);
+          write_figure(std::filesystem::path(pictures.toStdString()) / (name + ".png"), figure,
+                       {.width_mm = width_mm}, Overwrite::allow);
         }
         const DrawnSvg svg = drawn(figure, width_mm);
         ++seen;
