@@ -20,11 +20,16 @@ std::filesystem::path without_slash(const std::filesystem::path& folder) {
   return path.has_filename() ? path : path.parent_path();
 }
 
+/// `target` without a slash at its end.
+std::filesystem::path part_of(const std::filesystem::path& target) {
+  return target.string() + ".part";
+}
+
 }  // namespace
 
 PartFolder::PartFolder(const std::filesystem::path& target, mode_t mode)
     : target_(without_slash(target)),
-      part_(target_.string() + ".part"),
+      part_(part_of(target_)),
       content_(part_ / "content"),
       replaced_(part_ / "replaced"),
       lock_path_(part_ / "lock") {
@@ -41,6 +46,12 @@ PartFolder::PartFolder(const std::filesystem::path& target, mode_t mode)
 }
 
 PartFolder::~PartFolder() { clear(); }
+
+void PartFolder::remove_leftover(const std::filesystem::path& target) {
+  if (std::filesystem::exists(std::filesystem::symlink_status(part_of(without_slash(target))))) {
+    PartFolder(target, 0700);
+  }
+}
 
 /// False when the folder was removed meanwhile by the program that made it.
 bool PartFolder::claim() {

@@ -25,6 +25,9 @@ class PartFolder final {
   /// Removes NAME.part, and with it what did not take its place or was replaced.
   ~PartFolder();
 
+  /// Removes what a program left that was killed after `target` took its place. Errors: those of the constructor.
+  static void remove_leftover(const std::filesystem::path& target);
+
   /// The folder to be filled.
   const std::filesystem::path& content() const noexcept { return content_; }
 

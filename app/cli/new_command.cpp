@@ -9,7 +9,6 @@
 #include "app/cli/metadata_options.h"
 #include "app/cli/terminal.h"
 #include "app/tasks/new_study.h"
-#include "results_schema/study.h"
 #include "results_schema/study_sharing.h"
 
 namespace asperity {
@@ -39,19 +38,19 @@ void add_new(CLI::App& program, Job& job) {
   command->callback([options, &job] {
     job = [options] {
       require_group(options->group);
-      if (options->demo) {
+      NewStudySettings settings{.metadata = options->metadata.applied_to({})};
+      if (options->shared) settings.group = options->group;
+      const NewStudy result = [&] {
+        if (!options->demo) return new_study(options->folder, settings);
         Progress progress("making textures");
-        new_demo_study(options->folder, [&progress](double fraction) { progress.show(fraction); });
-      } else {
-        new_study(options->folder);
-      }
-      if (options->metadata.is_any()) {
-        Study study = Study::open(options->folder, Access::read_write);
-        study.set_metadata(options->metadata.applied_to({}));
-      }
-      std::cout << "created the study " << options->folder.string();
+        return new_demo_study(
+            options->folder, [&progress](double fraction) { progress.show(fraction); }, settings);
+      }();
+      std::cout << (result == NewStudy::made ? "created the study "
+                                             : "an earlier command created the unused study ")
+                << options->folder.string();
       if (options->shared) {
-        std::cout << ", shared with the group " << share_study(options->folder, options->group);
+        std::cout << ", shared with the group " << group_of(options->folder);
       }
       std::cout << '\n';
       if (!options->shared) return 0;

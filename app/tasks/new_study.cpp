@@ -1,6 +1,7 @@
 #include "app/tasks/new_study.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -176,24 +177,107 @@ void fill_demo_study(const std::filesystem::path& folder,
   progress(1.0);
 }
 
-}  // namespace
-
-void new_study(const std::filesystem::path& folder) {
-  Study::create(folder, folder.filename().string());
+/// The name of the folder: "s" for "s/" and for "." in the folder s.
+std::string name_of(const std::filesystem::path& folder) {
+  std::string name{};
+  if (!folder.empty()) {
+    const std::filesystem::path path = std::filesystem::absolute(folder).lexically_normal();
+    name = (path.has_filename() ? path : path.parent_path()).filename().string();
+  }
+  if (name.empty()) {
+    throw std::invalid_argument("the name of a study must not be empty; give a name");
+  }
+  return name;
 }
 
-void new_demo_study(const std::filesystem::path& folder,
-                    const std::function<void(double)>& progress) {
-  const std::string name = folder.filename().string();
-  if (std::filesystem::exists(folder)) {
-    Study::create(folder, name);
-    fill_demo_study(folder, progress);
+/// Whether the folder has a study as it was made with these settings, without anything that was added later.
+bool holds_unused_study(const std::filesystem::path& folder, const NewStudySettings& settings) {
+  if (!Study::exists(folder)) return false;
+  try {
+    const Study study = Study::open(folder, Access::read_only);
+    return study.name() == name_of(folder) && study.metadata() == settings.metadata &&
+           study.participants().empty() && study.protocols().empty() && study.outputs().empty() &&
+           study.withdrawals().empty();
+  } catch (const ResultsError&) {
+    return false;
+  }
+}
+
+bool is_of_store(const std::filesystem::path& path) {
+  return path.filename().string().starts_with("study.sqlite");
+}
+
+/// Whether the folders of a study are empty, and nothing else is next to its store.
+bool holds_no_files(const std::filesystem::path& folder) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const bool is_empty = entry.is_directory() && std::filesystem::is_empty(entry.path());
+    if (!is_of_store(entry.path()) && !is_empty) return false;
+  }
+  return true;
+}
+
+using FillFolder = std::function<void(const std::filesystem::path&)>;
+
+void remove_study(const std::filesystem::path& folder) noexcept {
+  std::error_code error{};
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    const bool is_ours = is_of_store(entry.path()) || name == "protocols" || name == "stimuli" ||
+                         name == "recordings" || name == "locks";
+    if (is_ours) std::filesystem::remove_all(entry.path(), error);
+  }
+}
+
+/// Makes the study in a new or empty folder.
+void make_study(const std::filesystem::path& folder, const NewStudySettings& settings,
+                const FillFolder& fill) {
+  const std::string name = name_of(folder);
+  const auto make_in = [&](const std::filesystem::path& content) {
+    {
+      Study study = Study::create(content, name);
+      if (settings.metadata != StudyMetadata{}) study.set_metadata(settings.metadata);
+    }
+    fill(content);
+    if (settings.group) share_study(content, *settings.group);
+  };
+  if (!std::filesystem::exists(folder)) {
+    PartFolder part(folder, kOwnersFolder);
+    make_in(part.content());
+    part.take_place();
     return;
   }
-  PartFolder part(folder, kOwnersFolder);
-  Study::create(part.content(), name);
-  fill_demo_study(part.content(), progress);
-  part.take_place();
+  const bool was_empty = std::filesystem::is_directory(folder) && std::filesystem::is_empty(folder);
+  try {
+    make_in(folder);
+  } catch (...) {
+    if (was_empty) remove_study(folder);
+    throw;
+  }
+}
+
+NewStudy make_or_find(const std::filesystem::path& folder, const NewStudySettings& settings,
+                      bool (*is_filled)(const std::filesystem::path&), const FillFolder& fill) {
+  if (!holds_unused_study(folder, settings) || !is_filled(folder)) {
+    make_study(folder, settings, fill);
+    return NewStudy::made;
+  }
+  PartFolder::remove_leftover(folder);
+  if (settings.group) share_study(folder, *settings.group);
+  return NewStudy::found;
+}
+
+}  // namespace
+
+NewStudy new_study(const std::filesystem::path& folder, const NewStudySettings& settings) {
+  return make_or_find(folder, settings, holds_no_files, [](const std::filesystem::path&) {});
+}
+
+NewStudy new_demo_study(const std::filesystem::path& folder,
+                        const std::function<void(double)>& progress,
+                        const NewStudySettings& settings) {
+  return make_or_find(
+      folder, settings, holds_demo_study,
+      [&progress](const std::filesystem::path& content) { fill_demo_study(content, progress); });
 }
 
 bool is_of_demonstration(const std::string& study_path) {

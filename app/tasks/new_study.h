@@ -4,21 +4,39 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
+
+#include "results_schema/rows.h"
 
 namespace asperity {
 
-/// Makes the folder with an empty store. Errors: ResultsError when the folder already has content.
-void new_study(const std::filesystem::path& folder);
+struct NewStudySettings {
+  StudyMetadata metadata{};
+  /// The group that the study is shared with; empty: the group of its folder. Absent: it is not shared.
+  std::optional<std::string> group{};
+};
+
+enum class NewStudy {
+  made,
+  /// It was there as the same call makes it, and unused: a call that was interrupted at its end made it.
+  found,
+};
+
+/// Makes the folder with an empty store. A folder that did not exist before appears only when it is complete, so that the
+/// same call can be repeated after an error or a crash; a folder that was empty is empty again after an error.
+/// Errors: ResultsError when the folder already has content.
+NewStudy new_study(const std::filesystem::path& folder, const NewStudySettings& settings = {});
 
 /// The demo study: the chapter's protocols, and its textures as procedural surfaces of
 /// known heights. Each texture has the true height field, a "photograph" of it, and the height
 /// field made from that photograph, which is rendered; distractors have only the first two.
 ///
 /// Requires no network, and gives the same files on every machine. `progress` may throw to cancel.
-/// A folder that did not exist before appears only when it is complete.
-void new_demo_study(const std::filesystem::path& folder,
-                    const std::function<void(double)>& progress);
+/// For the rest like `new_study`.
+NewStudy new_demo_study(const std::filesystem::path& folder,
+                        const std::function<void(double)>& progress,
+                        const NewStudySettings& settings = {});
 
 /// Whether a study-relative file is one of the demo study's files in `stimuli/`.
 bool is_of_demonstration(const std::string& study_path);

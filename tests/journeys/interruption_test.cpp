@@ -8,6 +8,7 @@
 #include <random>
 #include <set>
 #include <sstream>
+#include <sys/resource.h>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -173,9 +174,19 @@ TEST(FailedAssertion, LosesNoTrialThatWasReportedDoneAndTheSessionContinues) {
   const fs::path protocol = small.place() / "faulty.json";
   write_text(protocol, faulty_discrimination().dump());
   const auto run_with = [&](const std::string& plugin, const std::vector<std::string>& more) {
-    std::vector<std::string> words{"run",    protocol, "--study",   small.study(), "--participant",
-                                   "hand1",  "--mode", "pilot",     "--virtual",   "--seed",
-                                   "5",      "--plugin", ASPERITY_FAULTY_PLUGINS "/" + plugin};
+    std::vector<std::string> words{"run",
+                                   protocol,
+                                   "--study",
+                                   small.study(),
+                                   "--participant",
+                                   "hand1",
+                                   "--mode",
+                                   "pilot",
+                                   "--virtual",
+                                   "--seed",
+                                   "5",
+                                   "--plugin",
+                                   ASPERITY_FAULTY_PLUGINS "/" + plugin};
     words.insert(words.end(), more.begin(), more.end());
     return asperity(words);
   };
@@ -264,6 +275,55 @@ TEST(KilledNewStudy, IsNotInTheWayOfTheNext) {
   const Outcome next = asperity({"new", study});
   EXPECT_EQ(next.status, 0) << next.err;
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(NewStudyOnAFullDisk, CanBeMadeByTheSameCommand) {
+  int failures = 0;
+  for (const rlim_t most_bytes : {0UL, 1'000UL, 20'000UL, 100'000UL, 200'000UL, 300'000UL}) {
+    for (const bool is_there : {false, true}) {
+      const TemporaryFolder folder;
+      const fs::path study = folder / "study";
+      if (is_there) fs::create_directory(study);
+      Invocation limited{.arguments = {"new", study, "--author", "Field, A."}};
+      limited.in_child = [most_bytes] {
+        std::signal(SIGXFSZ, SIG_IGN);  // the write fails
+        const rlimit limit{most_bytes, most_bytes};
+        setrlimit(RLIMIT_FSIZE, &limit);
+      };
+      if (run(limited).status != 0) {
+        ++failures;
+        EXPECT_EQ(fs::exists(study), is_there);
+        EXPECT_TRUE(!is_there || fs::is_empty(study));
+      }
+      const Outcome again = asperity({"new", study, "--author", "Field, A."});
+      EXPECT_EQ(again.status, 0) << most_bytes << ": " << again.err;
+      EXPECT_EQ(asperity({"verify", study}).status, 0);
+      EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
+    }
+  }
+  EXPECT_GE(failures, 6);
+}
+
+// Between the renaming and its end: the study has its name, and the folder in which it was made is left.
+TEST(KilledNewStudy, IsCompletedByTheSameCommandOnly) {
+  const SmallStudy small(1);
+  const fs::path study = small.place() / "new";
+  const auto make = [&study](const std::string& author) {
+    return asperity({"new", study, "--author", author});
+  };
+  ASSERT_EQ(make("Field, A.").status, 0);
+  fs::create_directory(small.place() / "new.part");
+  write_text(small.place() / "new.part/lock", "");
+  const auto before = contents_of(study);
+  const Outcome same = make("Field, A.");
+  EXPECT_EQ(same.status, 0) << same.err;
+  EXPECT_FALSE(fs::exists(small.place() / "new.part"));
+  EXPECT_TRUE(contents_of(study) == before);
+  EXPECT_EQ(make("Other, B.").status, 1);
+  EXPECT_EQ(asperity({"new", study, "--demo", "--author", "Field, A."}).status, 1);
+  write_text(study / "protocols/mine.json", "{}");
+  EXPECT_EQ(make("Field, A.").status, 1);
+  EXPECT_EQ(text_of(study / "protocols/mine.json"), "{}");
 }
 
 }  // namespace

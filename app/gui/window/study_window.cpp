@@ -494,10 +494,7 @@ void StudyWindow::make_new_study(const std::filesystem::path& folder,
   make_task_.run<bool>(
       [folder, metadata](const std::stop_token&, const BackgroundTask::Progress&) {
         std::filesystem::create_directories(folder.parent_path());
-        new_study(folder);
-        if (metadata != StudyMetadata{}) {
-          Study::open(folder, Access::read_write).set_metadata(metadata);
-        }
+        new_study(folder, {.metadata = metadata});
         return true;
       },
       [this, folder](bool) { open_study(folder); },
