@@ -24,8 +24,9 @@ namespace asperity {
 
 namespace {
 
-/// "wide,sav" and so on; "all" adds everything there is, "none" is only the tables.
-std::set<ExportFormat> formats_in(const std::vector<std::string>& names) {
+/// "wide,sav" and so on; "none" is only the tables, "all" is everything. The movements in recordings can identify a
+/// participant: in a public export they are written only if they are named.
+std::set<ExportFormat> formats_in(const std::vector<std::string>& names, ExportAudience audience) {
   if (names.empty()) return usual_export_formats();
   std::set<ExportFormat> formats{};
   for (const std::string& name : names) {
@@ -33,7 +34,8 @@ std::set<ExportFormat> formats_in(const std::vector<std::string>& names) {
     for (const ExportFormat format :
          {ExportFormat::wide, ExportFormat::sav, ExportFormat::bids, ExportFormat::psychds,
           ExportFormat::physio, ExportFormat::stimuli, ExportFormat::fit}) {
-      if (name == "all" || name == name_of(format)) formats.insert(format);
+      const bool is_in_all = format != ExportFormat::physio || !is_public(audience);
+      if ((name == "all" && is_in_all) || name == name_of(format)) formats.insert(format);
     }
   }
   return formats;
@@ -72,9 +74,16 @@ void add_export(CLI::App& program, Job& job) {
     std::string study{};
     std::string out{};
     bool published = false;
+    bool relabel = false;
+    bool age_bands = false;
     bool force = false;
     std::vector<std::string> questions{};
     std::vector<std::string> formats{};
+
+    ExportAudience audience() const {
+      if (relabel) return ExportAudience::relabelled;
+      return published ? ExportAudience::published : ExportAudience::own;
+    }
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
@@ -82,14 +91,25 @@ void add_export(CLI::App& program, Job& job) {
       "Export a study as tables (TSV) with a codebook, and in the formats of other programs.");
   command->add_option("STUDY", options->study, "Folder of the study")->required();
   command->add_option("--out", options->out, "New folder for the tables")->required();
-  auto* published = command->add_flag("--public", options->published,
-                                      "Leave out dates, free text, answers to questionnaires and "
-                                      "participants who withdrew; the columns are listed below");
+  auto* published = command->add_flag(
+      "--public", options->published,
+      "Leave out dates, free text, answers to questionnaires, recordings and participants who "
+      "withdrew; the columns, and what can still identify a participant, are listed below");
   command
       ->add_option(
           "--with-questions", options->questions,
           "Questions of questionnaires whose answers are to be published, separated by commas")
       ->delimiter(',')
+      ->needs(published);
+  command
+      ->add_flag("--relabel", options->relabel,
+                 "Give the participants new labels, drawn at random in every export, and leave out "
+                 "what shows when, or in which order, sessions were run. The assignment is not "
+                 "stored")
+      ->needs(published);
+  command
+      ->add_flag("--age-bands", options->age_bands,
+                 "Replace ages by bands of at least five participants")
       ->needs(published);
   command->add_flag("--force", options->force, "Replace an earlier export");
   command
@@ -97,7 +117,8 @@ void add_export(CLI::App& program, Job& job) {
                    "Formats in addition to the tables, separated by commas: wide (CSV, one row per "
                    "participant), sav (SPSS, JASP), fit (counts at the levels of a numeric "
                    "factor), bids, psychds, stimuli (the height fields), physio (the recordings, "
-                   "in the BIDS dataset); all; none. Default: all but physio")
+                   "in the BIDS dataset); all (with --public, without physio); none. Default: all "
+                   "but physio")
       ->delimiter(',')
       ->check(
           word_among({"wide", "sav", "bids", "psychds", "physio", "stimuli", "fit", "all", "none"}))
@@ -111,9 +132,11 @@ void add_export(CLI::App& program, Job& job) {
       const InterruptWatch interrupt;
       const ModelRegistry models = built_in_models();
       ExportOptions wanted{};
-      wanted.audience = options->published ? ExportAudience::published : ExportAudience::own;
+      wanted.audience = options->audience();
+      wanted.random_bits = random_bits_of_this_machine();
+      wanted.has_age_bands = options->age_bands;
       wanted.overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
-      wanted.formats = formats_in(options->formats);
+      wanted.formats = formats_in(options->formats, wanted.audience);
       wanted.questions_for_public = {options->questions.begin(), options->questions.end()};
       ExportOutcome outcome{};
       {
@@ -147,7 +170,8 @@ void add_export(CLI::App& program, Job& job) {
                         options->out));
       const auto has = [&](ExportFormat format) { return wanted.formats.contains(format); };
       if (has(ExportFormat::bids) && !has(ExportFormat::physio)) {
-        say("the recordings were left out; --formats all adds them");
+        say(std::string("the recordings were left out; --formats ") +
+            (options->published ? "all,physio" : "all") + " adds them");
       }
       return 0;
     };

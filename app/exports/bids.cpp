@@ -177,10 +177,12 @@ Json BidsDataset::session_sidecar(const ExportPlace& at,
   Json sidecar{};
   // The release of a kernel can identify a machine; the system's name does not.
   const std::string& os = at.session->os;
-  sidecar["StimulusPresentation"] = Json{
-      {"OperatingSystem", audience_ == ExportAudience::published ? os.substr(0, os.find(' ')) : os},
-      {"SoftwareName", "Asperity"},
-      {"SoftwareVersion", at.session->program_version}};
+  Json& presentation = sidecar["StimulusPresentation"];
+  presentation["OperatingSystem"] = is_public(audience_) ? os.substr(0, os.find(' ')) : os;
+  presentation["SoftwareName"] = "Asperity";
+  if (audience_ != ExportAudience::relabelled) {
+    presentation["SoftwareVersion"] = at.session->program_version;
+  }
   for (const ExportColumn& column : columns) sidecar[column.name] = sidecar_of(column);
   return sidecar;
 }

@@ -31,8 +31,9 @@ ExportColumn renamed_column(const Columns& columns, const std::string& name, std
   made.name = std::move(bids_name);
   made.cell = [of_event = std::move(made.cell), otherwise = std::move(otherwise)](
                   const ExportPlace& at) { return at.event ? of_event(at) : otherwise(at); };
-  if (made.published_cell) {
-    made.published_cell = [of_event = std::move(made.published_cell)](const ExportPlace& at) {
+  for (auto* const cell : {&made.published_cell, &made.relabelled_cell}) {
+    if (!*cell) continue;
+    *cell = [of_event = std::move(*cell)](const ExportPlace& at) {
       return at.event ? of_event(at) : Cell{};
     };
   }

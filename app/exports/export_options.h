@@ -7,6 +7,7 @@
 
 #include "app/exports/columns/export_column.h"
 #include "app/exports/export_folder.h"
+#include "app/exports/new_labels.h"
 
 namespace asperity {
 
@@ -33,6 +34,10 @@ struct ExportOptions {
   std::set<std::string> questions_for_public{};
   /// In addition to the tables and their codebook, which are always written.
   std::set<ExportFormat> formats = usual_export_formats();
+  /// Of an export for `relabelled`, which draws its labels from them.
+  RandomBits random_bits{};
+  /// Exports bands of ages (AgeBands) in place of ages; for a public export only.
+  bool has_age_bands = false;
 };
 
 }  // namespace asperity

@@ -11,7 +11,7 @@ std::string export_readme(const ExportOptions& options, const std::optional<Phra
       "codebook.tsv describes every column of every file; MANIFEST.tsv contains the SHA-256 of "
       "every file; events.json describes each kind of event.\nimport.R and import.py load all "
       "tables with the correct types.\n\n";
-  if (options.audience == ExportAudience::published) {
+  if (is_public(options.audience)) {
     std::string named{};
     for (const std::string& question : options.questions_for_public) {
       named += (named.empty() ? ", except for " : ", ") + question;

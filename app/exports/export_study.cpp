@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <unordered_map>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "app/exports/columns/export_tables.h"
 #include "app/exports/columns/study_vocabulary.h"
 #include "app/exports/export_readme.h"
+#include "app/exports/exported_participants.h"
 #include "app/exports/group_files.h"
 #include "app/exports/import_scripts.h"
 #include "app/exports/publication.h"
@@ -76,11 +78,13 @@ class StudyExport final {
         decisions_(decisions),
         folder_(folder),
         options_(options),
+        participants_(exported_participants(study, options)),
         vocabulary_(vocabulary_of(study, models)),
         study_name_(study.name()),
         metadata_(study.metadata()),
         stimuli_(folder, study.folder(), options.formats.contains(ExportFormat::stimuli)) {
     take_questions_for_public();
+    if (options.has_age_bands) vocabulary_.age_bands = age_bands_of(participants_);
     for (ExportFile& file : export_files(vocabulary_)) {
       std::vector<std::string> left_out{};
       std::vector<ExportColumn> columns =
@@ -88,7 +92,7 @@ class StudyExport final {
       const std::string name = file.name + ".tsv";
       TableFile table(folder.path_of(name), TableFile::Format::tsv, column_names(columns));
       codebook_.add(name, columns);
-      if (file.name == "responses" && options.audience == ExportAudience::published) {
+      if (file.name == "responses" && is_public(options.audience)) {
         for (const std::string& question : questionnaire()) {
           if (!vocabulary_.is_published(question)) {
             left_out.push_back(left_out_answers_to(question));
@@ -101,43 +105,42 @@ class StudyExport final {
 
   // False if it was stopped.
   bool walk(const std::stop_token& stop, const std::function<void(double)>& progress) {
-    const std::vector<SessionRow> sessions = study_.sessions();
-    std::map<std::string, std::vector<const SessionRow*>> sessions_of{};
-    for (const SessionRow& session : sessions) sessions_of[session.participant].push_back(&session);
     for (const ProtocolRow& protocol : study_.protocols()) protocols_[protocol.id] = protocol;
+    std::size_t sessions = 0;
+    for (const ExportedParticipant& participant : participants_) {
+      sessions += participant.sessions.size();
+    }
     std::size_t done = 0;
-    for (const ParticipantRow& participant : study_.participants()) {
-      if (participant.withdrawn && options_.audience == ExportAudience::published) continue;
-      const std::vector<const SessionRow*>& own = sessions_of[participant.label];
+    for (const ExportedParticipant& participant : participants_) {
       std::string mode{};
       std::string groups{};
       std::set<std::pair<std::string, std::string>> groups_met{};
-      for (const SessionRow* session : own) {
-        if (session->group_level &&
-            groups_met.insert({protocols_.at(session->protocol_id).name, *session->group_level})
+      for (const SessionRow& session : participant.sessions) {
+        if (session.group_level &&
+            groups_met.insert({protocols_.at(session.protocol_id).name, *session.group_level})
                 .second) {
-          groups += (groups.empty() ? "" : "; ") + *session->group_level;
+          groups += (groups.empty() ? "" : "; ") + *session.group_level;
         }
-        const std::string word = text_of(session->mode);
+        const std::string word = text_of(session.mode);
         mode = mode.empty() || mode == word ? word : "mixed";
       }
-      const nlohmann::json answers = nlohmann::json::parse(participant.answers_json);
+      const nlohmann::json answers = nlohmann::json::parse(participant.listed.answers_json);
       ExportPlace at{};
-      at.participant = &participant;
+      at.participant = &participant.listed;
       at.participant_mode = &mode;
       at.participant_groups = &groups;
       at.answers = &answers;
       add("participants", at);
       std::set<SessionGroup> begun{};
-      for (const SessionRow* session : own) {
+      for (const SessionRow& session : participant.sessions) {
         if (stop.stop_requested()) return false;
-        if (progress) progress(static_cast<double>(done++) / static_cast<double>(sessions.size()));
-        const SessionGroup group = session_group_of(participant, *session);
+        if (progress) progress(static_cast<double>(done++) / static_cast<double>(sessions));
+        const SessionGroup group = session_group_of(participant.listed, session);
         if (begun.insert(group).second) files_of(group).begin_participant(at);
         ExportPlace here = at;
-        here.session = session;
-        here.protocol = &protocols_.at(session->protocol_id);
-        add_session(here, files_of(group));
+        here.session = &session;
+        here.protocol = &protocols_.at(session.protocol_id);
+        add_session(here, participant.stored, files_of(group));
       }
     }
     return !stop.stop_requested();
@@ -146,7 +149,9 @@ class StudyExport final {
   // What a public export contains of the tables, whose columns depend on the study.
   std::string publication() const {
     constexpr std::size_t kColumns = 120;
-    return wrapped_text(publication_text(export_files(vocabulary_)), kColumns);
+    std::string text = publication_text(export_files(vocabulary_), options_.audience);
+    if (options_.audience == ExportAudience::relabelled) text += versions_text(participants_);
+    return wrapped_text(text + identifying_text(options_), kColumns);
   }
 
   // Completes all files. The outcome receives what could not be exported.
@@ -238,8 +243,9 @@ class StudyExport final {
     }
   }
 
-  void add_session(ExportPlace at, GroupFiles& files) {
-    at.is_excluded_by_catch = decisions_.of(*at.participant, *at.session, *at.protocol);
+  // `stored`: the participant under the label of the study.
+  void add_session(ExportPlace at, const ParticipantRow& stored, GroupFiles& files) {
+    at.is_excluded_by_catch = decisions_.of(stored, *at.session, *at.protocol);
     add("sessions", at);
     stimuli_.begin_session(at);
     std::vector<AttemptRow> attempts = study_.attempts(at.session->id);
@@ -255,13 +261,12 @@ class StudyExport final {
       here.response = &answer;
       here.response_is_withheld = !vocabulary_.is_published(answer.question);
       // The number of rows would state how many options were chosen.
-      const bool is_hidden =
-          options_.audience == ExportAudience::published && here.response_is_withheld;
+      const bool is_hidden = is_public(options_.audience) && here.response_is_withheld;
       if (is_hidden && std::exchange(withheld, answer.question) == answer.question) continue;
       add("responses", here);
       files.add_session_answer(here);
     }
-    own_scale_ = own_scales_.of(*at.participant, *at.session, *at.protocol);
+    own_scale_ = own_scales_.of(stored, *at.session, *at.protocol);
     std::map<int, std::vector<AttemptRow*>> attempts_by_trial{};
     for (AttemptRow& attempt : attempts) attempts_by_trial[attempt.trial].push_back(&attempt);
     std::map<int, const PlannedTrialRow*> trials{};
@@ -342,6 +347,7 @@ class StudyExport final {
   std::optional<double> own_scale_{};  ///< of the session
   ExportFolder& folder_;
   ExportOptions options_;
+  std::vector<ExportedParticipant> participants_;
   StudyVocabulary vocabulary_;
   std::string study_name_;
   StudyMetadata metadata_;
@@ -360,6 +366,9 @@ class StudyExport final {
 ExportOutcome export_study(const Study& study, const ModelRegistry& models, const fs::path& folder,
                            const ExportOptions& options, const std::stop_token& stop,
                            const std::function<void(double)>& progress) {
+  if (options.has_age_bands && !is_public(options.audience)) {
+    throw std::invalid_argument("has_age_bands applies to public exports only");
+  }
   ExportFolder making(folder, options.overwrite);
   const OwnScales own_scales(study, stop);
   const CatchDecisions decisions(study, stop);

@@ -205,7 +205,7 @@ bool WideTable::add_discrimination(const ExportPlace& at, const Condition& condi
 
 void WideTable::add_session_answer(const ExportPlace& at) {
   const ResponseRow& response = *at.response;
-  if (audience_ == ExportAudience::published && at.response_is_withheld) {
+  if (is_public(audience_) && at.response_is_withheld) {
     withheld_.insert(response.question);
     return;
   }

@@ -10,6 +10,13 @@ namespace asperity {
 
 namespace {
 
+/// With new labels an export has no seeds of sessions, and a participant cannot be found in it by the label.
+bool has_labels_of_study(const std::filesystem::path& path) {
+  const std::filesystem::path file = path / "sessions.tsv";
+  const std::vector<std::string> columns = read_tsv(read_file(file), file.string()).columns;
+  return std::find(columns.begin(), columns.end(), "seed") != columns.end();
+}
+
 /// Whether the current file contains no row of the participant. An export lists its participants; a
 /// report does not list all of them, and a file that was moved cannot be read.
 bool is_without(const OutputRow& output, const std::string& label) {
@@ -19,7 +26,7 @@ bool is_without(const OutputRow& output, const std::string& label) {
       case OutputKind::export_:
       case OutputKind::public_export: {
         const std::filesystem::path file = path / "participants.tsv";
-        if (!std::filesystem::exists(file)) return false;
+        if (!std::filesystem::exists(file) || !has_labels_of_study(path)) return false;
         const Table table = read_tsv(read_file(file), file.string());
         return std::none_of(table.rows.begin(), table.rows.end(),
                             [&](const auto& row) { return row.front() == Cell{label}; });

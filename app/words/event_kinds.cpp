@@ -17,13 +17,17 @@ const std::vector<EventKind>& event_kinds() {
        .hed = "Experiment-structure",
        .text_is_public = true,
        .public_data = {"program_version", "program_commit", "program_sha256", "instruction_set",
-                       "pacing", "scheduling", "device", "judged_force", "compute", "segment"}},
+                       "pacing", "scheduling", "device", "judged_force", "compute", "segment"},
+       .dating_data = {"program_version", "program_commit", "program_sha256", "instruction_set",
+                       "compute"}},
       {.name = "session_resumed",
        .meaning = "the session was resumed after an interruption. Data: as in `session_began`",
        .hed = "Experiment-structure",
        .text_is_public = true,
        .public_data = {"program_version", "program_commit", "program_sha256", "instruction_set",
-                       "pacing", "scheduling", "device", "judged_force", "compute", "segment"}},
+                       "pacing", "scheduling", "device", "judged_force", "compute", "segment"},
+       .dating_data = {"program_version", "program_commit", "program_sha256", "instruction_set",
+                       "compute"}},
       {.name = "resumed_late",
        .meaning =
            "the session was resumed later than the protocol allows (`resume.maximum_age_hours`); "
@@ -31,6 +35,7 @@ const std::vector<EventKind>& event_kinds() {
            "the hours since the session last ran, and `maximum_age_hours`",
        .hed = "Experiment-structure",
        .public_data = {"age_hours", "maximum_age_hours"},
+       .dating_data = {"age_hours"},
        .text_is_words = true},
       {.name = "device_changed",
        .meaning = "the session was resumed on a device other than the one on which it last ran; "
@@ -125,7 +130,8 @@ const std::vector<EventKind>& event_kinds() {
                   "to its standard error",
        .hed = "Experiment-control",
        .text_is_public = true,
-       .public_data = {"block_ordinal", "program", "sha256"}},
+       .public_data = {"block_ordinal", "program", "sha256"},
+       .dating_data = {"sha256"}},
       {.name = "external_level",
        .meaning = "the external program stated a step of a track. Data: `block_ordinal`, `track` "
                   "and `step`; `stated`, the level as stated, and `level`, the nearest level of "

@@ -22,6 +22,8 @@ struct EventKind {
   bool text_is_public = false;
   /// The members of the data that do not identify a person or a machine.
   std::vector<std::string_view> public_data{};
+  /// Those of them that bound the time of the session, such as the version of a program.
+  std::vector<std::string_view> dating_data{};
   /// The text consists of words, which are stored with their codes (app/words/coded_phrases.h);
   /// otherwise it is a name or a number.
   bool text_is_words = false;

@@ -612,9 +612,51 @@ TEST(Export, StatesInItsReadmeWhatThePublicGetsOfAParticipantAndWhatNot) {
   EXPECT_THAT(readme, HasSubstr("n/a for answers to questionnaires, unless named by "
                                 "--with-questions: item, answer, answer_number, time_s, "
                                 "from_cue_s, source (responses.tsv)."));
+  EXPECT_THAT(readme, HasSubstr("Left out with --relabel: seed, generator, counterbalance_row, "
+                                "program_version, program_commit, program_build, program_sha256, "
+                                "instruction_set, consent_version (sessions.tsv), recording_path, "
+                                "recording_sha256 (attempts.tsv), seed (presentations.tsv)."));
   EXPECT_THAT(publication_text_of_any_study(), HasSubstr("age_years, sex, handedness"));
   EXPECT_THAT(publication_text_of_any_study(),
               HasSubstr("Left out unless named by --with-questions: answer_NAME"));
+}
+
+// Whoever publishes an export reads there what is in it: the text depends on the options.
+TEST(Export, StatesInItsReadmeWhatCanStillIdentifyAParticipant) {
+  MadeUpStudy made;
+  fill(made);
+  const auto readme_with = [&made](const ExportOptions& options) {
+    const std::filesystem::path out = made.beside("out");
+    export_to(made, out, options);
+    std::string readme = read_file(out / "README.txt");
+    std::filesystem::remove_all(out);
+    std::replace(readme.begin(), readme.end(), '\n', ' ');
+    readme.erase(std::unique(readme.begin(), readme.end(),
+                             [](char a, char b) { return a == ' ' && b == ' '; }),
+                 readme.end());
+    return readme;
+  };
+  EXPECT_THAT(readme_with({}), Not(HasSubstr("can still identify")));
+  ExportOptions options = options_of(ExportAudience::published);
+  const std::string usual = readme_with(options);
+  EXPECT_THAT(usual, HasSubstr("- Recordings, which contain the movement of the hand in every "
+                               "tick, are left out"));
+  EXPECT_THAT(usual, HasSubstr("- The exact age is often unique together with sex, handedness"));
+  EXPECT_THAT(usual, HasSubstr("- The label identifies a participant to every reader of the list"));
+  EXPECT_THAT(usual, HasSubstr("- Names of files and programs are kept: stimuli, height fields"));
+  for (const std::string sentence : {"The exact age", "The label", "Names of files"}) {
+    EXPECT_THAT(publication_text_of_any_study(), HasSubstr(sentence));
+  }
+  options.formats.insert(ExportFormat::physio);
+  options.has_age_bands = true;
+  options.audience = ExportAudience::relabelled;
+  options.random_bits = random_bits_of_this_machine();
+  const std::string guarded = readme_with(options);
+  EXPECT_THAT(guarded, HasSubstr("- Recordings contain the movement of the hand in every tick."));
+  EXPECT_THAT(guarded, HasSubstr("- A band of ages contains at least five participants, but"));
+  EXPECT_THAT(guarded, HasSubstr("- Labels were drawn at random for this export, and the rows are "
+                                 "in their order."));
+  EXPECT_THAT(guarded, Not(HasSubstr("The label identifies")));
 }
 
 // In one protocol a trial asks how rough something was, in another the questionnaire does.

@@ -101,8 +101,10 @@ Columns attempt_columns() {
   };
   recording("recording_path", "text", "", "file of the tick records, within the study",
             &RecordingRow::path);
+  columns.back().publication = Publication::dropped_with_new_labels;  // contains the label
   recording("recording_format", "text", "", "format of that file", &RecordingRow::format);
   recording("recording_sha256", "text", "", "SHA-256 of that file", &RecordingRow::sha256);
+  columns.back().publication = Publication::dropped_with_new_labels;
   recording("recording_records", "integer", "1", "tick records in that file",
             &RecordingRow::records);
   return columns;

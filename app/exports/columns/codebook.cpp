@@ -15,6 +15,8 @@ const char* publication_word(Publication publication) {
       return "without free text";
     case Publication::dropped_unless_named:
       return "omitted unless named";
+    case Publication::dropped_with_new_labels:
+      return "omitted with new labels";
     case Publication::dropped:
       return "dropped";
   }

@@ -76,6 +76,11 @@ ExportColumn dropped(ExportColumn made) {
   return made;
 }
 
+ExportColumn dropped_with_new_labels(ExportColumn made) {
+  made.publication = Publication::dropped_with_new_labels;
+  return made;
+}
+
 Columns keys_to(Key last) {
   Columns columns{};
   columns.push_back(column("participant", "text", "", "label of the participant",

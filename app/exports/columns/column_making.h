@@ -36,6 +36,8 @@ ExportColumn at_least(double minimum, ExportColumn made);
 ExportColumn fraction(ExportColumn made);
 ExportColumn missing(std::string when, ExportColumn made);
 ExportColumn dropped(ExportColumn made);
+/// Of what indicates when, or in which order, the sessions were run, and of what contains the label.
+ExportColumn dropped_with_new_labels(ExportColumn made);
 
 enum class Key { participant, session, trial, attempt };
 

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -13,15 +15,20 @@
 namespace asperity::export_columns {
 namespace {
 
-// The members of the event's data that may be published; missing if there are none.
-Cell published_data(const EventRow& event) {
+bool contains(const std::vector<std::string_view>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// The members of the event's data that this audience receives; missing if there are none.
+Cell published_data(const EventRow& event, ExportAudience audience) {
   const EventKind* const kind = event_kind(event.kind);
   const auto data = nlohmann::ordered_json::parse(event.data_json, nullptr, false);
   if (kind == nullptr || !data.is_object()) return {};
   nlohmann::ordered_json kept = nlohmann::ordered_json::object();
   for (const auto& [name, value] : data.items()) {
-    const auto& names = kind->public_data;
-    if (std::find(names.begin(), names.end(), name) != names.end()) kept[name] = value;
+    const bool is_dating =
+        audience == ExportAudience::relabelled && contains(kind->dating_data, name);
+    if (contains(kind->public_data, name) && !is_dating) kept[name] = value;
   }
   return kept.empty() ? Cell{} : Cell{kept.dump()};
 }
@@ -92,15 +99,19 @@ Columns event_columns() {
                          "the text as codes, separated by semicolons; \"typed\" where it was typed",
                          codes(codes_of)),
                   codes(published_codes_of))));
-  add(missing(
-      "the event has no data, or none that a public export includes",
-      without_free_text(
-          column("data_json", "json", "", "data of the event; their meaning depends on the kind",
-                 [](const ExportPlace& at) -> Cell {
-                   const std::string& json = at.event->row.data_json;
-                   return json == "null" ? Cell{} : Cell{json};
-                 }),
-          [](const ExportPlace& at) { return published_data(at.event->row); })));
+  add(missing("the event has no data, or none that a public export includes",
+              without_free_text(column("data_json", "json", "",
+                                       "data of the event; their meaning depends on the kind",
+                                       [](const ExportPlace& at) -> Cell {
+                                         const std::string& json = at.event->row.data_json;
+                                         return json == "null" ? Cell{} : Cell{json};
+                                       }),
+                                [](const ExportPlace& at) {
+                                  return published_data(at.event->row, ExportAudience::published);
+                                })));
+  columns.back().relabelled_cell = [](const ExportPlace& at) {
+    return published_data(at.event->row, ExportAudience::relabelled);
+  };
   return columns;
 }
 

@@ -11,22 +11,46 @@ std::vector<std::string> column_names(const std::vector<ExportColumn>& columns) 
   return names;
 }
 
+namespace {
+
+const std::function<Cell(const ExportPlace&)>& function_of(const ExportColumn& column,
+                                                           ExportAudience audience) {
+  if (audience == ExportAudience::relabelled && column.relabelled_cell) {
+    return column.relabelled_cell;
+  }
+  return is_public(audience) && column.published_cell ? column.published_cell : column.cell;
+}
+
+}  // namespace
+
+bool is_left_out(Publication publication, ExportAudience audience) noexcept {
+  switch (publication) {
+    case Publication::kept:
+    case Publication::without_questionnaires:
+    case Publication::without_free_text:
+      return false;
+    case Publication::dropped_with_new_labels:
+      return audience == ExportAudience::relabelled;
+    case Publication::dropped_unless_named:
+    case Publication::dropped:
+      return is_public(audience);
+  }
+  return false;
+}
+
 Cell cell_for(ExportAudience audience, const ExportColumn& column, const ExportPlace& at) {
-  const bool hidden = audience == ExportAudience::published && at.response_is_withheld &&
-                      column.publication == Publication::without_questionnaires;
-  const bool is_published = audience == ExportAudience::published && column.published_cell;
-  Cell cell = hidden ? Cell{} : is_published ? column.published_cell(at) : column.cell(at);
+  const bool is_hidden = is_public(audience) && at.response_is_withheld &&
+                         column.publication == Publication::without_questionnaires;
+  Cell cell = is_hidden ? Cell{} : function_of(column, audience)(at);
   const auto* text = std::get_if<std::string>(&cell);
   return text != nullptr && text->empty() ? Cell{} : cell;
 }
 
 std::vector<ExportColumn> columns_for(ExportAudience audience, std::vector<ExportColumn> columns,
                                       std::vector<std::string>& left_out) {
-  if (audience == ExportAudience::own) return columns;
   std::vector<ExportColumn> kept{};
   for (ExportColumn& column : columns) {
-    if (column.publication == Publication::dropped ||
-        column.publication == Publication::dropped_unless_named) {
+    if (is_left_out(column.publication, audience)) {
       left_out.push_back(column.name);
     } else {
       kept.push_back(std::move(column));

@@ -51,17 +51,27 @@ struct ExportPlace {
   const TimedEvent* event = nullptr;
 };
 
-/// `published`: without dates, without free text, and without responses to questionnaires except those that
-/// are named (StudyVocabulary::for_public).
-enum class ExportAudience { own, published };
+enum class ExportAudience {
+  own,
+  /// Without dates, without free text, and without responses to questionnaires except those that are named
+  /// (StudyVocabulary::for_public).
+  published,
+  /// The same, and the participants have new labels: also without what indicates when, or in which order, the
+  /// sessions were run.
+  relabelled,
+};
+constexpr bool is_public(ExportAudience audience) noexcept {
+  return audience != ExportAudience::own;
+}
 
 /// How a column appears in a public export.
 enum class Publication {
   kept,
-  without_questionnaires,  ///< kept, but n/a for a response to a questionnaire
-  without_free_text,       ///< kept, but without typed text and without identifiers of a machine
-  dropped_unless_named,    ///< responses to a questionnaire
-  dropped,                 ///< dates, free text, identifiers of a machine
+  without_questionnaires,   ///< kept, but n/a for a response to a questionnaire
+  without_free_text,        ///< kept, but without typed text and without identifiers of a machine
+  dropped_unless_named,     ///< responses to a questionnaire
+  dropped_with_new_labels,  ///< kept, but not together with new labels
+  dropped,                  ///< dates, free text, identifiers of a machine
 };
 
 /// The meaning of one level of a column.
@@ -88,6 +98,8 @@ struct ExportColumn {
   std::function<Cell(const ExportPlace&)> cell{};
   /// The cell in a public export, if it differs.
   std::function<Cell(const ExportPlace&)> published_cell{};
+  /// The cell in a public export with new labels, if it differs from `published_cell`.
+  std::function<Cell(const ExportPlace&)> relabelled_cell{};
 };
 
 std::vector<std::string> column_names(const std::vector<ExportColumn>& columns);
@@ -97,6 +109,8 @@ struct ExportFile {
   std::vector<ExportColumn> columns{};
 };
 
+/// Whether this audience does not receive a column.
+bool is_left_out(Publication publication, ExportAudience audience) noexcept;
 /// The cell of one column for this audience. Empty text counts as missing.
 Cell cell_for(ExportAudience audience, const ExportColumn& column, const ExportPlace& at);
 /// The columns without those that this audience does not receive; the names of these are added to `left_out`.

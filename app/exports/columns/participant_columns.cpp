@@ -8,6 +8,23 @@ namespace {
 
 using Place = ExportPlace;
 
+ExportColumn age_column(const StudyVocabulary& vocabulary) {
+  if (!vocabulary.age_bands) {
+    return missing("not reported",
+                   at_least(0, column("age_years", "number", "year", "age", [](const Place& at) {
+                              return optional_cell(at.participant->age_years);
+                            })));
+  }
+  return missing(
+      "not reported, or fewer than five ages are in the export",
+      with_levels(column("age_band", "text", "",
+                         "band of the age in years, with at least five participants of the export",
+                         [bands = *vocabulary.age_bands](const Place& at) {
+                           return optional_cell(bands.of(*at.participant));
+                         }),
+                  vocabulary.age_bands->names()));
+}
+
 }  // namespace
 
 Columns participant_columns(const StudyVocabulary& vocabulary) {
@@ -18,9 +35,7 @@ Columns participant_columns(const StudyVocabulary& vocabulary) {
   const auto participant = [](auto member) {
     return [member](const Place& at) { return optional_cell(at.participant->*member); };
   };
-  columns.push_back(
-      missing("not reported", at_least(0, column("age_years", "number", "year", "age",
-                                                 participant(&ParticipantRow::age_years)))));
+  columns.push_back(age_column(vocabulary));
   columns.push_back(missing(
       "not reported",
       with_levels(column("sex", "text", "",

@@ -165,6 +165,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
   number("raised_m", "m", "height of the plane of the surface above that of the workspace",
          &PresentationRow::raised_m);
   text("seed", "seed of the renderer, a 64-bit integer", &PresentationRow::seed);
+  columns.back().publication = Publication::dropped_with_new_labels;  // follows from the session's
   const auto time = [&add](const char* name, const char* description, const char* when,
                            auto member) {
     add(missing(when, column(name, "number", "s", description, [member](const Place& at) {

@@ -20,6 +20,10 @@ Columns session_columns(const StudyVocabulary& vocabulary) {
     add(missing("unknown", column(name, "text", "", description,
                                   [member](const Place& at) { return at.session->*member; })));
   };
+  const auto dating_text = [&](const char* name, const char* description, auto member) {
+    text(name, description, member);
+    columns.back().publication = Publication::dropped_with_new_labels;
+  };
   const auto of_protocol = [&add](const char* name, const char* description, auto member) {
     add(column(name, "text", "", description,
                [member](const Place& at) { return at.protocol->*member; }));
@@ -37,11 +41,14 @@ Columns session_columns(const StudyVocabulary& vocabulary) {
   add(with_levels(column("state", "text", "", "state of the session",
                          [](const Place& at) { return text_of(at.session->state); }),
                   {"open", "completed", "stopped", "crashed"}));
-  text("seed", "seed of all random numbers of the session, a 64-bit integer", &SessionRow::seed);
-  text("generator", "name and version of the random number generator", &SessionRow::generator);
-  add(at_least(
+  // Seeds are often counted up, and rows of the counterbalancing are assigned in the order of participants.
+  dating_text("seed", "seed of all random numbers of the session, a 64-bit integer",
+              &SessionRow::seed);
+  dating_text("generator", "name and version of the random number generator",
+              &SessionRow::generator);
+  add(dropped_with_new_labels(at_least(
       0, column("counterbalance_row", "integer", "", "row of the counterbalancing square, from 0",
-                [](const Place& at) { return integer(at.session->counterbalance_row); })));
+                [](const Place& at) { return integer(at.session->counterbalance_row); }))));
   if (!vocabulary.groups.empty()) {
     add(with_levels(
         missing("the protocol has no groups",
@@ -53,11 +60,13 @@ Columns session_columns(const StudyVocabulary& vocabulary) {
   }
   add(column("mirrored", "boolean", "", "1: the workspace was laid out for a left hand",
              [](const Place& at) { return boolean(at.session->mirrored); }));
-  text("program_version", "version of the program", &SessionRow::program_version);
-  text("program_commit", "commit from which the program was built", &SessionRow::program_commit);
-  text("program_build", "how the program was built", &SessionRow::program_build);
-  text("program_sha256", "SHA-256 of the program file", &SessionRow::program_sha256);
-  text("instruction_set", "instruction set of the numerical code", &SessionRow::instruction_set);
+  dating_text("program_version", "version of the program", &SessionRow::program_version);
+  dating_text("program_commit", "commit from which the program was built",
+              &SessionRow::program_commit);
+  dating_text("program_build", "how the program was built", &SessionRow::program_build);
+  dating_text("program_sha256", "SHA-256 of the program file", &SessionRow::program_sha256);
+  dating_text("instruction_set", "instruction set of the numerical code",
+              &SessionRow::instruction_set);
   text("os", "operating system, with the release of its kernel", &SessionRow::os);
   columns.back().publication = Publication::dropped;  // its name can be an institution's own
   text("device", "driver and model of the haptic device", &SessionRow::device);
@@ -87,9 +96,10 @@ Columns session_columns(const StudyVocabulary& vocabulary) {
                        const std::string& json = at.session->observer_json;
                        return json == "null" ? Cell{} : Cell{json};
                      })));
-  add(missing("the protocol requires no consent",
+  add(dropped_with_new_labels(
+      missing("the protocol requires no consent",
               column("consent_version", "text", "", "version of the consent text agreed to",
-                     [](const Place& at) { return optional_cell(at.session->consent_version); })));
+                     [](const Place& at) { return optional_cell(at.session->consent_version); }))));
   add(dropped(
       missing("the protocol requires no consent",
               column("consent_utc", "utc_time", "", "when consent was given",

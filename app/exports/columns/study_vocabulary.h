@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/exports/age_bands.h"
 #include "app/exports/columns/export_column.h"
 #include "app/findings/study/discrimination_tasks.h"
 #include "protocols/design/analysis_declaration.h"
@@ -84,6 +85,8 @@ struct StudyVocabulary {
   std::map<std::string, std::string> first_wording{};
   /// Questions of questionnaires that were named to be published.
   std::set<std::string> for_public{};
+  /// In place of the ages; absent: the ages are exported.
+  std::optional<AgeBands> age_bands{};
 
   /// Whether a public export includes the responses to this question of a questionnaire. False for free text,
   /// and for a question that no protocol declares.

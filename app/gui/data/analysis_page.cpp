@@ -231,17 +231,30 @@ void AnalysisPage::ask_where_to_export() {
   auto* for_public =
       new QCheckBox(tr("For publication: without dates, free text and questionnaires"), dialog);
   for_public->setObjectName("export_public");
+  auto* relabel = new QCheckBox(tr("New random labels for the participants"), dialog);
+  relabel->setObjectName("export_relabel");
+  auto* age_bands = new QCheckBox(tr("Ages in bands of at least five participants"), dialog);
+  age_bands->setObjectName("export_age_bands");
+  for (QCheckBox* const option : {relabel, age_bands}) {
+    option->setEnabled(false);
+    connect(for_public, &QCheckBox::toggled, option, &QWidget::setEnabled);
+  }
   auto* recordings = new QCheckBox(tr("With tick-by-tick recordings (large files)"), dialog);
   recordings->setObjectName("export_recordings");
   if (auto* grid = qobject_cast<QGridLayout*>(dialog->layout())) {
-    for (QCheckBox* const option : {for_public, recordings}) {
+    for (QCheckBox* const option : {for_public, relabel, age_bands, recordings}) {
       grid->addWidget(option, grid->rowCount(), 0, 1, grid->columnCount());
     }
   }
   connect(dialog, &QFileDialog::fileSelected, this,
-          [this, for_public, recordings](const QString& folder) {
+          [this, for_public, relabel, age_bands, recordings](const QString& folder) {
             ExportOptions options{};
-            if (for_public->isChecked()) options.audience = ExportAudience::published;
+            if (for_public->isChecked()) {
+              options.audience =
+                  relabel->isChecked() ? ExportAudience::relabelled : ExportAudience::published;
+              options.random_bits = random_bits_of_this_machine();
+              options.has_age_bands = age_bands->isChecked();
+            }
             if (recordings->isChecked()) options.formats.insert(ExportFormat::physio);
             export_to(folder, options);
           });
@@ -257,9 +270,9 @@ void AnalysisPage::export_to(const QString& folder, const ExportOptions& options
         ExportOutcome outcome = export_study(own, built_in_models(), to, options, stop, progress);
         Exported exported{.files = outcome.files.size(), .incomplete = std::move(outcome.warnings)};
         if (exported.files > 0) {
-          const bool is_public = options.audience == ExportAudience::published;
-          exported.unrecorded =
-              record_output(own, is_public ? OutputKind::public_export : OutputKind::export_, to);
+          exported.unrecorded = record_output(
+              own, is_public(options.audience) ? OutputKind::public_export : OutputKind::export_,
+              to);
           if (const auto missing = missing_metadata(own.metadata())) {
             exported.missing =
                 phrase("AnalysisPage", "%1 Enter them with Study → Metadata…").with(*missing);

@@ -8476,6 +8476,14 @@
         <translation>Zur Veröffentlichung: ohne Datumsangaben, Freitext und Fragebögen</translation>
     </message>
     <message>
+        <source>New random labels for the participants</source>
+        <translation>Neue zufällige Kürzel für die Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>Ages in bands of at least five participants</source>
+        <translation>Alter in Gruppen von mindestens fünf Versuchspersonen</translation>
+    </message>
+    <message>
         <source>Notes on this table</source>
         <translation>Hinweise zu dieser Tabelle</translation>
     </message>

@@ -427,12 +427,23 @@ TEST(AnalysisPage, ExportsForThePublicWhenToldTo) {
   EXPECT_FALSE(dialog->findChild<QCheckBox*>("export_recordings")->isChecked());
   auto* for_public = dialog->findChild<QCheckBox*>("export_public");
   EXPECT_TRUE(for_public->isVisibleTo(dialog));
+  auto* relabel = dialog->findChild<QCheckBox*>("export_relabel");
+  auto* age_bands = dialog->findChild<QCheckBox*>("export_age_bands");
+  EXPECT_FALSE(relabel->isEnabled()) << "for the public only";
+  EXPECT_FALSE(age_bands->isEnabled());
   for_public->click();
+  relabel->click();
+  age_bands->click();
   emit dialog->fileSelected(QString::fromStdString(made.beside("tables").string()));
   auto* banner = page.findChild<Banner*>();
   ASSERT_TRUE(eventually([banner] { return banner->isVisible(); }));
-  EXPECT_EQ(read_file(made.beside("tables") / "sessions.tsv").find("started_utc"),
-            std::string::npos);
+  const auto read = [&made = made](const char* name) {
+    return read_file(made.beside("tables") / name);
+  };
+  EXPECT_EQ(read("sessions.tsv").find("started_utc"), std::string::npos);
+  EXPECT_EQ(read("sessions.tsv").find("seed"), std::string::npos);
+  EXPECT_NE(read("participants.tsv").find("age_band"), std::string::npos);
+  EXPECT_EQ(read("participants.tsv").find("p10"), std::string::npos);
 }
 
 TEST(AnalysisPage, ExportsAllOrNothingWhenItIsCancelled) {
