@@ -5,7 +5,6 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <ctime>
 #include <fcntl.h>
 #include <sstream>
@@ -13,6 +12,7 @@
 #include <sys/vfs.h>
 #include <unistd.h>
 
+#include "results_schema/error_text.h"
 #include "results_schema/study.h"
 
 namespace asperity {
@@ -51,26 +51,9 @@ std::string lines_of_this_process() {
 }  // namespace
 
 void fail_on_file(const std::filesystem::path& path, const std::string& what, int error_number) {
-  std::string reason = std::strerror(error_number);
-  if (error_number == ENOSPC || error_number == EDQUOT || error_number == EFBIG) {
-    reason =
-        "the disk is full. All earlier data are stored safely; free space on the disk, then "
-        "continue";
-  } else if (error_number == EACCES || error_number == EPERM) {
-    reason += "; check the permissions of the file and of its folder";
-  } else if (error_number == ENOENT) {
-    reason += "; check the path";
-  } else if (error_number == EISDIR) {
-    reason += "; name a file, not a folder";
-  } else if (error_number == EEXIST) {
-    reason += "; name another file, or remove this one";
-  } else if (error_number == EROFS) {
-    reason += "; choose a folder that can be written to";
-  } else {
-    reason += "; fix the problem, then try again";
-  }
-  throw ResultsError("the file " + path.string() + " cannot be " + what + ": " + reason, path,
-                     error_number);
+  throw ResultsError("the file " + path.string() + " cannot be " + what + ": " +
+                         text_of_error_number(error_number),
+                     path, error_number);
 }
 
 OutputFile::OutputFile(std::filesystem::path path)

@@ -10,9 +10,11 @@
 #include <cstring>
 #include <iterator>
 #include <limits>
+#include <new>
 
 #include <nlohmann/json.hpp>
 #include <zstd.h>
+#include <zstd_errors.h>
 
 #include "results_schema/atomic_file.h"
 #include "results_schema/file_system.h"
@@ -157,11 +159,8 @@ struct RecordingWriter::File {
     std::vector<unsigned char> packed(ZSTD_compressBound(plain.size()));
     const std::size_t size =
         ZSTD_compress(packed.data(), packed.size(), plain.data(), plain.size(), kCompressionLevel);
-    if (ZSTD_isError(size) != 0) {
-      throw ResultsError("the file " + output.path().string() + " cannot be written: " +
-                             ZSTD_getErrorName(size) + "; close other programs, then try again",
-                         output.path());
-    }
+    // Of a buffer of the largest size that it may need, only its own memory can be missing.
+    if (ZSTD_isError(size) != 0) fail_on_file(output.path(), "written", ENOMEM);
     put_chunk({.records = static_cast<std::uint32_t>(time_ns.size()),
                .bytes = static_cast<std::uint32_t>(size)},
               packed.data());
@@ -361,6 +360,8 @@ class Reader {
               std::size_t start) const {
     std::vector<char> plain(head.records * record_bytes(recording.columns.size()));
     const std::size_t size = ZSTD_decompress(plain.data(), plain.size(), payload, head.bytes);
+    // The payload is the one that was written: its checksum has been compared.
+    if (ZSTD_getErrorCode(size) == ZSTD_error_memory_allocation) throw std::bad_alloc();
     if (ZSTD_isError(size) != 0 || size != plain.size()) {
       fail_at(chunk, start, "its decompressed size does not match its number of records");
     }
@@ -385,13 +386,17 @@ class Reader {
 }  // namespace
 
 Recording read_recording(const std::filesystem::path& path) {
-  Reader reader(path);
-  Recording recording;
-  recording.header = reader.header();
-  recording.columns.resize(recording.header.columns.size());
-  while (reader.take_chunk(recording)) {
+  try {
+    Reader reader(path);
+    Recording recording;
+    recording.header = reader.header();
+    recording.columns.resize(recording.header.columns.size());
+    while (reader.take_chunk(recording)) {
+    }
+    return recording;
+  } catch (const std::bad_alloc&) {
+    fail_on_file(path, "read", ENOMEM);
   }
-  return recording;
 }
 
 }  // namespace asperity

@@ -63,7 +63,8 @@ struct Recording {
 };
 
 /// Errors: ResultsError naming the file and the first thing that does not hold (format, a checksum,
-/// a file that ends too early), with the number of the chunk from 1 and its offset in bytes.
+/// a file that ends too early), with the number of the chunk from 1 and its offset in bytes; with the code ENOMEM where
+/// too little memory is free, which is no damage.
 Recording read_recording(const std::filesystem::path& path);
 
 }  // namespace asperity

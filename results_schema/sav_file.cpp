@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <exception>
+#include <new>
 #include <set>
 #include <stdexcept>
 
@@ -142,6 +143,7 @@ struct SavFile::State {
   void check(readstat_error_t code) {
     if (failure) std::rethrow_exception(failure);
     if (code == READSTAT_OK) return;
+    if (code == READSTAT_ERROR_MALLOC) throw std::bad_alloc();
     throw ResultsError("the file " + file.path().string() + " cannot be written: " +
                            readstat_error_message(code) + "; fix the problem, then export again",
                        file.path());

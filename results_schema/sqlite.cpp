@@ -48,6 +48,8 @@ std::string meaning_of(int code) {
              "disk, then continue";
     case SQLITE_PERM:
       return "the system denied access; check the permissions of the folder and of its files";
+    case SQLITE_NOMEM:
+      return "too little memory is free; close other programs, then try again";
     case SQLITE_PROTOCOL:
       return "the log next to study.sqlite does not match its index; close the programs that use "
              "the study, then open it again with write access to its folder";
@@ -148,8 +150,10 @@ void Statement::bind_next(std::int64_t value) { sqlite3_bind_int64(handle_, ++pa
 void Statement::bind_next(double value) { sqlite3_bind_double(handle_, ++parameter_, value); }
 
 void Statement::bind_next(const std::string& value) {
-  sqlite3_bind_text64(handle_, ++parameter_, value.data(), value.size(), SQLITE_TRANSIENT,
-                      SQLITE_UTF8);
+  const int code = sqlite3_bind_text64(handle_, ++parameter_, value.data(), value.size(),
+                                       SQLITE_TRANSIENT, SQLITE_UTF8);
+  // Without its copy the parameter would be NULL.
+  if (code != SQLITE_OK) database_.fail(code, "cannot be used");
 }
 
 void Statement::bind_next(std::nullopt_t) { sqlite3_bind_null(handle_, ++parameter_); }
@@ -199,6 +203,9 @@ void Statement::read_next(StoredWords& words) {
 
 void Statement::read_next(std::string& value) {
   const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(handle_, column_));
+  if (text == nullptr && sqlite3_errcode(database_.handle()) == SQLITE_NOMEM) {
+    database_.fail(SQLITE_NOMEM, "cannot be read");
+  }
   const int bytes = sqlite3_column_bytes(handle_, column_++);
   value.assign(text == nullptr ? "" : text, static_cast<std::size_t>(bytes));
 }

@@ -1,6 +1,7 @@
 // Everything of a study that does not hold.
 
 #include <algorithm>
+#include <cerrno>
 #include <exception>
 #include <filesystem>
 #include <functional>
@@ -230,6 +231,7 @@ std::string place_of_damage(const std::filesystem::path& recording) {
   try {
     read_recording(recording);
   } catch (const ResultsError& error) {
+    if (error.code() == ENOMEM) throw;
     return std::string(": ") + error.what();
   }
   return {};
@@ -253,6 +255,7 @@ void check_file(const std::filesystem::path& study, const VouchedFile& file, Fin
           (file.is_recording ? place_of_damage(path) : "; restore it from a copy of the study"));
     }
   } catch (const ResultsError& error) {
+    if (error.code() == ENOMEM) throw;  // of this computer, not of the file
     findings.push_back(start + error.what());
   }
 }

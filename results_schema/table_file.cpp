@@ -1,6 +1,7 @@
 #include "results_schema/table_file.h"
 
 #include <charconv>
+#include <new>
 #include <stdexcept>
 
 #include <zlib.h>
@@ -45,9 +46,7 @@ class Gzip final {
     constexpr int kMemory = 8;
     if (deflateInit2(&stream_, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kGzipWindow, kMemory,
                      Z_DEFAULT_STRATEGY) != Z_OK) {
-      throw std::runtime_error(
-          "a table cannot be compressed, because zlib has not enough memory; close other programs, "
-          "then try again");
+      throw std::bad_alloc();  // the only failure with these arguments
     }
   }
   Gzip(const Gzip&) = delete;

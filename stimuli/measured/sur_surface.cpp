@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <vector>
 
 #include <zlib.h>
@@ -88,6 +89,7 @@ std::vector<std::byte> expanded_points(const SurfaceBytes& file, std::size_t at,
     uLongf written = expanded;
     const int status = uncompress(reinterpret_cast<Bytef*>(points.data() + done), &written,
                                   reinterpret_cast<const Bytef*>(stream.data()), stream.size());
+    if (status == Z_MEM_ERROR) throw std::bad_alloc();
     if (status != Z_OK || written != expanded) {
       file.refuse(from, "the compressed points are damaged; copy or export the file again");
     }

@@ -2,6 +2,7 @@
 
 #include "stimuli/measured/zip_archive.h"
 
+#include <new>
 #include <stdexcept>
 
 #include <zip.h>
@@ -9,6 +10,15 @@
 #include "stimuli/measured/surface_decoding.h"
 
 namespace asperity {
+
+namespace {
+
+/// What failed for want of memory is no fault of the archive.
+void refuse_memory(zip_error_t* error) {
+  if (zip_error_code_zip(error) == ZIP_ER_MEMORY) throw std::bad_alloc();
+}
+
+}  // namespace
 
 void ZipArchive::Close::operator()(zip* archive) const noexcept { zip_discard(archive); }
 
@@ -22,9 +32,11 @@ ZipArchive::ZipArchive(std::span<const std::byte> bytes, const std::string& name
   zip_error_init(&error);
   zip_source_t* const source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
   if (source != nullptr) archive_.reset(zip_open_from_source(source, ZIP_RDONLY, &error));
+  const bool has_no_memory = zip_error_code_zip(&error) == ZIP_ER_MEMORY;
   const std::string reason = zip_error_strerror(&error);
   if (source != nullptr && archive_ == nullptr) zip_source_free(source);
   zip_error_fini(&error);
+  if (has_no_memory) throw std::bad_alloc();
   if (archive_ == nullptr) {
     refuse("the directory of the zip archive cannot be read (" + reason +
            "); copy or export the file again");
@@ -73,6 +85,7 @@ std::vector<std::byte> ZipArchive::content(const std::string& path, std::size_t 
   const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(
       zip_fopen(archive_.get(), path.c_str(), 0), &zip_fclose);
   if (file == nullptr) {
+    refuse_memory(zip_get_error(archive_.get()));
     refuse("the entry " + path + " cannot be opened (" + zip_strerror(archive_.get()) +
            "); copy or export the file again");
   }
@@ -87,6 +100,7 @@ std::vector<std::byte> ZipArchive::content(const std::string& path, std::size_t 
   std::byte beyond{};
   if (read >= 0) read = zip_fread(file.get(), &beyond, 1);
   if (done != content.size() || read != 0) {
+    refuse_memory(zip_file_get_error(file.get()));
     refuse("the entry " + path + " is damaged; copy or export the file again");
   }
   return content;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <new>
 #include <stdexcept>
 #include <string_view>
 
@@ -15,6 +16,7 @@
 #include <nlohmann/json.hpp>
 #include <openssl/evp.h>
 #include <zstd.h>
+#include <zstd_errors.h>
 
 #include "analysis/number_text.h"
 
@@ -74,11 +76,8 @@ std::string packed(const std::vector<Item>& items) {
   std::string bytes(ZSTD_compressBound(size), '\0');
   const std::size_t written =
       ZSTD_compress(bytes.data(), bytes.size(), items.data(), size, kCompressionLevel);
-  if (ZSTD_isError(written) != 0) {
-    throw std::runtime_error(std::string("zstd could not compress the mesh (") +
-                             ZSTD_getErrorName(written) +
-                             "); close other programs, then try again");
-  }
+  // Of a buffer of the largest size that it may need, only its own memory can be missing.
+  if (ZSTD_isError(written) != 0) throw std::bad_alloc();
   bytes.resize(written);
   return bytes;
 }
@@ -188,6 +187,7 @@ class Reader final {
     std::vector<Item> items(count);
     const std::size_t size =
         ZSTD_decompress(items.data(), count * sizeof(Item), payload_.data(), bytes);
+    if (ZSTD_getErrorCode(size) == ZSTD_error_memory_allocation) throw std::bad_alloc();
     if (ZSTD_isError(size) != 0 || size != count * sizeof(Item)) {
       refuse("contains an array \"" + text(kind, "name") + "\" that cannot be decompressed.");
     }

@@ -5,9 +5,12 @@
 #include <csetjmp>
 #include <cstddef>
 #include <cstdio>
+#include <new>
 
 // libjpeg's header requires the two headers before it.
 #include <jpeglib.h>
+//
+#include <jerror.h>  // needs jpeglib.h before it
 
 namespace asperity {
 
@@ -70,6 +73,7 @@ bool decode_jpeg(std::span<const std::byte> bytes, JpegPixels wanted,
   decoding.errors.error_exit = note_and_leave;
   decoding.errors.emit_message = note_warning;
   const bool done = decode_picture(decoding, bytes, wanted, pixels, columns);
+  if (!done && decoding.errors.msg_code == JERR_OUT_OF_MEMORY) throw std::bad_alloc();
   complaint = decoding.words;
   return done;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iostream>
+#include <new>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -80,7 +81,8 @@ cv::Mat decoded_by_opencv(Bytes bytes, const PictureFacts& facts, const std::str
   if (facts.format != PictureFormat::png) quiet.emplace();
   try {
     pixels = codecs.decode(bytes);
-  } catch (const cv::Exception&) {
+  } catch (const cv::Exception& error) {
+    if (error.code == cv::Error::StsNoMem) throw std::bad_alloc();
     pixels.release();
   }
   quiet.reset();

@@ -16,6 +16,7 @@
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
 #include "tests/results_schema/sync_watch.h"
+#include "tests/results_schema/zstd_without_memory.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
@@ -82,6 +83,20 @@ TEST(Recording, GivesBackEveryRecord) {
       EXPECT_EQ(recording.columns[1][at], values_at(i)[1]);
     }
   }
+}
+
+// A study must not be restored from a copy because a computer was busy.
+TEST(Recording, IsNotDamagedWhereMemoryIsMissing) {
+  const TemporaryFolder study;
+  const std::filesystem::path path = study / write(study.path(), 250).path;
+  {
+    const ZstdWithoutMemory none;
+    const std::string refusal = refusal_to_read(path);
+    EXPECT_THAT(refusal, HasSubstr(path.string()));
+    EXPECT_THAT(refusal, HasSubstr("too little memory is free; close other programs"));
+    EXPECT_THAT(refusal, testing::Not(HasSubstr("damaged")));
+  }
+  EXPECT_EQ(read_recording(path).time_ns.size(), 250U);
 }
 
 TEST(Recording, KeepsWhatIsNotANumberBitForBit) {
