@@ -296,9 +296,10 @@ class Reader {
       header.columns.erase(header.columns.begin());
       header.context_json = json.at("context").dump();
       return header;
-    } catch (const nlohmann::json::exception& error) {
-      fail(std::string("has an invalid header: ") + error.what() +
-           "; restore the file from a copy of the study");
+    } catch (const nlohmann::json::exception&) {
+      fail(
+          "has a header in which an entry of its format is missing or has another type; "
+          "restore the file from a copy of the study");
     }
   }
 

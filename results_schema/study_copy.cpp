@@ -9,6 +9,7 @@
 #include <sqlite3.h>
 
 #include "results_schema/file_system.h"
+#include "results_schema/folder_entries.h"
 #include "results_schema/part_folder.h"
 #include "results_schema/seal.h"
 #include "results_schema/sha256_stream.h"
@@ -106,7 +107,7 @@ void copy_files(const std::filesystem::path& from, const std::filesystem::path& 
           from / path);
     }
   }
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(from)) {
+  for (const auto& entry : entries_below(from)) {
     const std::filesystem::path relative = entry.path().lexically_relative(from);
     if (!is_loose_file(relative) || vouched.contains(relative.string())) continue;
     refuse_link(from, relative);
@@ -117,7 +118,7 @@ void copy_files(const std::filesystem::path& from, const std::filesystem::path& 
   for (const char* const part : {"protocols", "stimuli", "recordings", "locks"}) {
     std::filesystem::create_directories(to / part);
   }
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(to)) {
+  for (const auto& entry : entries_below(to)) {
     if (entry.is_directory()) sync_folder(entry.path());
   }
   sync_folder(to);

@@ -10,6 +10,7 @@
 #include <grp.h>
 
 #include "results_schema/file_system.h"
+#include "results_schema/folder_entries.h"
 #include "results_schema/study.h"
 
 namespace asperity {
@@ -76,7 +77,7 @@ void require_group(const std::string& group) { static_cast<void>(number_of_group
 
 std::string share_study(const std::filesystem::path& study, const std::string& group) {
   const std::optional<gid_t> number = number_of_group(group);
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(study)) {
+  for (const auto& entry : entries_below(study)) {
     share_one(entry.path(), number);
   }
   // Last: until everything in it is ready nobody else comes in.

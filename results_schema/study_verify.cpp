@@ -14,6 +14,7 @@
 #include <sqlite3.h>
 
 #include "results_schema/file_system.h"
+#include "results_schema/folder_entries.h"
 #include "results_schema/recording.h"
 #include "results_schema/seal.h"
 #include "results_schema/sha256.h"
@@ -415,9 +416,10 @@ std::vector<std::string> Study::leftovers() const {
   }
   const std::filesystem::path& study = store_->folder;
   std::vector<std::string> leftovers;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(study)) {
-    if (!entry.is_regular_file()) continue;
-    const std::filesystem::path relative = std::filesystem::relative(entry.path(), study);
+  for (const auto& entry : entries_below(study)) {
+    std::error_code unknown;
+    if (!entry.is_regular_file(unknown)) continue;
+    const std::filesystem::path relative = entry.path().lexically_relative(study);
     const std::string path = relative.string();
     if (relative.extension() == ".part" || relative.extension() == ".tmp") {
       leftovers.push_back(

@@ -13,10 +13,10 @@
 
 namespace asperity {
 
-/// Adds the file of ROLE=FILE to the files of a model, and returns the role. Errors: WrongUsage for another form and for a
-/// role that the model does not declare; ResultsError for a file that cannot be read.
-inline std::string add_asset(decltype(RendererInputs::assets)& assets,
-                             const ModelDeclaration& model, const std::string& text) {
+/// Adds the file of ROLE=FILE to the files of a model with its name, and returns the role. Errors: WrongUsage for another
+/// form and for a role that the model does not declare; ResultsError for a file that cannot be read.
+template <class Inputs>
+std::string add_asset(Inputs& inputs, const ModelDeclaration& model, const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos)
     throw WrongUsage("--asset " + text + " has no \"=\"; write ROLE=FILE");
@@ -26,7 +26,9 @@ inline std::string add_asset(decltype(RendererInputs::assets)& assets,
     throw WrongUsage("--asset " + text + ": the force model " + model.id + " needs no asset \"" +
                      role + "\"; asperity models lists those that it needs");
   }
-  assets[role] = std::make_shared<const std::string>(read_file(text.substr(equals + 1)));
+  const std::string file = text.substr(equals + 1);
+  inputs.assets[role] = std::make_shared<const std::string>(read_file(file));
+  inputs.asset_names[role] = file;
   return role;
 }
 

@@ -38,6 +38,7 @@
 #include "protocols/plan/course.h"
 #include "protocols/plan/groups.h"
 #include "protocols/plan/plan.h"
+#include "results_schema/error_text.h"
 #include "results_schema/study.h"
 #include "results_schema/study_sharing.h"
 
@@ -201,7 +202,7 @@ std::vector<StimulusDrag> check_with_study(ProtocolCheck& check, const std::file
     } catch (const std::exception& error) {  // the protocol can be checked all the same
       say("asperity: warning: whether the study has sessions with another text of this version, or "
           "with another build of a plug-in, could not be determined: " +
-          std::string(error.what()));
+          message_of(error));
     }
   }
   StimulusBuilder builder(models, study);
@@ -286,10 +287,14 @@ void add_check(CLI::App& program, Job& job) {
           }
         }
         std::vector<StimulusDrag> drags{};
-        if (options->study && check.protocol && check.diagnostics.empty()) {
-          drags = check_with_study(check, *options->study, models, stop, warnings);
-        } else if (check.protocol && check.diagnostics.empty()) {
-          drags = check_without_study(check, models, stop, warnings);
+        try {
+          if (options->study && check.protocol && check.diagnostics.empty()) {
+            drags = check_with_study(check, *options->study, models, stop, warnings);
+          } else if (check.protocol && check.diagnostics.empty()) {
+            drags = check_without_study(check, models, stop, warnings);
+          }
+        } catch (const std::exception& error) {  // the other files are checked all the same
+          check.diagnostics.push_back({check.file, 1, 1, "", message_of(error)});
         }
         DeviceComparison comparison{};
         if (options->device && check.protocol && check.diagnostics.empty() &&

@@ -16,6 +16,7 @@
 #endif
 #include "app/study_files/program.h"
 #include "protocols/file/diagnostic.h"
+#include "results_schema/error_text.h"
 
 namespace {
 
@@ -105,7 +106,7 @@ int main(int argc, char** argv) {
     for (const Diagnostic& diagnostic : error.diagnostics()) say(text_of(diagnostic));
     return kNotAcceptable;
   } catch (const std::exception& error) {
-    say(std::string("asperity: ") + error.what());
+    say(std::string("asperity: ") + message_of(error));
     return kNotAcceptable;
   }
 }

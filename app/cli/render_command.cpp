@@ -272,7 +272,7 @@ void add_render(CLI::App& program, Job& job) {
         add_surface_of_point(inputs, model, surface, options->height_field);
       }
       for (const std::string& text : options->assets) {
-        add_asset(inputs.assets, model.declaration, text);
+        add_asset(inputs, model.declaration, text);
       }
       const std::vector<ProbeState> path =
           path_in(read_file(options->path, kTableFile), options->path.string());

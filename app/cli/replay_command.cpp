@@ -55,6 +55,7 @@ void add_assets_of_texture(const Study& study, const RecordedAttempt& recorded, 
     if (file == files.end()) continue;
     inputs.assets[asset.role] =
         std::make_shared<const std::string>(read_file(study.folder() / file->second));
+    inputs.asset_names[asset.role] = file->second;
   }
 }
 
@@ -130,7 +131,7 @@ void add_replay(CLI::App& program, Job& job) {
         }
         add_assets_of_texture(study, recorded, options->surface, model->declaration, inputs);
         for (const std::string& text : options->assets) {
-          add_asset(inputs.assets, model->declaration, text);
+          add_asset(inputs, model->declaration, text);
         }
       } else if (!options->parameters.empty() || !options->assets.empty()) {
         const std::string option = options->parameters.empty() ? "--asset" : "--param";

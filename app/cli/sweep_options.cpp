@@ -214,7 +214,7 @@ void complete_order(SweepOptions& options, const ModelRegistry& models) {
   order.stroke.parameters =
       parameters_from(options.parameters, model.declaration.parameters, options.model);
   for (const std::string& text : options.assets) {
-    const std::string role = add_asset(order.stroke.assets, model.declaration, text);
+    const std::string role = add_asset(order.stroke, model.declaration, text);
     order.asset_sha256[role] = sha256_of(*order.stroke.assets.at(role));
   }
   order.stroke.hand = hand_of(options.hand);

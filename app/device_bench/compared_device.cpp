@@ -19,6 +19,7 @@
 #include "device/simulated_models.h"
 #include "device/virtual_hand.h"
 #include "protocols/file/json_document.h"
+#include "results_schema/error_text.h"
 
 namespace asperity {
 namespace {
@@ -78,7 +79,7 @@ void look_for(const Driver& driver, const std::string& which, const DriverOption
     sought.wanted.which.serial = found.serial;
     sought.is_attached = true;
   } catch (const std::exception& error) {
-    sought.absence = error.what();
+    sought.absence = message_of(error);
   }
 }
 
@@ -154,7 +155,7 @@ SoughtDevice sought_device(const std::string& device, const DriverOptions& optio
       with_reader.recorded_hand = recorded_hand;
       (void)driver->open(which, with_reader);
     } catch (const std::exception& error) {
-      sought.refusal = error.what();
+      sought.refusal = message_of(error);
     }
     return sought;
   }
@@ -241,7 +242,7 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
       comparison.profile = std::move(found.profile);
       comparison.refusal = found.refusal.english();
     } catch (const std::exception& error) {
-      comparison.refusal = error.what();
+      comparison.refusal = message_of(error);
     }
   }
   if (!device.wanted.has_motors) {

@@ -7,6 +7,7 @@
 #include "app/words/shell_word.h"
 #include "device/drivers.h"
 #include "device/simulated_models.h"
+#include "results_schema/error_text.h"
 
 namespace asperity {
 
@@ -70,7 +71,7 @@ void require_device(const std::string& option, const std::string& device) {
   try {
     if (simulated_settings(device)) return;
   } catch (const std::exception& error) {
-    refuse(error.what());
+    refuse(message_of(error));
   }
   const DriverRegistry drivers = built_in_drivers();
   if (drivers.find(device.substr(0, device.find(':'))) != nullptr) return;

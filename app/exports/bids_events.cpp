@@ -13,6 +13,7 @@
 #include "app/exports/columns/export_tables.h"
 #include "app/exports/columns/table_columns.h"
 #include "app/words/event_kinds.h"
+#include "results_schema/stored_json.h"
 
 namespace asperity {
 
@@ -156,7 +157,7 @@ std::vector<std::vector<Cell>> bids_event_rows(const Columns& columns, ExportAud
                                                const std::vector<TimedEvent>& timeline) {
   std::map<int, nlohmann::json> factors{};
   for (const PlannedTrialRow& trial : plan) {
-    factors[trial.trial] = nlohmann::json::parse(trial.factors_json);
+    factors[trial.trial] = stored_json(trial.factors_json, "trial.factors_json");
   }
   std::vector<ExportPlace> places{};
   for (const AttemptRow& attempt : attempts) {

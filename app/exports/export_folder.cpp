@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <fcntl.h>
 #include <fstream>
 #include <map>
@@ -10,6 +9,8 @@
 #include <unistd.h>
 #include <utility>
 
+#include "results_schema/error_text.h"
+#include "results_schema/folder_entries.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
 #include "results_schema/table.h"
@@ -49,7 +50,7 @@ std::optional<std::string> obstacle_in(const fs::path& folder, Overwrite overwri
   const std::map<std::string, std::string> own_files = files_of_export_in(folder);
   std::set<std::string> others{};
   std::set<std::string> unsure{};  // to be compared, once there is no other reason
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+  for (const fs::directory_entry& entry : entries_below(folder)) {
     const std::string name = fs::relative(entry.path(), folder).generic_string();
     if (entry.is_directory() || (name == kManifest && !own_files.empty())) continue;
     (own_files.contains(name) ? unsure : others).insert(name);
@@ -80,7 +81,7 @@ void sync_file_system_of(const fs::path& folder) {
 
 [[noreturn]] void fail(const fs::path& target, const fs::filesystem_error& error) {
   throw ResultsError("the export cannot be written to " + target.string() + ": " +
-                         error.code().message() + "; fix the problem, then export again",
+                         text_of_error_number(error.code().value()),
                      target, error.code().value());
 }
 
@@ -119,9 +120,9 @@ void ExportFolder::write(const std::string& name, std::string_view text) {
   out << text;
   out.close();
   if (!out) {
-    throw ResultsError("the export cannot be written to " + target_.string() + ": " +
-                           std::strerror(errno) + "; fix the problem, then export again",
-                       target_, errno);
+    throw ResultsError(
+        "the export cannot be written to " + target_.string() + ": " + text_of_error_number(errno),
+        target_, errno);
   }
   ExportedFile& file = files_.emplace_back();
   file.name = name;

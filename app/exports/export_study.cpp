@@ -27,6 +27,7 @@
 #include "app/study_files/study_condition.h"
 #include "app/words/text_parts.h"
 #include "protocols/design/protocol.h"
+#include "results_schema/stored_json.h"
 
 namespace asperity {
 namespace {
@@ -51,10 +52,10 @@ void sort_responses(std::vector<ResponseRow>& responses) {
 class ReadJson final {
  public:
   // Valid until the next call.
-  const nlohmann::json& of(const std::string& text) {
+  const nlohmann::json& of(const std::string& text, const char* column) {
     auto found = known_.find(text);
     if (found == known_.end()) {
-      nlohmann::json read = nlohmann::json::parse(text);
+      nlohmann::json read = stored_json(text, column);
       if (known_.size() == kMost) known_.clear();
       found = known_.emplace(text, std::move(read)).first;
     }
@@ -124,7 +125,8 @@ class StudyExport final {
         const std::string word = text_of(session.mode);
         mode = mode.empty() || mode == word ? word : "mixed";
       }
-      const nlohmann::json answers = nlohmann::json::parse(participant.listed.answers_json);
+      const nlohmann::json answers =
+          stored_json(participant.listed.answers_json, "participant.answers_json");
       ExportPlace at{};
       at.participant = &participant.listed;
       at.participant_mode = &mode;
@@ -273,8 +275,8 @@ class StudyExport final {
     for (const PlannedTrialRow& trial : plan) {
       trials[trial.trial] = &trial;
       at.trial = &trial;
-      at.factors = &factors_.of(trial.factors_json);
-      const nlohmann::json planned = nlohmann::json::parse(trial.plan_json);
+      at.factors = &factors_.of(trial.factors_json, "trial.factors_json");
+      const nlohmann::json planned = stored_json(trial.plan_json, "trial.plan_json");
       at.plan = &planned;
       at.attempts_of_trial = attempts_by_trial[trial.trial].size();
       add("trials", at);
@@ -294,7 +296,7 @@ class StudyExport final {
   static std::optional<double> doubted_in(const AttemptRow& attempt) {
     for (const EventRow& event : attempt.events) {
       if (event.kind != "estimate_doubted") continue;
-      return nlohmann::json::parse(event.data_json).at("estimate").get<double>();
+      return stored_json(event.data_json, "event.data_json").at("estimate").get<double>();
     }
     return {};
   }
@@ -307,7 +309,8 @@ class StudyExport final {
     for (const PresentationRow& presentation : attempt.presentations) {
       ExportPlace here = at;
       here.presentation = &presentation;
-      here.parameters = &parameters_.of(presentation.parameters_json);
+      here.parameters =
+          &parameters_.of(presentation.parameters_json, "presentation.parameters_json");
       add("presentations", here);
       stimuli_.add(here);
       for (const VisitRow& visit : presentation.visits) {

@@ -11,6 +11,8 @@
 #include "app/words/utc_time.h"
 #include "device/simulated_models.h"
 #include "results_schema/atomic_file.h"
+#include "results_schema/error_text.h"
+#include "results_schema/folder_entries.h"
 
 namespace asperity {
 namespace {
@@ -344,9 +346,14 @@ DeviceProfile profile_from_json(const std::string& text, const std::string& orig
     }
     if (!profile.stands_for().empty()) profile.not_known = not_known_in(json.at("stands_for"));
     return profile;
+  } catch (const nlohmann::json::exception&) {
+    throw std::runtime_error(
+        "the device profile " + origin +
+        " cannot be read: it is not JSON of the form that this program writes; "
+        "measure the device again");
   } catch (const std::exception& error) {
-    throw std::runtime_error("the device profile " + origin + " cannot be read: " + error.what() +
-                             "; measure the device again");
+    throw std::runtime_error("the device profile " + origin + " cannot be read: " +
+                             message_of(error) + "; measure the device again");
   }
 }
 
@@ -362,13 +369,11 @@ std::filesystem::path profile_path(const std::filesystem::path& study,
 }
 
 KeptProfiles profiles_in(const std::filesystem::path& study, const WhichDevice& device) {
-  const std::filesystem::path folder = study / "profiles";
   KeptProfiles kept{};
-  if (!std::filesystem::is_directory(folder)) return kept;
   const auto differs = [](const std::string& wanted, const std::string& found) {
     return !wanted.empty() && !found.empty() && wanted != found;
   };
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+  for (const auto& entry : entries_in(study / "profiles")) {
     if (entry.path().extension() != ".json") continue;
     try {
       const std::string text = read_file(entry.path(), kProfileFile);
@@ -380,7 +385,7 @@ KeptProfiles profiles_in(const std::filesystem::path& study, const WhichDevice& 
       }
       kept.profiles.push_back(profile_from_json(text, entry.path().string()));
     } catch (const std::exception& error) {
-      kept.complaints.push_back(error.what());
+      kept.complaints.push_back(message_of(error));
     }
   }
   std::sort(kept.complaints.begin(), kept.complaints.end());

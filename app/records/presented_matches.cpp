@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "results_schema/stored_json.h"
+
 namespace asperity {
 
 namespace {
@@ -28,7 +30,7 @@ std::vector<PresentedMatch> presented_matches(const StoredProtocol& protocol,
   for (const PlannedTrialRow& row : trials) {
     const auto block = protocol.blocks.find(row.block);
     if (block == protocol.blocks.end() || block->second.matched_in.empty()) continue;
-    const nlohmann::json trial = nlohmann::json::parse(row.plan_json);
+    const nlohmann::json trial = stored_json(row.plan_json, "trial.plan_json");
     for (const nlohmann::json& surface : trial.at("presentations")) {
       const auto status = match_status_named(surface.value("roughness_match", ""));
       if (!status || *status == MatchStatus::reference) continue;

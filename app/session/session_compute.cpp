@@ -7,6 +7,7 @@
 
 #include "app/words/phrase.h"
 #include "protocols/plan/plan.h"
+#include "results_schema/error_text.h"
 
 namespace asperity {
 namespace {
@@ -24,7 +25,7 @@ std::shared_ptr<const Compute> compute_within(std::chrono::nanoseconds deadline)
         phrase("RunSession",
                "contacts cannot be evaluated on a GPU: %1 (on the command line: --compute cpu; in "
                "the protocol: device.compute)")
-            .with(std::string(error.what())));
+            .with(message_of(error)));
   }
 }
 

@@ -132,9 +132,9 @@ std::vector<StimulusFileRow> hash_files(const Protocol& protocol,
   Phrase missing{};
   for (const std::string& path : paths) {
     const std::filesystem::path full = study_folder / path;
-    std::error_code error{};
-    const auto bytes = std::filesystem::file_size(full, error);
-    if (error) {
+    std::error_code unknown{};
+    // What is there and is no file is refused where it is read.
+    if (std::filesystem::status(full, unknown).type() == std::filesystem::file_type::not_found) {
       const Phrase one = phrase("SessionSetup",
                                 "the protocol \"%1\" names the file %2, which is not in the study "
                                 "%3; copy the file into the study")
@@ -142,7 +142,9 @@ std::vector<StimulusFileRow> hash_files(const Protocol& protocol,
       missing = missing.empty() ? one : Phrase("%1\n%2").with(missing, one);
       continue;
     }
-    rows.push_back({path, sha256_of_file(full), static_cast<std::int64_t>(bytes)});
+    std::string sha256 = sha256_of_file(full);
+    const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(full));
+    rows.push_back({path, std::move(sha256), bytes});
   }
   if (!missing.empty()) throw PhrasedError(missing);
   return rows;

@@ -315,6 +315,7 @@ std::vector<AssetRow> StimulusBuilder::take_assets(const ModelDeclaration& model
     if (path == description.declared_assets.end()) continue;  // make_renderer refuses
     LoadedAsset loaded = asset(path->second);
     inputs.assets[declared.role] = std::move(loaded.content);
+    inputs.asset_names[declared.role] = path->second;
     rows.push_back({declared.role, std::move(loaded.sha256)});
   }
   return rows;

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "results_schema/stored_json.h"
+
 namespace asperity {
 
 std::string json_text_of(const ParameterValues& values) {
@@ -17,7 +19,7 @@ std::string json_text_of(const ParameterValues& values) {
 }
 
 ParameterValues parameter_values_in(const std::string& text) {
-  const nlohmann::json json = nlohmann::json::parse(text);
+  const nlohmann::json json = stored_json(text, "presentation.parameters_json");
   ParameterValues values{};
   for (const auto& [name, value] : json.items()) {
     if (value.is_number()) {

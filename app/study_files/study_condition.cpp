@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "results_schema/error_text.h"
+
 namespace asperity {
 
 namespace {
@@ -56,7 +58,7 @@ void read_unless_broken(const Study& study, const std::function<void()>& read,
     refuse_if_broken(study);
     const std::optional<Phrase> remark = remark_on(study);
     if (!remark) throw;
-    throw ResultsError(error.what() + (". " + remark->english()), study.folder());
+    throw ResultsError(message_of(error) + (". " + remark->english()), study.folder());
   }
   if (!stop.stop_requested()) refuse_if_broken(study);
 }

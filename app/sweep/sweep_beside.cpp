@@ -15,6 +15,7 @@
 #include "app/study_files/height_field_files.h"
 #include "app/words/text_parts.h"
 #include "protocols/plan/plan.h"
+#include "results_schema/error_text.h"
 
 namespace asperity {
 
@@ -341,7 +342,7 @@ void compare_heights(const SweepOrder& order, const Protocol& protocol,
     } catch (const std::exception& error) {
       remarks.push_back(
           "the heights of the textures of " + protocol.name +
-          " are unknown and were not compared with those of the sweep: " + error.what());
+          " are unknown and were not compared with those of the sweep: " + message_of(error));
       return;
     }
   }

@@ -9,6 +9,7 @@
 #include "protocols/file/protocol_reader.h"
 #include "protocols/plan/plan.h"
 #include "renderers/offline/along_path.h"
+#include "results_schema/error_text.h"
 
 namespace asperity {
 namespace {
@@ -68,7 +69,7 @@ std::vector<Diagnostic> problems_of_plugin_stimuli(const Protocol& protocol,
       try {
         failure = failure_of(builder.unmatched(stimulus), protocol.rate_Hz);
       } catch (const std::exception& error) {
-        failure = error.what();
+        failure = message_of(error);
       }
       if (!failure) continue;
       reported.insert(planned.stimulus_template);

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 #include <span>
+#include <system_error>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -37,6 +38,7 @@
 #include "renderers/pd_gradient/geometry/finest_wave.h"
 #include "renderers/servo/contact.h"
 #include "results_schema/atomic_file.h"
+#include "results_schema/error_text.h"
 #include "results_schema/study.h"
 #include "results_schema/table.h"
 #include "stimuli/pictures/photograph.h"
@@ -72,7 +74,10 @@ std::optional<std::string> complaint_about_file(const NamedFile& named,
                                                 const std::filesystem::path& study,
                                                 StimulusBuilder& builder) {
   for (const std::string& path : paths_of(named)) {
-    if (!std::filesystem::is_regular_file(study / path)) {
+    std::error_code unknown{};
+    // What is there and is no file is refused below, as the file that is read.
+    if (std::filesystem::status(study / path, unknown).type() ==
+        std::filesystem::file_type::not_found) {
       const char* const from =
           is_of_demonstration(path)
               ? "; the demo study has one of this name (asperity new DIR --demo creates "
@@ -80,13 +85,14 @@ std::optional<std::string> complaint_about_file(const NamedFile& named,
               : "; copy the file into the study";
       return "the file " + path + " is not in the study " + study.string() + from;
     }
-    if (!lies_in(study, study / path)) {
+  }
+  try {
+    for (const std::string& path : paths_of(named)) {
+      if (lies_in(study, study / path)) continue;
       return "the file " + path + " is a symbolic link to " +
              std::filesystem::canonical(study / path).string() + ", which is outside the study " +
              study.string() + "; copy the file into the study";
     }
-  }
-  try {
     switch (named.kind) {
       case NamedFile::Kind::height_field:
         builder.height_field(named.path);
@@ -109,7 +115,7 @@ std::optional<std::string> complaint_about_file(const NamedFile& named,
         break;
     }
   } catch (const std::exception& error) {
-    return error.what();
+    return message_of(error);
   }
   return {};
 }
@@ -134,7 +140,8 @@ std::vector<Diagnostic> problems_of_shapes(const Protocol& protocol, const std::
       builder.require_body(*body);
     } catch (const std::exception& error) {
       problems.push_back(place_of_body(protocol, file_name, body->name));
-      problems.back().message = "the body \"" + body->name + "\" cannot be made: " + error.what();
+      problems.back().message =
+          "the body \"" + body->name + "\" cannot be made: " + message_of(error);
     }
   }
   return problems;
@@ -166,8 +173,8 @@ std::vector<Diagnostic> problems_of_assets(const Protocol& protocol, const std::
         make_renderer(*model, builder.unmatched(planned.stimulus).inputs);
       } catch (const std::exception& error) {
         problems.push_back(place_of_stimulus(protocol, file_name, planned.stimulus_template));
-        problems.back().message =
-            "the stimulus \"" + planned.stimulus.name + "\" cannot be rendered: " + error.what();
+        problems.back().message = "the stimulus \"" + planned.stimulus.name +
+                                  "\" cannot be rendered: " + message_of(error);
       }
     }
   }
@@ -405,7 +412,7 @@ RehearsedStimuli rehearsed_stimuli(const Protocol& protocol, const std::string& 
             stimulus, *builder.body(*stimulus.surface, BodyRole::surface).mesh, habits, touch);
       } catch (const std::exception& error) {
         add(found.problems,
-            "the stimulus \"" + stimulus.name + "\" cannot be rendered: " + error.what());
+            "the stimulus \"" + stimulus.name + "\" cannot be rendered: " + message_of(error));
       }
     }
   }
@@ -455,7 +462,7 @@ ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegis
   } catch (const std::exception& error) {
     ProtocolCheck check{};
     check.file = found;
-    check.diagnostics.push_back({found, 0, 0, "", error.what()});
+    check.diagnostics.push_back({found, 0, 0, "", message_of(error)});
     return check;
   }
   return check_protocol_text(text, found, models, study, device);
@@ -475,7 +482,7 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
     reading = read_protocol_with_problems(text, file_name, declarations_of(models));
     if (reading.has_form) check.warnings = warnings_about(*reading.protocol, file_name);
   } catch (const std::exception& error) {
-    whole_file(error.what());
+    whole_file(message_of(error));
     return check;
   }
   check.diagnostics = reading.problems;

@@ -27,6 +27,8 @@
 #include "protocols/plan/course.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/atomic_file.h"
+#include "results_schema/error_text.h"
+#include "results_schema/folder_entries.h"
 #include "results_schema/sha256.h"
 #include "stimuli/photographs/preview.h"
 
@@ -38,10 +40,9 @@ namespace {
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files{};
   std::error_code ignored{};
-  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+  for (const auto& entry : entries_in(folder)) {
     if (entry.is_regular_file(ignored)) files.push_back(entry.path());
   }
-  std::sort(files.begin(), files.end());
   return files;
 }
 
@@ -401,7 +402,7 @@ std::vector<StimulusOverview> stimulus_overviews(const std::filesystem::path& st
       if (body) look_at(stimulus, *body);
       if (body && see) see(overviews.size(), body);
     } catch (const std::exception& error) {
-      stimulus.problem = error.what();
+      stimulus.problem = message_of(error);
     }
     overviews.push_back(std::move(stimulus));
   };

@@ -28,6 +28,8 @@
 #include "app/tasks/verify_questionnaire.h"
 #include "protocols/plan/shown_options.h"
 #include "results_schema/atomic_file.h"
+#include "results_schema/error_text.h"
+#include "results_schema/folder_entries.h"
 #include "results_schema/table.h"
 
 namespace asperity {
@@ -280,7 +282,7 @@ void replay_session(const Study& study, const SessionRow& session, const Plan& p
         faults.problems.push_back(std::move(sentence));
       }
     } catch (const std::exception& error) {
-      const std::string what = error.what();
+      const std::string what = message_of(error);
       faults.failures.push_back({what.find(name) == std::string::npos ? name + ": " : "", what});
     }
   }
@@ -290,13 +292,10 @@ void replay_session(const Study& study, const SessionRow& session, const Plan& p
 /// database. A change of a single byte, however, is unlikely to be intentional.
 void check_protocol_files(const Study& study, VerifyResult& result) {
   const std::vector<ProtocolRow> stored = study.protocols();
-  std::error_code none{};
-  std::set<std::filesystem::path> files{};
-  for (const auto& entry :
-       std::filesystem::directory_iterator(study.folder() / "protocols", none)) {
-    if (entry.is_regular_file()) files.insert(entry.path());
-  }
-  for (const std::filesystem::path& file : files) {
+  for (const auto& entry : entries_in(study.folder() / "protocols")) {
+    std::error_code unknown{};
+    const std::filesystem::path& file = entry.path();
+    if (!entry.is_regular_file(unknown)) continue;
     const std::string text = read_file(file);
     const std::string name = "protocols/" + file.filename().string();
     const ProtocolRow* nearly = nullptr;
@@ -377,7 +376,7 @@ void add_failure_of(const std::function<void()>& check, std::vector<std::string>
   try {
     check();
   } catch (const std::exception& error) {
-    add_unless_told(error.what(), "", problems);
+    add_unless_told(message_of(error), "", problems);
   }
 }
 
@@ -424,7 +423,7 @@ VerifyResult verify_study(Study& study, const ModelBuilds& builds, bool replay_t
         }
         if (replay_too) replay_session(own, sessions[s], plan, program, builders, stop, found[s]);
       } catch (const std::exception& error) {
-        found[s].failures.push_back({"", error.what()});
+        found[s].failures.push_back({"", message_of(error)});
       }
     }
   };

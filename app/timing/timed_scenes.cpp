@@ -26,6 +26,7 @@
 #include "renderers/proxy/body_surface.h"
 #include "renderers/servo/record_ring.h"
 #include "renderers/servo/servo_loop.h"
+#include "results_schema/error_text.h"
 #include "stimuli/meshes/detailed_bodies.h"
 
 namespace asperity {
@@ -243,7 +244,7 @@ class Timing final {
           course_.stop);
       row.largest_force_N = largest_N;
     } catch (const std::exception& error) {
-      row.reason = error.what();
+      row.reason = message_of(error);
     }
   }
 

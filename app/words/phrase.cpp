@@ -4,6 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "results_schema/error_text.h"
+
 namespace asperity {
 
 namespace {
@@ -83,7 +85,7 @@ std::string Phrase::translated(const LookUp& look_up) const {
 
 Phrase phrase_of(const std::exception& error) {
   if (const auto* phrased = dynamic_cast<const PhrasedError*>(&error)) return phrased->said();
-  return std::string(error.what());
+  return message_of(error);
 }
 
 }  // namespace asperity

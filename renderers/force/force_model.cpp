@@ -90,6 +90,11 @@ std::unique_ptr<ForceRenderer> make_renderer(const ForceModel& model,
   return with_resonance(model.make(complete), complete);
 }
 
+std::string name_of_asset(const RendererInputs& inputs, const std::string& role) {
+  const auto named = inputs.asset_names.find(role);
+  return named == inputs.asset_names.end() ? role : named->second;
+}
+
 bool is_potential(const ForceModel& model, const ParameterValues& given) {
   const ParameterValues complete = complete_values(model.declaration, given);
   return holds(model.conservative_with, complete) && !layer_moves_by_itself(complete);
@@ -183,6 +188,7 @@ void add_files_of_relief(RendererInputs& inputs, const ForceModel& model,
   if (!model.files_of_relief) return;
   for (auto& [role, content] : model.files_of_relief(field)) {
     inputs.assets[role] = std::make_shared<const std::string>(std::move(content));
+    inputs.asset_names.erase(role);
   }
 }
 

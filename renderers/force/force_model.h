@@ -42,6 +42,8 @@ struct RendererInputs {
   /// The content of the model's further files by the role under which the model declares each
   /// (AssetDeclaration), to the byte: the model decodes it, and refuses it if it is not what it should be.
   std::map<std::string, std::shared_ptr<const std::string>, std::less<>> assets{};
+  /// The names of these files, by role, for messages. See name_of_asset.
+  std::map<std::string, std::string, std::less<>> asset_names{};
   std::uint64_t seed = 0;  ///< of a model that draws random numbers
 };
 
@@ -92,6 +94,9 @@ struct ForceModel {
   /// The device on which its renderers evaluate contacts (computed_on); null for the processor.
   std::shared_ptr<const Compute> compute{};
 };
+
+/// The file of a role as messages name it: by its name, or by the role where the file has none.
+std::string name_of_asset(const RendererInputs& inputs, const std::string& role);
 
 /// Whether the force without friction is the gradient of a potential with the given parameters (the others have their
 /// defaults): whether it is conservative.

@@ -28,10 +28,11 @@ namespace asperity {
 namespace {
 
 VibrationMap map_of(const RendererInputs& inputs) {
-  return {vibration_models_in(*inputs.assets.at(kVibrationModelsRole), kVibrationModelsRole),
+  const std::string name = name_of_asset(inputs, kVibrationModelsRole);
+  return {vibration_models_in(*inputs.assets.at(kVibrationModelsRole), name),
           choice_of(inputs.parameters, "variance") == "linear" ? VarianceLaw::linear
                                                                : VarianceLaw::logarithmic,
-          kVibrationModelsRole};
+          name};
 }
 
 /// The last samples of a signal, contiguous, the latest at the end.

@@ -34,7 +34,8 @@ SpectrumAxis axis_of(const ParameterValues& parameters) {
 }
 
 RecordedSpectra spectra_of(const RendererInputs& inputs) {
-  return {texture_recording_in(*inputs.assets.at(kRecordingRole), kRecordingRole),
+  return {texture_recording_in(*inputs.assets.at(kRecordingRole),
+                               name_of_asset(inputs, kRecordingRole)),
           axis_of(inputs.parameters), number_of(inputs.parameters, "force_exponent")};
 }
 

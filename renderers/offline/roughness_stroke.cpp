@@ -195,6 +195,7 @@ RendererInputs stroked_inputs(const RoughnessStroke& stroke, const TextureAtSpac
                                   .tiling = texture.tiling},
                         .height_field = texture.field,
                         .assets = stroke.assets,
+                        .asset_names = stroke.asset_names,
                         .seed = stroke.seed};
   const std::vector<AssetDeclaration>& files = model.declaration.assets;
   if (std::any_of(files.begin(), files.end(), [&](const AssetDeclaration& file) {
@@ -202,6 +203,7 @@ RendererInputs stroked_inputs(const RoughnessStroke& stroke, const TextureAtSpac
       })) {
     add_files_of_relief(inputs, model, recorded_relief(texture));
     for (const auto& [role, content] : stroke.assets) inputs.assets[role] = content;
+    inputs.asset_names = stroke.asset_names;
   }
   if (stroke.body) {
     inputs.body = stroke.body;

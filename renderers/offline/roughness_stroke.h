@@ -66,7 +66,8 @@ struct RoughnessStroke {
   double force_N = 0.5;
   double speed_m_per_s = 0.1;
   decltype(RendererInputs::assets) assets{};  ///< the given files of the model
-  std::uint64_t seed = 1;                     ///< of a model that draws random numbers
+  decltype(RendererInputs::asset_names) asset_names{};
+  std::uint64_t seed = 1;  ///< of a model that draws random numbers
   /// Instead of a straight stroke. `speed_m_per_s` is then the greatest speed of the tip.
   std::optional<Turning> turning{};
   /// Of a point model: the body that is stroked, instead of a plane (BodyGuide).

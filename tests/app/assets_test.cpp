@@ -4,6 +4,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <sys/stat.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,6 +24,7 @@
 namespace asperity {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -106,6 +108,21 @@ TEST_F(AssetOfAModel, IsCheckedWithItsContent) {
   ASSERT_EQ(problems().size(), 1U);
   EXPECT_EQ(problems()[0].pointer, "/textures/grain/assets/wave");
   EXPECT_THAT(problems()[0].message, HasSubstr("the file stimuli/grain.wave is not in the study"));
+}
+
+TEST_F(AssetOfAModel, IsRefusedByWhatIsThereInstead) {
+  std::filesystem::remove(study_ / kFile);
+  ASSERT_EQ(::mkfifo((study_ / kFile).c_str(), 0600), 0);
+  ASSERT_EQ(problems().size(), 1U);
+  EXPECT_THAT(problems()[0].message, AllOf(HasSubstr("grain.wave"), HasSubstr("it is a pipe")));
+  std::filesystem::remove(study_ / kFile);
+  std::filesystem::create_directory(study_ / kFile);
+  ASSERT_EQ(problems().size(), 1U);
+  EXPECT_THAT(problems()[0].message, AllOf(HasSubstr("grain.wave"), HasSubstr("not a folder")));
+  std::filesystem::remove(study_ / kFile);
+  std::filesystem::create_symlink("grain.wave", study_ / kFile);
+  ASSERT_EQ(problems().size(), 1U);
+  EXPECT_THAT(problems()[0].message, AllOf(HasSubstr("grain.wave"), HasSubstr("replace the link")));
 }
 
 TEST_F(AssetOfAModel, IsHashedStoredAndVerified) {

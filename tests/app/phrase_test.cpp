@@ -2,6 +2,7 @@
 
 #include "app/words/phrase.h"
 
+#include <new>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -26,6 +27,13 @@ TEST(Phrase, IsFilledInItsPlaces) {
             "3 of 7 were felt");
   EXPECT_EQ(phrase("Test", "nothing varies").english(), "nothing varies");
   EXPECT_TRUE(Phrase().english().empty());
+}
+
+TEST(Phrase, OfALibrarysErrorIsAboutWhatIsWrong) {
+  EXPECT_EQ(phrase_of(std::bad_alloc()).english(),
+            "too little memory is free; close other programs, then try again");
+  EXPECT_EQ(phrase_of(std::runtime_error("the sentence; the remedy")).english(),
+            "the sentence; the remedy");
 }
 
 TEST(TimeAgo, IsInHoursForTwoDaysAndThenInDays) {

@@ -55,6 +55,14 @@ TEST_F(Report, IsAFileThatSaysWhatIsInTheStudy) {
   EXPECT_TRUE(text_of(file("last.html")) == text) << "the same study after it was written to";
 }
 
+// Outside a desktop session Qt warns of a folder that no file needs.
+TEST_F(Report, IsWrittenWhereWarningsOfQtEndPrograms) {
+  const Outcome outcome =
+      run({.arguments = {"report", small_.study(), "--out", file("report.html")},
+           .environment = {{"QT_FATAL_WARNINGS", "1"}, {"XDG_RUNTIME_DIR", ""}}});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
 TEST_F(Report, IsNotWrittenWhereSomethingStandsInItsWay) {
   write_text(file("mine.pdf"), "precious");
   const Outcome there = report(file("mine.pdf"));

@@ -272,5 +272,14 @@ TEST(DataDriven, RefusesModelsThatItCannotInterpolate) {
       testing::HasSubstr("vibration_models:1: the column speed_m_per_s is missing"));
 }
 
+TEST(DataDriven, NamesTheFileOfItsModelsInMessages) {
+  RendererInputs inputs = of_models(resonant_models());
+  inputs.asset_names[kVibrationModelsRole] = "stimuli/wood.tsv";
+  inputs.assets[kVibrationModelsRole] = std::make_shared<const std::string>("a list\n");
+  EXPECT_THAT(
+      refusal_of<std::invalid_argument>([&] { make_renderer(data_driven_model(), inputs); }),
+      testing::StartsWith("stimuli/wood.tsv:1: the column speed_m_per_s is missing"));
+}
+
 }  // namespace
 }  // namespace asperity

@@ -256,6 +256,9 @@ TEST(Recorded, RefusesATableThatItCannotRead) {
   inputs.assets[kRecordingRole] = std::make_shared<const std::string>("a list of groceries\n");
   EXPECT_THAT(refusal_of<std::invalid_argument>([&] { make_renderer(recorded_model(), inputs); }),
               testing::HasSubstr("recording:1: the column stroke is missing"));
+  inputs.asset_names[kRecordingRole] = "stimuli/wood.tsv";
+  EXPECT_THAT(refusal_of<std::invalid_argument>([&] { make_renderer(recorded_model(), inputs); }),
+              testing::StartsWith("stimuli/wood.tsv:1: the column stroke is missing"));
   inputs.assets.clear();
   EXPECT_THAT(refusal_of<std::invalid_argument>([&] { make_renderer(recorded_model(), inputs); }),
               testing::HasSubstr("needs the asset \"recording\""));

@@ -9,6 +9,7 @@
 #include "app/plugins/stored_plugins.h"
 #include "protocols/file/stored_protocol.h"
 #include "renderers/force/force_model.h"
+#include "results_schema/stored_json.h"
 #include "results_schema/study.h"
 
 namespace asperity {
@@ -153,11 +154,11 @@ StudyVocabulary vocabulary_of(const Study& study, const ModelRegistry& loaded) {
   StudyVocabulary vocabulary{};
   const StudyWords words = study.words();
   for (const std::string& factors : words.factors_json) {
-    learn_factors(nlohmann::json::parse(factors), vocabulary);
+    learn_factors(stored_json(factors, "trial.factors_json"), vocabulary);
   }
   for (auto& [name, factor] : vocabulary.factors) sort_levels(factor);
   for (const auto& [model, parameters_json] : words.parameters) {
-    const nlohmann::json parameters = nlohmann::json::parse(parameters_json);
+    const nlohmann::json parameters = stored_json(parameters_json, "presentation.parameters_json");
     for (const auto& [name, value] : parameters.items()) {
       StudyVocabulary::ParameterMeaning& parameter = vocabulary.parameters[name];
       parameter.models.insert(model);
@@ -175,7 +176,8 @@ StudyVocabulary vocabulary_of(const Study& study, const ModelRegistry& loaded) {
     if (!has_own_column) vocabulary.assets[role].insert(model);
   }
   for (const ParticipantRow& participant : study.participants()) {
-    const nlohmann::json answers = nlohmann::json::parse(participant.answers_json);
+    const nlohmann::json answers =
+        stored_json(participant.answers_json, "participant.answers_json");
     for (const auto& [name, value] : answers.items()) vocabulary.participant_answers.insert(name);
   }
   for (const SessionRow& session : study.sessions()) {

@@ -15,6 +15,7 @@
 #include "protocols/design/protocol.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/kinds/experiment_kind.h"
+#include "results_schema/stored_json.h"
 #include "results_schema/table.h"
 
 namespace asperity {
@@ -23,7 +24,7 @@ namespace {
 
 /// Whether the observer's responses are declared to be guesses. Numbers require no expectation.
 bool is_guessing(const SessionRow& session, const std::string& kind) {
-  const nlohmann::json observer = nlohmann::json::parse(session.observer_json);
+  const nlohmann::json observer = stored_json(session.observer_json, "session.observer_json");
   if (!observer.is_object()) return false;
   const ExperimentKind* const known = find_kind(kind);
   const bool needs_expectation = known == nullptr || known->has_expectations;
@@ -341,7 +342,7 @@ class Gathering {
     if (own) return *own;
     own = static_cast<std::uint32_t>(gathered.factor_levels.size());
     auto& levels = gathered.factor_levels.emplace_back();
-    const auto stored = nlohmann::json::parse(session.answers.words[factors_json]);
+    const auto stored = stored_json(session.answers.words[factors_json], "trial.factors_json");
     for (const auto& [factor, level] : stored.items()) {
       levels[factor] = gathered.words.place(
           level.is_string() ? level.get<std::string>() : text_of_number(level.get<double>()));
@@ -356,7 +357,8 @@ class Gathering {
     const auto [known, is_new] =
         option_lists_.try_emplace(text, static_cast<std::uint32_t>(gathered.option_lists.size()));
     if (is_new) {
-      gathered.option_lists.push_back(nlohmann::json::parse(text).get<std::vector<std::string>>());
+      gathered.option_lists.push_back(
+          stored_json(text, "response.options_json").get<std::vector<std::string>>());
     }
     own = known->second;
     return *own;

@@ -10,6 +10,7 @@
 #include "analysis/number_text.h"
 #include "app/findings/reading_number.h"
 #include "app/findings/study/cell_words.h"
+#include "results_schema/error_text.h"
 
 namespace asperity {
 
@@ -47,7 +48,7 @@ std::vector<Finding> analysis_of(const char* analysis,
     Finding refused{};
     refused.quantity = "status";
     refused.word = "not_applicable";
-    refused.status = error.what();
+    refused.status = message_of(error);
     findings.push_back(std::move(refused));
   }
   for (Finding& finding : findings) finding.analysis = analysis;

@@ -39,9 +39,10 @@ ReferenceCase read_reference_case(const std::filesystem::path& folder) {
     if (json.contains("options")) {
       result.input.options = FamilyOptions::of_json(json["options"].dump(), path.string());
     }
-  } catch (const Json::exception& error) {
+  } catch (const Json::exception&) {
     throw std::runtime_error(path.string() +
-                             " must contain \"family\" and \"inputs\": " + error.what());
+                             " must be a JSON object with \"family\", a text, and \"inputs\", "
+                             "names of tables; correct it");
   }
   return result;
 }

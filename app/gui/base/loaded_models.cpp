@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "app/plugins/plugin_files.h"
+#include "results_schema/error_text.h"
 
 namespace asperity {
 
@@ -18,7 +19,7 @@ std::optional<LoadedModels> load_models(const std::vector<std::filesystem::path>
     try {
       add_plugin(plugins[i], loaded.models, {.stop = stop, .progress = of_all});
     } catch (const std::exception& error) {
-      loaded.problems.emplace_back(error.what());
+      loaded.problems.emplace_back(message_of(error));
     }
     if (stop.stop_requested()) return {};
   }

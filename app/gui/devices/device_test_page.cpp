@@ -35,6 +35,7 @@
 #include "app/tasks/protocol_files.h"
 #include "device/simulated_models.h"
 #include "renderers/built_in_models.h"
+#include "results_schema/folder_entries.h"
 
 namespace asperity {
 
@@ -288,10 +289,8 @@ void DeviceTestPage::connect_run() {
 
 DeviceTestPage::Found DeviceTestPage::look_into(const Study& study, const WhichDevice& device) {
   Found found{.kept = profiles_in(study.folder(), device), .now_utc = SystemClock(0).utc()};
-  const std::filesystem::path folder = study.folder() / "protocols";
-  if (!std::filesystem::is_directory(folder)) return found;
   const ModelRegistry models = with_stored_plugins(built_in_models(), study);
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+  for (const auto& entry : entries_in(study.folder() / "protocols")) {
     if (entry.path().extension() != ".json") continue;
     try {
       const Protocol protocol = load_protocol(entry.path(), models, study.folder());

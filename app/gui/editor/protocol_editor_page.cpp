@@ -17,6 +17,7 @@
 #include "app/gui/plan/plan_preview.h"
 #include "app/study_files/study_protocols.h"
 #include "results_schema/atomic_file.h"
+#include "results_schema/error_text.h"
 
 namespace asperity {
 
@@ -218,7 +219,8 @@ void ProtocolEditorPage::open(const std::filesystem::path& protocol) {
     bytes = read_file(protocol, kProtocolFile);
   } catch (const std::exception& error) {
     banner().show_news(
-        State::stop, tr("The protocol could not be read: %1").arg(QString::fromUtf8(error.what())));
+        State::stop,
+        tr("The protocol could not be read: %1").arg(QString::fromStdString(message_of(error))));
     return;
   }
   banner().hide();
@@ -391,7 +393,7 @@ void ProtocolEditorPage::save(Agreed agreed) {
             const Study own = Study::open(folder, Access::read_only);
             saving.use = other_text_of_version(own, written);
           } catch (const std::exception& error) {
-            saving.not_looked_up = error.what();  // no reason to lose what was typed
+            saving.not_looked_up = message_of(error);  // no reason to lose what was typed
           }
           if (saving.use) return saving;
         }

@@ -5,6 +5,8 @@
 
 #include <QtCore/QMetaObject>
 
+#include "results_schema/error_text.h"
+
 namespace asperity {
 
 NewestWork::NewestWork(QObject* parent) : QObject(parent) {
@@ -41,7 +43,7 @@ void NewestWork::run(const std::stop_token& stop) {
       delivery = request.work();
     } catch (const std::exception& error) {
       delivery = [this, number = request.number, failed = request.failed,
-                  what = QString::fromUtf8(error.what())] {
+                  what = QString::fromStdString(message_of(error))] {
         if (number == asked_) failed(what);
       };
     }

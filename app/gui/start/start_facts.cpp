@@ -10,6 +10,8 @@
 #include "protocols/file/stored_protocol.h"
 #include "protocols/plan/course.h"
 #include "results_schema/atomic_file.h"
+#include "results_schema/error_text.h"
+#include "results_schema/folder_entries.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
 
@@ -19,11 +21,9 @@ namespace {
 
 std::vector<std::filesystem::path> protocol_files(const std::filesystem::path& study) {
   std::vector<std::filesystem::path> files{};
-  std::error_code ignored{};
-  for (const auto& entry : std::filesystem::directory_iterator(study / "protocols", ignored)) {
+  for (const auto& entry : entries_in(study / "protocols")) {
     if (entry.path().extension() == ".json") files.push_back(entry.path());
   }
-  std::sort(files.begin(), files.end());
   return files;
 }
 
@@ -49,7 +49,7 @@ ChosenProtocol read_chosen(const std::filesystem::path& file, const std::filesys
   } catch (const ProtocolError& error) {
     chosen.problems = error.diagnostics();
   } catch (const std::exception& error) {
-    chosen.failure = error.what();
+    chosen.failure = message_of(error);
   }
   return chosen;
 }

@@ -12,6 +12,7 @@
 #include "app/gui/base/study_table.h"
 #include "app/gui/study/withdraw_dialog.h"
 #include "app/records/participant_answers.h"
+#include "results_schema/error_text.h"
 
 namespace asperity {
 
@@ -174,7 +175,7 @@ void ParticipantsPage::ask_to_withdraw() {
   try {
     (new WithdrawDialog(study(), table_->selected_key().toStdString(), this))->open();
   } catch (const std::exception& error) {
-    banner().show_news(State::stop, QString::fromUtf8(error.what()));
+    banner().show_news(State::stop, QString::fromStdString(message_of(error)));
   }
 }
 

@@ -34,6 +34,7 @@
 #include "app/gui/window/welcome_page.h"
 #include "app/gui/workbench/workbench_page.h"
 #include "app/tasks/new_study.h"
+#include "results_schema/error_text.h"
 #include "results_schema/study_sharing.h"
 
 namespace asperity {
@@ -246,7 +247,8 @@ bool StudyWindow::show_study(const std::filesystem::path& folder, const LoadedMo
     name = QString::fromStdString(opened->study().name());
   } catch (const std::exception& error) {
     banner_->show_news(
-        State::stop, tr("The study could not be opened: %1").arg(QString::fromUtf8(error.what())));
+        State::stop,
+        tr("The study could not be opened: %1").arg(QString::fromStdString(message_of(error))));
     return false;
   }
   close_study();
@@ -463,7 +465,7 @@ void StudyWindow::store_metadata(const StudyMetadata& metadata) {
   } catch (const std::exception& error) {
     banner_->show_news(
         State::stop,
-        tr("The metadata could not be stored: %1").arg(QString::fromStdString(error.what())));
+        tr("The metadata could not be stored: %1").arg(QString::fromStdString(message_of(error))));
   }
 }
 
@@ -485,7 +487,7 @@ void StudyWindow::share_with(const QString& group) {
   } catch (const std::exception& error) {
     banner_->show_news(
         State::stop,
-        tr("The study could not be shared: %1").arg(QString::fromStdString(error.what())));
+        tr("The study could not be shared: %1").arg(QString::fromStdString(message_of(error))));
   }
 }
 

@@ -18,6 +18,7 @@
 #include "app/gui/look/words.h"
 #include "app/gui/workbench/parameter_form.h"
 #include "app/gui/workbench/surface_card.h"
+#include "results_schema/error_text.h"
 
 namespace asperity {
 
@@ -207,7 +208,7 @@ void ForceComparison::make_renderers() {
         try {
           surface = body->surface();
         } catch (const std::exception& error) {
-          complaint_about_body = QString::fromUtf8(error.what());
+          complaint_about_body = QString::fromStdString(message_of(error));
         }
         built->hand = MouseHand(depth_m, surface);
         for (const Order& order : orders) {
@@ -236,7 +237,7 @@ void ForceComparison::make_renderers() {
                                 *model.stroked.inputs.height_field);
             model.stroked.renderer = make_renderer(*order.model, model.stroked.inputs);
           } catch (const std::exception& error) {
-            model.complaint = QString::fromUtf8(error.what());
+            model.complaint = QString::fromStdString(message_of(error));
           }
           built->models.push_back(std::move(model));
         }

@@ -26,6 +26,7 @@
 #include "app/gui/workbench/relief_view.h"
 #include "app/gui/workbench/save_panel.h"
 #include "app/gui/workbench/signal_plots.h"
+#include "results_schema/folder_entries.h"
 
 namespace asperity {
 
@@ -258,11 +259,9 @@ void WorkbenchPage::fill_study_menu(QMenu& menu) {
   menu.clear();
   const std::filesystem::path folder = study_.folder() / "stimuli";
   std::vector<std::filesystem::path> files{};
-  std::error_code missing{};
-  for (const auto& entry : std::filesystem::directory_iterator(folder, missing)) {
+  for (const auto& entry : entries_in(folder)) {
     if (is_height_field(entry.path())) files.push_back(entry.path());
   }
-  std::sort(files.begin(), files.end());
   for (const std::filesystem::path& file : files) {
     connect(menu.addAction(path_text(file.stem())), &QAction::triggered, this,
             [this, file] { open_file(file); });

@@ -13,6 +13,7 @@
 #include "app/report/text/report_sections.h"
 #include "app/words/coded_phrases.h"
 #include "app/words/text_parts.h"
+#include "results_schema/stored_json.h"
 
 namespace asperity {
 
@@ -365,7 +366,7 @@ ReportText withdrawals_text(std::span<const WithdrawalRow> withdrawals) {
 
 /// "staircase.py (SHA-256 9f86…, arguments: --fast)"
 std::string program_text(const EventRow& event) {
-  const auto data = nlohmann::json::parse(event.data_json);
+  const auto data = stored_json(event.data_json, "event.data_json");
   std::vector<std::string> arguments{};
   for (const auto& argument : data.at("arguments")) {
     std::string text = argument.get<std::string>();
