@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "results_schema/name_forms.h"
 #include "results_schema/study.h"
 #include "results_schema/table.h"
 #include "results_schema/table_words.h"
@@ -340,7 +341,8 @@ std::vector<std::uint64_t> TidyTable::counts(std::string_view column, std::uint6
       refuse(row, column,
              std::string(column) + " is " + text_of_number(found[row]) +
                  "; it must be a whole number from 0" +
-                 (most < kMostCounted ? " to " + std::to_string(most) : ""));
+                 (most < kMostCounted || found[row] > most_number ? " to " + std::to_string(most)
+                                                                  : ""));
     }
     counts[row] = static_cast<std::uint64_t>(found[row]);
   }
@@ -375,6 +377,14 @@ LabelColumn TidyTable::labels(std::string_view column) const {
     const auto [found, first] = code_of.emplace(text, labels.names.size());
     if (first) labels.names.emplace_back(text);
     labels.codes[row] = found->second;
+  }
+  if (const auto pair = names_in_two_forms(labels.names)) {
+    const auto second = std::find(labels.codes.begin(), labels.codes.end(), pair->second);
+    refuse(static_cast<std::size_t>(second - labels.codes.begin()), column,
+           std::string(column) + " is \"" + labels.names[pair->second] +
+               "\", and an earlier row has \"" + labels.names[pair->first] +
+               "\": an accented letter is one character in one of them and two in the other. "
+               "Write the name with the same characters everywhere (Unicode NFC)");
   }
   return labels;
 }

@@ -64,12 +64,12 @@ class TidyTable final {
   std::vector<std::optional<double>> numbers(std::string_view column) const;
   /// Refuses a missing one as well.
   std::vector<double> all_numbers(std::string_view column) const;
-  /// Beyond 2⁵³ doubles skip whole numbers.
-  static constexpr std::uint64_t kMostCounted = std::uint64_t{1} << 53;
+  /// From 2⁵³ on doubles skip whole numbers: 2⁵³ + 1 is read as 2⁵³.
+  static constexpr std::uint64_t kMostCounted = (std::uint64_t{1} << 53) - 1;
   /// Whole numbers from 0 to `most`, none missing.
   std::vector<std::uint64_t> counts(std::string_view column,
                                     std::uint64_t most = kMostCounted) const;
-  /// The names in the order in which they first stand.
+  /// The names in the order in which they first stand. Refuses two that are one name in two forms (name_forms.h).
   LabelColumn labels(std::string_view column) const;
   /// Only these names, in this order; another is refused.
   LabelColumn labels(std::string_view column, std::vector<std::string> names) const;

@@ -27,6 +27,10 @@ std::string add_asset(Inputs& inputs, const ModelDeclaration& model, const std::
                      role + "\"; asperity models lists those that it needs");
   }
   const std::string file = text.substr(equals + 1);
+  if (const auto given = inputs.asset_names.find(role);
+      given != inputs.asset_names.end() && given->second != file) {
+    throw WrongUsage("--asset " + text + ": \"" + role + "\" is given twice; give it once");
+  }
   inputs.assets[role] = std::make_shared<const std::string>(read_file(file));
   inputs.asset_names[role] = file;
   return role;

@@ -40,7 +40,11 @@ ParameterValues parameters_from(const std::vector<std::string>& assignments,
     if (const auto complaint = complaint_about(*parameter, value)) {
       throw std::runtime_error(what + ": " + *complaint);
     }
-    values[name] = value;
+    const auto [given, is_first] = values.emplace(name, value);
+    if (!is_first && given->second != value) {
+      throw std::runtime_error(what + ": the parameter " + name +
+                               " is given twice with different values; give it once");
+    }
   }
   return values;
 }

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/repeated_key.h"
 #include "app/words/coded_phrases.h"
 #include "app/words/device_remarks.h"
 #include "app/words/utc_time.h"
@@ -316,6 +317,9 @@ std::string json_text_of(const DeviceProfile& profile) {
 DeviceProfile profile_from_json(const std::string& text, const std::string& origin) {
   try {
     const nlohmann::json json = nlohmann::json::parse(text);
+    if (const auto key = repeated_key<nlohmann::json>(text)) {
+      throw std::runtime_error("it has the key \"" + *key + "\" twice in one object");
+    }
     if (json.at("format") != kProfileFormat) {
       throw std::runtime_error("format is " + json.at("format").dump() + "; this program reads \"" +
                                kProfileFormat + "\"");

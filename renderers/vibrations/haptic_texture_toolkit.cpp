@@ -11,6 +11,7 @@
 
 #include "analysis/autoregression.h"
 #include "analysis/line_spectrum.h"
+#include "analysis/number_text.h"
 #include "renderers/recordings/number_table.h"
 #include "stimuli/measured/xml_element.h"
 
@@ -20,10 +21,11 @@ namespace {
 constexpr std::size_t kReplacingOrder = 20;  // within 0.23 dB of the published textures
 constexpr std::size_t kLines = 4096;         // of the spectrum, for poles up to a radius of 0.999
 constexpr double kMetresPerMillimetre = 1e-3;
+constexpr double kGreatestFriction = 2.0;  // of a material of a protocol
 
 const XmlElement& required_child(const XmlElement& parent, const char* child_name,
                                  const std::string& name) {
-  const XmlElement* const found = parent.child(child_name);
+  const XmlElement* const found = only_child(parent, child_name, name);
   if (found == nullptr) {
     refuse_table_line(name, parent.line,
                       "the element " + parent.name + " has no " + child_name +
@@ -139,8 +141,14 @@ ToolkitTexture toolkit_texture_in(std::string_view xml, const std::string& name)
   require_text(root, "ForceUnits", "N", name);
   require_text(root, "SampleRate", "1000", name);
   ToolkitTexture texture{};
-  if (const XmlElement* const friction = root.child("mu")) {
+  if (const XmlElement* const friction = only_child(root, "mu", name)) {
     texture.friction = number_in_element(*friction, name);
+    if (!(*texture.friction >= 0.0 && *texture.friction <= kGreatestFriction)) {
+      refuse_table_line(
+          name, friction->line,
+          "mu is " + number_text(*texture.friction) + "; a coefficient of friction from 0 to " +
+              number_text(kGreatestFriction) + " is supported. Correct it, or remove the element");
+    }
   }
   for (const XmlElement& each : root.children) {
     if (each.name != "model") continue;
@@ -151,14 +159,24 @@ ToolkitTexture toolkit_texture_in(std::string_view xml, const std::string& name)
                          .normal_N = number("forceMod"),
                          .variance_m2_per_s4 = number("var"),
                          .lines_rad = lines_in(required_child(each, "ARlsf", name), name)};
-    if (each.child("gain") != nullptr) model.variance_m2_per_s4 *= std::pow(number("gain"), 2);
-    const XmlElement* const moving = each.child("MAlsf");
+    if (only_child(each, "gain", name) != nullptr)
+      model.variance_m2_per_s4 *= std::pow(number("gain"), 2);
+    const XmlElement* const moving = only_child(each, "MAlsf", name);
     if (moving != nullptr && !moving->children.empty()) {
       texture.has_moving_average = true;
       replace_moving_average(lines_in(*moving, name), model, texture);
     }
     if (model.variance_m2_per_s4 == 0.0) ++texture.silent;
     texture.set.models.push_back(std::move(model));
+  }
+  if (const XmlElement* const count = only_child(root, "numMod", name)) {
+    const double stated = number_in_element(*count, name);
+    if (stated != static_cast<double>(texture.set.models.size())) {
+      refuse_table_line(name, count->line,
+                        "numMod is " + number_text(stated) + ", and the file has " +
+                            std::to_string(texture.set.models.size()) +
+                            " models; copy the file again");
+    }
   }
   require_models(texture.set, name);
   return texture;

@@ -26,7 +26,8 @@ struct ToolkitTexture {
 ///
 ///   a_n = −Σ A_k·a_{n−k} + g·(e_n + Σ B_k·e_{n−k})        e_n of variance `var`, at 1 kHz
 ///
-/// Read are `AccelUnits` (m/s^2), `SpeedUnits` (mm/s), `ForceUnits` (N), `SampleRate` (1000), `mu`, and of each `model` `speedMod`,
+/// Read are `AccelUnits` (m/s^2), `SpeedUnits` (mm/s), `ForceUnits` (N), `SampleRate` (1000), `mu` (from 0 to 2), `numMod` (the number
+/// of models), and of each `model` `speedMod`,
 /// `forceMod`, `var`, `ARlsf` (line spectral frequencies of A) and, where the texture has moving averages, `MAlsf` and `gain` (those
 /// of B, and g). Triangles and lists of speeds are computed again and not read.
 ///
@@ -35,7 +36,7 @@ struct ToolkitTexture {
 /// same, with the factor g if there is one.
 ///
 /// Errors: std::invalid_argument that begins with `name` and the line, for another unit or rate, elements that are missing or not
-/// numbers, and frequencies that are not in increasing order; as xml_root_in and require_models.
+/// numbers or occur twice, and frequencies that are not in increasing order; as xml_root_in and require_models.
 ///
 /// [Culbertson 2014] Culbertson, Lopez Delgado, Kuchenbecker: One hundred data-driven haptic texture models.
 ToolkitTexture toolkit_texture_in(std::string_view xml, const std::string& name);

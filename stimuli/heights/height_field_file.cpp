@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
+#include "analysis/repeated_key.h"
 #include "stimuli/pictures/photograph.h"
 #include "stimuli/pictures/picture_codecs.h"
 
@@ -42,6 +43,9 @@ class Sidecar final {
   Sidecar(std::string_view text, std::string name) : name_(std::move(name)) {
     json_ = Json::parse(text, nullptr, false);
     if (!json_.is_object()) refuse("is not a JSON object in the format " + format() + ".");
+    if (const auto key = repeated_key<Json>(text)) {
+      refuse("has the key \"" + *key + "\" twice in one object.");
+    }
     const std::string given = this->text(json_, "format");
     if (given != kFieldFormat) {
       refuse("has the format \"" + given + "\"; this program reads " + format() + ".");

@@ -46,7 +46,10 @@ class GwyReader final {
         file_.refuse(type_at, "the component \"" + shown(name) +
                                   "\" is longer than its object; copy or export the file again");
       }
-      object.components.insert_or_assign(name, component);
+      if (!object.components.emplace(name, component).second) {
+        file_.refuse(type_at, "the component \"" + shown(name) +
+                                  "\" occurs twice in its object; export the file again");
+      }
     }
     return object;
   }

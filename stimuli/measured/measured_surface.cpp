@@ -29,8 +29,10 @@ void require_pitch(double pitch_m, const std::string& axis, const std::string& n
                               " m are possible. Correct the unit or the distance in the file.");
 }
 
-/// Infinite numbers are missing points as well.
+/// Infinite numbers are missing points as well. A surface without a point is refused where its relief is made.
 void check_heights(MeasuredSurface& surface, const std::string& name) {
+  double lowest_m = std::numeric_limits<double>::infinity();
+  double highest_m = -lowest_m;
   for (std::size_t i = 0; i < surface.heights_m.size(); ++i) {
     double& height_m = surface.heights_m[i];
     if (!std::isfinite(height_m)) {
@@ -41,7 +43,15 @@ void check_heights(MeasuredSurface& surface, const std::string& name) {
           " of the row " + std::to_string(i / surface.columns + 1) + " is " +
           number_text(height_m) +
           " m; from -1 to 1 m are possible. Correct the unit of the heights.");
+    } else {
+      lowest_m = std::min(lowest_m, height_m);
+      highest_m = std::max(highest_m, height_m);
     }
+  }
+  if (lowest_m == highest_m) {
+    throw std::invalid_argument(name + ": every height is " + number_text(lowest_m) +
+                                " m, so that there is no relief to feel. Export the heights of the "
+                                "surface, not a mask or an empty channel.");
   }
 }
 

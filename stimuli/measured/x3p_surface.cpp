@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "stimuli/measured/surface_decoding.h"
 #include "stimuli/measured/xml_element.h"
@@ -13,11 +16,6 @@ namespace {
 
 constexpr std::string_view kMain = "main.xml";
 constexpr std::size_t kMostMainBytes = std::size_t{4} << 20;
-
-/// The name of an element without the prefix of its namespace.
-std::string_view local_name(std::string_view name) {
-  return name.substr(name.find(':') == std::string_view::npos ? 0 : name.find(':') + 1);
-}
 
 /// The elements of main.xml by their paths.
 class X3pDescription final {
@@ -38,7 +36,7 @@ class X3pDescription final {
   const XmlElement* find(std::initializer_list<std::string_view> path) const {
     const XmlElement* element = &root_;
     for (const std::string_view name : path) {
-      element = child_of(*element, name);
+      element = only_child(*element, name, name_);
       if (element == nullptr) return nullptr;
     }
     return element;
@@ -47,7 +45,7 @@ class X3pDescription final {
   const XmlElement& at(std::initializer_list<std::string_view> path) const {
     const XmlElement* element = &root_;
     for (const std::string_view name : path) {
-      const XmlElement* const next = child_of(*element, name);
+      const XmlElement* const next = only_child(*element, name, name_);
       if (next == nullptr) {
         refuse(*element, "the element " + element->name + " has no element " + std::string(name) +
                              "; export the surface again");
@@ -87,13 +85,6 @@ class X3pDescription final {
   }
 
  private:
-  static const XmlElement* child_of(const XmlElement& parent, std::string_view name) {
-    for (const XmlElement& each : parent.children) {
-      if (local_name(each.name) == name) return &each;
-    }
-    return nullptr;
-  }
-
   std::string name_;  // of the archive and the entry
   XmlElement root_;
 };
@@ -101,11 +92,17 @@ class X3pDescription final {
 /// The folder of main.xml within the archive, usually the root: "" or "FOLDER/".
 std::string folder_of_main(const ZipArchive& archive, const std::string& name) {
   if (archive.bytes_of(std::string(kMain))) return {};
+  std::vector<std::string> folders{};
   for (const std::string& path : archive.paths()) {
     if (path.ends_with('/' + std::string(kMain))) {
-      return path.substr(0, path.size() - kMain.size());
+      folders.push_back(path.substr(0, path.size() - kMain.size()));
     }
   }
+  if (folders.size() > 1) {
+    throw std::invalid_argument(name + ": there is a main.xml in " + folders[0] + " and in " +
+                                folders[1] + "; export one surface per file");
+  }
+  if (folders.size() == 1) return folders.front();
   throw std::invalid_argument(
       name + " is a zip archive without main.xml, not an X3P file. Choose an X3P file.");
 }
@@ -167,6 +164,11 @@ MeasuredSurface decode_x3p(std::span<const std::byte> bytes, const std::string& 
   surface.pitch_x_m = std::abs(description.number({"Record1", "Axes", "CX", "Increment"}));
   surface.pitch_y_m = std::abs(description.number({"Record1", "Axes", "CY", "Increment"}));
   const double step_m = description.number_or({"Record1", "Axes", "CZ", "Increment"}, 1.0);
+  if (step_m == 0.0) {
+    description.refuse(description.at({"Record1", "Axes", "CZ", "Increment"}),
+                       "the increment of the heights is 0, so that the surface is flat; correct "
+                       "it, or export the surface again");
+  }
   const double offset_m = description.number_or({"Record1", "Axes", "CZ", "Offset"}, 0.0);
   const std::string type = description.at({"Record1", "Axes", "CZ", "DataType"}).text;
   const std::size_t count = rows * columns;

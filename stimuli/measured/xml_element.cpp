@@ -119,11 +119,25 @@ class XmlReader final {
 
 }  // namespace
 
-const XmlElement* XmlElement::child(std::string_view child_name) const noexcept {
-  for (const XmlElement& each : children) {
-    if (each.name == child_name) return &each;
+std::string_view local_name(std::string_view name) noexcept {
+  const std::size_t colon = name.find(':');
+  return name.substr(colon == std::string_view::npos ? 0 : colon + 1);
+}
+
+const XmlElement* only_child(const XmlElement& parent, std::string_view child_name,
+                             const std::string& name) {
+  const XmlElement* found = nullptr;
+  for (const XmlElement& each : parent.children) {
+    if (local_name(each.name) != child_name) continue;
+    if (found != nullptr) {
+      refuse_xml_line(name, each.line,
+                      "the element " + parent.name + " has a second " + each.name +
+                          ", after that of line " + std::to_string(found->line) +
+                          "; keep the one that is meant, or export the file again");
+    }
+    found = &each;
   }
-  return nullptr;
+  return found;
 }
 
 XmlElement xml_root_in(std::string_view xml, const std::string& name) {

@@ -15,10 +15,16 @@ struct XmlElement {
   std::string text{};    ///< of the element itself, without spaces at its ends
   std::size_t line = 0;  ///< of its beginning, from 1
   std::vector<XmlElement> children{};
-
-  /// The first child of this name; null without one.
-  const XmlElement* child(std::string_view child_name) const noexcept;
 };
+
+/// The name of an element without the prefix of its namespace.
+std::string_view local_name(std::string_view name) noexcept;
+
+/// The child of this name, whatever its prefix; null without one. `name` names the file in messages.
+///
+/// Errors: std::invalid_argument that begins with `name` and a line, for an element that has two of them.
+const XmlElement* only_child(const XmlElement& parent, std::string_view child_name,
+                             const std::string& name);
 
 /// Reads the root element of an XML file as far as tables of numbers need it: entities are kept as they are written, and the
 /// prefix of a namespace is part of an element's name. A byte order mark is skipped. `name` names the file in messages.

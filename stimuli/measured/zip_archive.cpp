@@ -3,6 +3,7 @@
 #include "stimuli/measured/zip_archive.h"
 
 #include <new>
+#include <set>
 #include <stdexcept>
 
 #include <zip.h>
@@ -40,6 +41,14 @@ ZipArchive::ZipArchive(std::span<const std::byte> bytes, const std::string& name
   if (archive_ == nullptr) {
     refuse("the directory of the zip archive cannot be read (" + reason +
            "); copy or export the file again");
+  }
+  std::set<std::string> known{};
+  for (std::string& path : paths()) {
+    const auto [at, is_new] = known.insert(std::move(path));
+    if (!is_new) {
+      refuse("the archive has the entry " + *at +
+             " twice, and which one is meant is unknown; export the file again");
+    }
   }
 }
 

@@ -299,6 +299,8 @@ const std::vector<Failure>& failures() {
       {"writes nonsense", R"(print("fifty", flush=True); continue)", "answered \"fifty\""},
       {"writes another object", R"(print('{"levels": 50}', flush=True); continue)",
        "answered \"{\"levels\""},
+      {"states two levels", R"(print('{"level": 5, "level": 20}', flush=True); continue)",
+       "answered \"{\"level\": 5, \"level\": 20}\""},
       {"states no number", R"(print('{"level": "50"}', flush=True); continue)", "answered"},
       {"is out of range", R"(print('{"level": 101}', flush=True); continue)",
        "stated the level 101, but the levels of the block lie between 5 and 100"},

@@ -74,7 +74,20 @@ TEST(FamilyOptions, AreRefusedInSentences) {
   EXPECT_EQ(refusal_of<std::runtime_error>([&] { options.confidence(); }),
             "the option \"conf\" is 95; it must lie between 0 and 1");
   EXPECT_THAT(refusal_of<std::runtime_error>([] { FamilyOptions::of_json("{", "o.json"); }),
-              HasSubstr("o.json: the options are not valid JSON"));
+              AllOf(HasSubstr("o.json: the options are not valid JSON"), HasSubstr("line 1"),
+                    testing::Not(HasSubstr("json.exception"))));
+}
+
+TEST(FamilyOptions, AreRefusedWhereTheyContradictThemselves) {
+  EXPECT_EQ(refusal_of<std::runtime_error>(
+                [] { FamilyOptions::of_json(R"({"conf": 0.9, "conf": 0.5})", "o.json"); }),
+            "o.json: the options have the key \"conf\" twice in one object; keep one");
+  FamilyOptions options = FamilyOptions::of_json(R"({"conf": 0.99})", "o.json");
+  options.add("conf", "0.9");  // instead of that of the file
+  options.add("conf", "0.9");
+  EXPECT_EQ(options.confidence(), 0.9);
+  EXPECT_EQ(refusal_of<std::runtime_error>([&] { options.add("conf", "0.5"); }),
+            "the option \"conf\" is given twice, as 0.9 and as 0.5; give it once");
 }
 
 TEST(FamilyOptions, KnowWhichNobodyAskedFor) {

@@ -157,6 +157,8 @@ TEST(Render, RefusesAModelOrParameterThatThereIsNot) {
   refused({"--model", "velvet"}, "height_map");
   refused({"--model", "sinusoid", "--param", "amplitude=1"}, "amplitude_m");
   refused({"--model", "sinusoid", "--param", "amplitude_m=1"}, "0.005");
+  refused({"--model", "sinusoid", "--param", "amplitude_m=0.001", "amplitude_m=0.002"},
+          "amplitude_m is given twice");
   refused({"--model", "sinusoid", "--param", "amplitude_m=0,001"}, "0,001");
   refused({"--model", "height_map"}, "height field");
   refused({"--model", "height_map", "--stimulus", place / "nowhere.png"}, "nowhere.png");

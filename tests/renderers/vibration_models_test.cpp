@@ -338,6 +338,23 @@ TEST(ToolkitTexture, HasTheModelsOfItsFileInSiUnits) {
   EXPECT_EQ(texture.friction, 0.25);
 }
 
+TEST(ToolkitTexture, IsRefusedWhereItContradictsItself) {
+  const auto refusal = [](const std::string& from, const std::string& to) {
+    const std::string xml = replaced(toolkit_xml(""), from, to);
+    return refusal_of<std::invalid_argument>([&] { toolkit_texture_in(xml, "abs.xml"); });
+  };
+  EXPECT_THAT(refusal("<var>0.04</var>", "<var>0.04</var>\n<var>9</var>"),
+              testing::AllOf(testing::StartsWith("abs.xml:21: the element model has a second var"),
+                             testing::HasSubstr("after that of line 20")));
+  EXPECT_THAT(refusal("<mu>0.25</mu>", "<mu>0.25</mu><mu>0.3</mu>"),
+              testing::HasSubstr("second mu"));
+  EXPECT_THAT(refusal("<mu>0.25</mu>", "<mu>1e308</mu>"), testing::HasSubstr("mu is 1e+308"));
+  EXPECT_THAT(refusal("<mu>0.25</mu>", "<mu>-0.1</mu>"), testing::HasSubstr("mu is -0.1"));
+  EXPECT_EQ(refusal("<mu>0.25</mu>", "<mu>2</mu><numMod>2</numMod>"), "");
+  EXPECT_THAT(refusal("<mu>0.25</mu>", "<mu>0.25</mu><numMod>99</numMod>"),
+              testing::HasSubstr("numMod is 99, and the file has 2 models"));
+}
+
 // The density of the file's process, 2·var·g²·|B|²/(f_s·|A|²), from its own polynomials: B = 1 − 2·cos(w)·… of two lines.
 TEST(ToolkitTexture, ReplacesMovingAveragesByTheSameSpectrum) {
   const ToolkitTexture texture = toolkit_texture_in(

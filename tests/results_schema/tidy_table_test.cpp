@@ -123,6 +123,29 @@ TEST(TidyTable, RefusesNumbersThatAreNone) {
             "file.csv:2:2: k is 2147483648; it must be a whole number from 0 to 1000");
 }
 
+// A double has no 2⁵³ + 1: the count would be another one.
+TEST(TidyTable, RefusesCountsThatADoubleCannotHold) {
+  const auto counts = [](const TidyTable& table) { table.counts("k"); };
+  EXPECT_EQ(table_refusal("id,k\na,9007199254740991\n", counts), "");
+  for (const char* const count : {"9007199254740992", "9007199254740993", "1e300"}) {
+    EXPECT_THAT(table_refusal("id,k\na," + std::string(count) + '\n', counts),
+                testing::HasSubstr("it must be a whole number from 0 to 9007199254740991"));
+  }
+}
+
+TEST(TidyTable, RefusesANameInTwoForms) {
+  const auto labels = [](const TidyTable& table) { table.labels("id"); };
+  // An accented e as one character and as two; a Korean syllable and its parts; two accents on one letter.
+  EXPECT_THAT(table_refusal("id\nRen\u00e9\nJo\nRene\u0301\n", labels),
+              testing::StartsWith("file.csv:4:1: id is \"Rene\u0301\", and an earlier row has "
+                                  "\"Ren\u00e9\""));
+  EXPECT_NE(table_refusal("id\n\uac01\n\u1100\u1161\u11a8\n", labels), "");
+  EXPECT_NE(table_refusal("id\n\u1ec7\ne\u0323\u0302\n", labels), "");
+  // The same form throughout, whichever it is.
+  EXPECT_EQ(table_refusal("id\n\u00e9\n\u00fc\ne\n\u00e9\n", labels), "");
+  EXPECT_EQ(table_refusal("id\ne\u0301\nu\u0308\ne\n", labels), "");
+}
+
 // Looked for one by one they would take minutes.
 TEST(TidyTable, FindsAColumnAmongMany) {
   constexpr std::size_t kColumns = 200'000;

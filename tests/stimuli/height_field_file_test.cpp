@@ -107,6 +107,8 @@ TEST(HeightFieldFile, NamesTheSidecarAndWhatItLacks) {
     EXPECT_THAT(field_refusal(png, replaced(sidecar, "\"" + key + "\"", "\"other\"")),
                 StartsWith("wall.png.json needs a number " + key));
   }
+  EXPECT_THAT(field_refusal(png, replaced(sidecar, "\"format\"", "\"pitch_m\": 0.1, \"format\"")),
+              HasSubstr("has the key \"pitch_m\" twice"));
   EXPECT_THAT(field_refusal(png, replaced(sidecar, "\"sha256\"", "\"md5\"")), HasSubstr("sha256"));
   EXPECT_THAT(field_refusal(png, replaced(sidecar, "0.03333", "-0.03333")),
               HasSubstr("not positive"));

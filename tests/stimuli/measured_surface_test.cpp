@@ -129,6 +129,43 @@ TEST(MeasuredSurface, TakesSizeAndUnitOfATiffFromOutside) {
               HasSubstr("--width-m in metres"));
 }
 
+TEST(MeasuredSurface, IsRefusedWhereItsFileContradictsItself) {
+  EXPECT_THAT(
+      surface_refusal(x3p_with("</SizeX>", "</SizeX>\n<SizeX>5</SizeX>")),
+      AllOf(StartsWith("scan: main.xml:"), HasSubstr("MatrixDimension has a second SizeX")));
+  EXPECT_THAT(surface_refusal(x3p_with("<Record3>", "<Record1><Axes/></Record1><Record3>")),
+              HasSubstr("has a second Record1"));
+  const std::map<std::string, std::string> entries = x3p_entries_of(small_surface(), 'D');
+  // The names of an archive are written once before their content and once in its directory.
+  std::map<std::string, std::string> two = entries;
+  two["Main.xml"] = entries.at("main.xml");
+  const std::string renamed = replaced(zip_of(two), "Main.xml", "main.xml");
+  EXPECT_THAT(surface_refusal(replaced(renamed, "Main.xml", "main.xml")),
+              HasSubstr("has the entry main.xml twice"));
+  std::map<std::string, std::string> folders{};
+  for (const auto& [path, content] : entries) {
+    folders["a/" + path] = content;
+    folders["b/" + path] = content;
+  }
+  EXPECT_THAT(surface_refusal(zip_of(folders)), HasSubstr("a main.xml in a/ and in b/"));
+  const std::string heights =
+      gwy_component("/0/data", 'o', gwy_field(small_surface(), small_surface().heights_m, "m"));
+  EXPECT_THAT(surface_refusal("GWYP" + gwy_object("GwyContainer", heights + heights)),
+              HasSubstr("the component \"/0/data\" occurs twice"));
+}
+
+TEST(MeasuredSurface, IsRefusedWithoutRelief) {
+  EXPECT_THAT(surface_refusal(x3p_with("<Increment>1e-09</Increment>", "<Increment>0</Increment>")),
+              HasSubstr("the increment of the heights is 0"));
+  MeasuredSurface flat = small_surface();
+  for (double& height_m : flat.heights_m) {
+    if (!std::isnan(height_m)) height_m = 2e-6;
+  }
+  EXPECT_THAT(surface_refusal(x3p_of(flat)), HasSubstr("every height is"));
+  EXPECT_THAT(surface_refusal(float_tiff_of(flat, 1e-6), {.width_m = 1e-5, .height_unit_m = 1e-6}),
+              HasSubstr("there is no relief to feel"));
+}
+
 TEST(MeasuredSurface, RefusesWhatItsFormatStatesItself) {
   EXPECT_THAT(surface_refusal(sur_of(small_surface()), {.width_m = 1.0}),
               HasSubstr("states its width; leave out --width-m"));

@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/number_text.h"
+#include "analysis/repeated_key.h"
+#include "protocols/file/json_document.h"
 
 namespace asperity {
 namespace {
@@ -77,15 +79,27 @@ OptionValue list_value(const std::vector<std::string>& texts) {
   return {std::move(list)};
 }
 
+/// ": line 2, column 7: PROBLEM" of a text that is not JSON.
+std::string place_of_error(const std::string& text, const std::string& file_name) {
+  try {
+    const JsonDocument read(text, file_name);
+  } catch (const ProtocolError& error) {
+    const Diagnostic& first = error.diagnostics().front();
+    return ": line " + std::to_string(first.line) + ", column " + std::to_string(first.column) +
+           ": " + first.message;
+  }
+  return {};
+}
+
 }  // namespace
 
 FamilyOptions FamilyOptions::of_json(const std::string& text, const std::string& file_name) {
   Json json{};
   try {
     json = Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    throw std::runtime_error(file_name +
-                             ": the options are not valid JSON; correct them: " + error.what());
+  } catch (const Json::parse_error&) {
+    throw std::runtime_error(file_name + ": the options are not valid JSON; correct them" +
+                             place_of_error(text, file_name));
   } catch (const Json::out_of_range& error) {
     // "[json.exception.out_of_range.406] number overflow parsing '1e400'"
     const std::string what = error.what();
@@ -93,6 +107,10 @@ FamilyOptions FamilyOptions::of_json(const std::string& text, const std::string&
         file_name + ": the options contain a number that is too large, " +
         what.substr(what.rfind(' ') + 1) +
         "; the largest possible number is 1.8e308. Correct it, then analyse again");
+  }
+  if (const auto key = repeated_key<Json>(text)) {
+    throw std::runtime_error(file_name + ": the options have the key \"" + *key +
+                             "\" twice in one object; keep one");
   }
   FamilyOptions options{};
   const OptionValue value = value_of(json);
@@ -127,6 +145,11 @@ void FamilyOptions::set(
 }
 
 void FamilyOptions::add(const std::string& name, const std::string& text) {
+  if (const auto [earlier, is_first] = added_.emplace(name, text);
+      !is_first && earlier->second != text) {
+    refuse_option(name,
+                  "is given twice, as " + earlier->second + " and as " + text + "; give it once");
+  }
   OptionValue value{};
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_discarded()) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -37,7 +38,8 @@ class FamilyOptions final {
   void set(const std::string& name,
            const std::vector<std::pair<std::string, std::vector<std::string>>>& levels);
   /// Adds one option from the command line. Its text is read as JSON where it is valid JSON;
-  /// `a,b,c` is a list.
+  /// `a,b,c` is a list. It takes the place of an option of `of_json`; refuses an option that was added before with
+  /// another text.
   void add(const std::string& name, const std::string& text);
 
   /// All given options, in their order.
@@ -70,6 +72,7 @@ class FamilyOptions final {
   const OptionValue& at(const std::string& name) const;
 
   OptionValue::Object options_{};
+  std::map<std::string, std::string> added_{};  // texts of `add` by name
   mutable std::set<std::string> asked_for_{};
 };
 

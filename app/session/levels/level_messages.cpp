@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/repeated_key.h"
 #include "protocols/design/block_factors.h"
 
 namespace asperity {
@@ -85,6 +86,7 @@ std::string ask_line(const LevelRequest& request) {
 LevelReply reply_in(std::string_view line) {
   const Json json = Json::parse(line, nullptr, false);
   if (!json.is_object() || json.size() != 1) return NotUnderstood{};
+  if (repeated_key<Json>(line)) return NotUnderstood{};
   const std::string key = json.begin().key();
   const Json& value = json.begin().value();
   if (key == "level" && value.is_number()) return StatedLevel{value.get<double>()};

@@ -31,7 +31,7 @@ struct StatedEnd {};
 struct StatedError {
   std::string text{};
 };
-struct NotUnderstood {};
+struct NotUnderstood {};  ///< also a line with a key that occurs twice
 using LevelReply = std::variant<StatedLevel, StatedEnd, StatedError, NotUnderstood>;
 LevelReply reply_in(std::string_view line);
 
