@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <iterator>
 #include <limits>
 #include <new>
@@ -398,6 +399,16 @@ Recording read_recording(const std::filesystem::path& path) {
   } catch (const std::bad_alloc&) {
     fail_on_file(path, "read", ENOMEM);
   }
+}
+
+std::int64_t records_stated_in(const std::filesystem::path& path) {
+  std::int64_t records = 0;
+  std::ifstream file(path, std::ios::binary);
+  file.seekg(-static_cast<std::streamoff>(sizeof records), std::ios::end);
+  if (!file.read(reinterpret_cast<char*>(&records), sizeof records)) {
+    fail_on_file(path, "read", EIO);
+  }
+  return records;
 }
 
 }  // namespace asperity

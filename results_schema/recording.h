@@ -67,4 +67,8 @@ struct Recording {
 /// too little memory is free, which is no damage.
 Recording read_recording(const std::filesystem::path& path);
 
+/// The number of records that a whole recording states at its end; nothing else of it is read.
+/// Errors: ResultsError for a file that cannot be read.
+std::int64_t records_stated_in(const std::filesystem::path& path);
+
 }  // namespace asperity

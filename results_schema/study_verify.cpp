@@ -33,6 +33,7 @@ struct VouchedFile {
   std::int64_t bytes = 0;
   std::string who{};  ///< what it belongs to, for the sentence
   bool is_recording = false;
+  std::int64_t records = 0;  ///< of a recording
 };
 
 void check_pages(Database& database, Findings& findings) {
@@ -106,6 +107,11 @@ void check_rows(Database& database, Findings& findings) {
       "JOIN participant ON participant.id = participant_id "
       "GROUP BY participant.id, protocol.name, mode HAVING count(DISTINCT group_level) > 1",
 
+      "SELECT 'participant ' || label || ': session ' || session || ' is a simulation, but the "
+      "participant is not virtual; restore the study from a copy' "
+      "FROM session JOIN participant ON participant.id = participant_id "
+      "WHERE mode = 'simulate' AND is_virtual = 0",
+
       "SELECT 'session ' || label || '/' || session || ': its segments are not numbered 1 to ' "
       "|| count(*) FROM segment JOIN session ON session.id = session_id "
       "JOIN participant ON participant.id = participant_id "
@@ -148,16 +154,16 @@ std::vector<VouchedFile> vouched_files(Database& database) {
       database,
       "SELECT path, sha256, bytes, 'the recording of attempt ' || label || '/' || session || '/' "
       "|| "
-      "trial || '/' || attempt, 1 FROM recording JOIN attempt ON attempt.id = attempt_id "
+      "trial || '/' || attempt, 1, records FROM recording JOIN attempt ON attempt.id = attempt_id "
       "JOIN session ON session.id = session_id JOIN participant ON participant.id = participant_id "
       "UNION ALL SELECT path, sha256, bytes, 'a stimulus of session ' || min(label || '/' || "
-      "session), 0 FROM session_file JOIN session ON session.id = session_id "
+      "session), 0, 0 FROM session_file JOIN session ON session.id = session_id "
       "JOIN participant ON participant.id = participant_id GROUP BY path, sha256, bytes "
       "ORDER BY path");
   std::vector<VouchedFile> files;
   while (statement.step()) {
     VouchedFile& file = files.emplace_back();
-    statement.read(file.path, file.sha256, file.bytes, file.who, file.is_recording);
+    statement.read(file.path, file.sha256, file.bytes, file.who, file.is_recording, file.records);
   }
   return files;
 }
@@ -254,6 +260,15 @@ void check_file(const std::filesystem::path& study, const VouchedFile& file, Fin
       findings.push_back(
           start + "it has changed since its row was written (its SHA-256 differs)" +
           (file.is_recording ? place_of_damage(path) : "; restore it from a copy of the study"));
+    } else {
+      const auto compare = [&](const char* what, std::int64_t in_file, std::int64_t in_row) {
+        if (in_file == in_row) return;
+        findings.push_back(start + "the file has " + std::to_string(in_file) + ' ' + what +
+                           ", and its row states " + std::to_string(in_row) +
+                           "; restore study.sqlite from a copy of the study");
+      };
+      compare("bytes", static_cast<std::int64_t>(std::filesystem::file_size(path)), file.bytes);
+      if (file.is_recording) compare("records", records_stated_in(path), file.records);
     }
   } catch (const ResultsError& error) {
     if (error.code() == ENOMEM) throw;  // of this computer, not of the file

@@ -592,6 +592,34 @@ TEST(StudyVerify, FindsWhatWasChangedByHand) {
       Contains(HasSubstr("a row of response refers to a row of attempt that does not exist")));
 }
 
+// The analyses of people would contain a simulation.
+TEST(StudyVerify, FindsAVirtualParticipantMadeAPerson) {
+  const TemporaryFolder folder;
+  const auto [study, session_id] = recorded_study(folder / "s");
+  EXPECT_THAT(study.verify({}), IsEmpty());
+  execute_against_rules(
+      folder / "s",
+      "DROP TRIGGER participant_keeps_its_identity; UPDATE participant SET is_virtual = 0;");
+  EXPECT_THAT(study.verify({}),
+              Contains("participant P01: session 1 is a simulation, but the participant is not "
+                       "virtual; restore the study from a copy"));
+}
+
+TEST(StudyVerify, ComparesTheLengthsOfFilesWithTheirRows) {
+  const TemporaryFolder folder;
+  const auto [study, session_id] = recorded_study(folder / "s");
+  execute_against_rules(folder / "s",
+                        "DROP TRIGGER recording_no_update; DROP TRIGGER session_file_no_update;"
+                        "UPDATE recording SET bytes = bytes + 1, records = 24;"
+                        "UPDATE session_file SET bytes = 7;");
+  const std::vector<std::string> findings = study.verify({});
+  EXPECT_THAT(findings,
+              Contains(AllOf(HasSubstr("recordings/P01/a.asprec"), HasSubstr(" bytes, and"))));
+  EXPECT_THAT(findings, Contains(HasSubstr("the file has 25 records, and its row states 24")));
+  EXPECT_THAT(findings, Contains(AllOf(HasSubstr("stimuli/metal.png"),
+                                       HasSubstr("the file has 6 bytes, and its row states 7"))));
+}
+
 // What can neither be read nor taken away must not keep a participant waiting.
 TEST(StudyVerify, LetsNoChecksumThatIsInTheWayKeepAnybodyFromWriting) {
   const TemporaryFolder folder;
