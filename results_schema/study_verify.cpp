@@ -439,11 +439,16 @@ std::vector<std::string> Study::leftovers() const {
     if (relative.extension() == ".part" || relative.extension() == ".tmp") {
       leftovers.push_back(
           path +
-          ": an incomplete file, which is being written now or was left by a program that crashed");
+          ": an incomplete file, which is being written now or was left by a program that crashed. "
+          "If no program is writing to the study, remove it: " +
+          (relative.extension() == ".part" ? "no row refers to the records that it contains"
+                                           : "the file of this name was not changed"));
     } else if (*relative.begin() == "recordings" && !known.contains(path)) {
       leftovers.push_back(path +
                           ": a recording that belongs to no attempt, which is being written now or "
-                          "was left by a program that crashed");
+                          "was left by a program that crashed. If no program is writing to the "
+                          "study, remove it, or keep it as the record of an attempt that is not "
+                          "stored");
     }
   }
   if (!has_seal(study)) {

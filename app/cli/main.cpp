@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,6 +53,8 @@ void add_windows(CLI::App& program, asperity::Job& job, int& argc, char** argv) 
 
 int main(int argc, char** argv) {
   using namespace asperity;
+  const ShownOutput shown(std::cout);
+  const ShownOutput shown_errors(std::cerr);
   CLI::App program{"Asperity: psychophysics experiments on haptic texture.", "asperity"};
   program.set_version_flag("--version", version_line());
   Job job{};

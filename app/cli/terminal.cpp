@@ -11,6 +11,7 @@
 
 #include "app/findings/reading_number.h"
 #include "app/study_files/study_condition.h"
+#include "app/words/shown_text.h"
 #include "app/words/text_parts.h"
 
 namespace asperity {
@@ -37,7 +38,7 @@ std::string text_of_cell(const Cell& cell) {
   if (const auto* number = std::get_if<double>(&cell)) {
     return *number < 0.0 ? "−" + text_of_number(-*number) : text_of_number(*number);
   }
-  return std::get<std::string>(cell);
+  return shown_in_a_line(std::get<std::string>(cell));
 }
 
 }  // namespace
@@ -69,8 +70,27 @@ void Progress::show(double fraction) {
 void say(const std::string& line) {
   // A progress bar may stand on the line; it comes back below with its next step.
   static const bool terminal = isatty(STDERR_FILENO) == 1;
-  write_error((terminal ? "\r\x1b[K" : "") + line + '\n');
+  write_error((terminal ? "\r\x1b[K" : "") + shown_in_a_line(line) + '\n');
 }
+
+ShownOutput::ShownOutput(std::ostream& stream) : stream_(stream), target_(stream.rdbuf(this)) {}
+
+ShownOutput::~ShownOutput() { stream_.rdbuf(target_); }
+
+ShownOutput::int_type ShownOutput::overflow(int_type character) {
+  if (traits_type::eq_int_type(character, traits_type::eof()))
+    return traits_type::not_eof(character);
+  const char letter = traits_type::to_char_type(character);
+  return xsputn(&letter, 1) == 1 ? character : traits_type::eof();
+}
+
+std::streamsize ShownOutput::xsputn(const char* text, std::streamsize count) {
+  const std::string shown = shown_in_lines({text, static_cast<std::size_t>(count)});
+  const auto size = static_cast<std::streamsize>(shown.size());
+  return target_->sputn(shown.data(), size) == size ? count : 0;
+}
+
+int ShownOutput::sync() { return target_->pubsync(); }
 
 std::string warning_text(const Diagnostic& warning) {
   return warning.file + ':' + std::to_string(warning.line) + ':' + std::to_string(warning.column) +

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <mutex>
 #include <optional>
+#include <ostream>
+#include <streambuf>
 #include <string>
 #include <vector>
 
@@ -35,8 +37,27 @@ class Progress final {
   std::mutex mutex_{};
 };
 
-/// One line on standard error, whole, whoever else writes. Threads: any.
+/// One line on standard error, whole, whoever else writes, with control characters shown. Threads: any.
 void say(const std::string& line);
+
+/// While it lives, what is written to a stream has its control characters shown, except line feeds and tabs
+/// (app/words/shown_text.h): names, labels and texts of files are among it.
+class ShownOutput final : private std::streambuf {
+ public:
+  /// `stream` must outlive it.
+  explicit ShownOutput(std::ostream& stream);
+  ~ShownOutput() override;
+  ShownOutput(const ShownOutput&) = delete;
+  ShownOutput& operator=(const ShownOutput&) = delete;
+
+ private:
+  int_type overflow(int_type character) override;
+  std::streamsize xsputn(const char* text, std::streamsize count) override;
+  int sync() override;
+
+  std::ostream& stream_;
+  std::streambuf* target_;
+};
 
 /// "FILE:LINE:COLUMN: warning: PROBLEM (/json/pointer)"
 std::string warning_text(const Diagnostic& warning);

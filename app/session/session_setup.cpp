@@ -139,7 +139,7 @@ std::vector<StimulusFileRow> hash_files(const Protocol& protocol,
                                 "the protocol \"%1\" names the file %2, which is not in the study "
                                 "%3; copy the file into the study")
                              .with(protocol.name, path, study_folder.string());
-      missing = missing.empty() ? one : Phrase("%1\n%2").with(missing, one);
+      missing = missing.empty() ? one : Phrase("%1; %2").with(missing, one);
       continue;
     }
     std::string sha256 = sha256_of_file(full);

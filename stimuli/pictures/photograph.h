@@ -45,7 +45,7 @@ struct Photograph {
 /// 0.587 G + 0.114 B (Rec. 601). Brightness is as stored, not linear in light.
 ///
 /// Alpha is ignored: a pixel has its stored colour regardless of transparency. The camera's orientation tag (EXIF) is
-/// ignored: rows are the rows of the file. Of a file with several pages the first is read.
+/// ignored: rows are the rows of the file; a TIFF with another orientation than 1 is refused. Of a file with several pages the first is read.
 ///
 /// Errors: those of `inspect_picture`, and for a picture whose data are damaged or end early: a picture is decoded
 /// completely or not at all. Nothing is printed to the terminal: output to std::cerr is discarded while a TIFF, BMP or

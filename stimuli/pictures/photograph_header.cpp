@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <set>
 #include <stdexcept>
 
 #include "analysis/number_text.h"
@@ -213,6 +214,7 @@ TiffDirectory tiff_directory(const HeaderReader& file) {
   }
   TiffDirectory read{};
   PictureFacts& facts = read.facts;
+  std::set<std::uint32_t> tags{};
   const std::size_t directory = number(4, 4);
   const std::size_t entries = number(directory, 2);
   file.part(directory, 2 + 12 * entries + 4);  // it ends with the offset of the next directory
@@ -226,7 +228,12 @@ TiffDirectory tiff_directory(const HeaderReader& file) {
         .count = count, .width = width, .at = inside ? at + 8 : number(at + 8, 4)};
     if (!inside) file.part(entry.at, count * width);
     const auto first = [&] { return number(entry.at, entry.width); };
-    switch (number(at, 2)) {
+    const std::uint32_t tag = number(at, 2);
+    if (!tags.insert(tag).second) {
+      file.refuse("is a TIFF that states the entry " + std::to_string(tag) +
+                  " of its directory twice; export it again.");
+    }
+    switch (tag) {
       case 256:
         facts.columns = first();
         break;
@@ -235,6 +242,14 @@ TiffDirectory tiff_directory(const HeaderReader& file) {
         break;
       case 258:
         facts.bits_per_channel = static_cast<int>(first());
+        break;
+      case 274:
+        if (first() > 1) {
+          file.refuse("is a TIFF that is to be turned or mirrored when it is shown (orientation " +
+                      std::to_string(first()) +
+                      "), so that the directions of its rows and columns are unclear; save it "
+                      "upright, with the orientation 1.");
+        }
         break;
       case 277:
         facts.channels = static_cast<int>(first());

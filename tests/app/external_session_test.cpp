@@ -488,6 +488,20 @@ TEST_F(ExternalSession, StoresItsEndAlsoWhereTheErrorsOfAProgramCannotBeKept) {
   }
 }
 
+TEST_F(ExternalSession, KeepsTheErrorsOfAProgramForATerminalThatDoesNotObeyThem) {
+  write_program(R"(
+import json, sys
+for line in sys.stdin:
+    if "ask" in json.loads(line):
+        sys.stderr.write("\x1b[31mred\tink\n")
+        sys.stderr.flush()
+        print('{"level": 50}', flush=True)
+)");
+  start(1);
+  run_attempts(1);
+  EXPECT_THAT(log(), testing::StartsWith("\\u001b[31mred\tink\n"));
+}
+
 TEST_F(ExternalSession, LimitsWhatItKeepsOfTheErrorsOfAProgram) {
   write_program(R"(
 import json, sys

@@ -422,6 +422,18 @@ TEST(BadTable, IsRefusedWithItsPlaceAndWhatWouldBeRight) {
   expect_table_refused("proportion", head + "a,11,10,0.5,0.95\n", {}, {"k is 11 and n is 10"});
 }
 
+// A table from anywhere must not write a line that looks like one of the program, nor colour the terminal.
+TEST(BadTable, IsQuotedWithItsControlCharactersShown) {
+  const TemporaryFolder place{};
+  write_text(place / "t.csv", "id,k,n,p0\na,\"\x1b[31mX\nasperity: all is well\",10,0.5\n");
+  const Outcome outcome = asperity({"analyze", "--table", place / "t.csv", "--as", "proportion"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find(R"(\u001b[31mX\u000aasperity: all is well)"), std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(outcome.err.find('\x1b'), std::string::npos);
+  EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << "one line";
+}
+
 TEST(BadOption, OfATableIsToldFromOneThatTheDataHaveNoUseFor) {
   const std::string table = "id,k,n,p0\na,5,10,0.5\n";
   expect_table_refused("proportion", table, {"nonsense=1"},

@@ -154,6 +154,23 @@ TEST(MeasuredSurface, IsRefusedWhereItsFileContradictsItself) {
               HasSubstr("the component \"/0/data\" occurs twice"));
 }
 
+// Decoders turn such a picture, and the texture would be felt across instead of along.
+TEST(MeasuredSurface, IsRefusedAsATiffThatIsToBeTurnedOrContradictsItself) {
+  const SurfaceReading reading{.width_m = 1e-5, .height_unit_m = 1e-6};
+  const auto entry = [](std::uint64_t tag, std::uint64_t value) {
+    return little_endian(tag, 2) + little_endian(3, 2) + little_endian(1, 4) +
+           little_endian(value, 4);
+  };
+  const std::string upright = float_tiff_of(small_surface(), 1e-6);
+  for (const std::uint64_t orientation : {3U, 6U}) {
+    EXPECT_THAT(surface_refusal(replaced(upright, entry(262, 1), entry(274, orientation)), reading),
+                HasSubstr("turned or mirrored when it is shown (orientation " +
+                          std::to_string(orientation) + ")"));
+  }
+  EXPECT_THAT(surface_refusal(replaced(upright, entry(262, 1), entry(277, 2)), reading),
+              HasSubstr("states the entry 277 of its directory twice"));
+}
+
 TEST(MeasuredSurface, IsRefusedWithoutRelief) {
   EXPECT_THAT(surface_refusal(x3p_with("<Increment>1e-09</Increment>", "<Increment>0</Increment>")),
               HasSubstr("the increment of the heights is 0"));

@@ -9,6 +9,7 @@
 #include "analysis/overloaded.h"
 #include "app/session/levels/level_messages.h"
 #include "app/words/phrase.h"
+#include "app/words/shown_text.h"
 #include "results_schema/log_file.h"
 #include "results_schema/study.h"
 
@@ -199,7 +200,7 @@ void LevelProgram::keep_errors() {
   logged_ += text.size();
   if (logged_ >= kLongestLog) text += "\n(asperity: further output is not kept)\n";
   try {
-    append_to_log(log_, text);
+    append_to_log(log_, shown_in_lines(text));
   } catch (const ResultsError& error) {
     unkept_ = phrase("ExternalProgram",
                      "what the external program %1 writes to its standard error cannot be kept: "
