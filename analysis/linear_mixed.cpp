@@ -20,8 +20,13 @@
 namespace asperity {
 namespace {
 
-// What is left of a column or of y, relative to its length, when rounding is all that is left.
-constexpr double kRoundingOfSquares = 1e-20;
+// Numbers that differ by no more than this part of the greatest are equal but for rounding. The mean of many does not take
+// part: its own rounding grows with their number.
+constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
+
+bool are_equal_numbers(const Eigen::Ref<const Eigen::VectorXd>& numbers) {
+  return numbers.maxCoeff() - numbers.minCoeff() <= kRounding * numbers.cwiseAbs().maxCoeff();
+}
 
 // Sums that determine the criterion for every λ. With n_i rows of participant i, M⁻¹ is in the rows of a participant
 // I − w·1·1', w = λ/(1 + λ·n_i): products with M⁻¹ need the products of all rows and the sums of each participant.
@@ -184,7 +189,6 @@ std::vector<Eigen::Index> dependent_columns(const Eigen::MatrixXd& design) {
   // of a column's variance is 1 − R² of its regression on the columns before it.
   constexpr double kNothingLeft = 1e-10;
   const Eigen::RowVectorXd means = design.colwise().mean();
-  const auto rows = static_cast<double>(design.rows());
   Eigen::MatrixXd products = Eigen::MatrixXd::Zero(design.cols(), design.cols());
   for (Eigen::Index row = 0; row < design.rows(); ++row) {
     const Eigen::RowVectorXd x = design.row(row) - means;
@@ -200,8 +204,7 @@ std::vector<Eigen::Index> dependent_columns(const Eigen::MatrixXd& design) {
       L(column, other) = rest / L(other, other);
     }
     const double left = variance - L.row(column).squaredNorm();
-    const bool is_constant = variance <= kRoundingOfSquares * rows * means(column) * means(column);
-    if (is_constant || left <= kNothingLeft * variance) {
+    if (are_equal_numbers(design.col(column)) || left <= kNothingLeft * variance) {
       L.row(column).setZero();
       dependent.push_back(column);
     } else {
@@ -291,14 +294,17 @@ std::variant<LinearMixedFit, NoLinearMixed> linear_mixed(const GroupedMeasuremen
   if (at_lambda(sums, 0.0).determinants_slope() <= kNoFreedom * sums.rows) {
     return NoLinearMixed::too_few_participants;
   }
-  // Relative to y as it is: of equal numbers, what centring leaves is rounding.
-  const double none = kRoundingOfSquares * data.y.squaredNorm();
-  if (sums.yy <= none) return NoLinearMixed::no_residual_variance;
+  if (are_equal_numbers(data.y)) return NoLinearMixed::no_residual_variance;
   const std::variant<double, NoLinearMixed> found = best_lambda(sums);
   if (const auto* const why = std::get_if<NoLinearMixed>(&found)) return *why;
   const double lambda = std::get<double>(found);
   const AtLambda at = at_lambda(sums, lambda);
-  if (at.squares <= none) return NoLinearMixed::no_residual_variance;
+  // Of a fit without residuals rounding is left: that of y itself, and that of the difference that y'Py is.
+  constexpr double kRoundingOfDifference = 1e-14;
+  const double of_y = kRounding * data.y.cwiseAbs().maxCoeff();
+  if (at.squares <= std::max(sums.rows * of_y * of_y, kRoundingOfDifference * sums.yy)) {
+    return NoLinearMixed::no_residual_variance;
+  }
   const double freedom = sums.freedom();
   const double variance = at.squares / freedom;
   LinearMixedFit::Estimates made{.lambda = lambda,

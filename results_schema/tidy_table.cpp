@@ -313,7 +313,14 @@ std::vector<std::optional<double>> TidyTable::numbers(std::string_view column) c
     if (is_missing(text)) continue;
     if (text.front() == '+') text.remove_prefix(1);
     numbers[row] = number_in(text);
-    if (numbers[row] && std::isfinite(*numbers[row])) continue;
+    if (numbers[row] && std::isfinite(*numbers[row])) {
+      const double magnitude = std::abs(*numbers[row]);
+      if (magnitude == 0.0 || (magnitude >= kLeastNumber && magnitude <= kGreatestNumber)) continue;
+      refuse(row, column,
+             std::string(column) + " is " + std::string(text) +
+                 "; numbers from 1e-100 to 1e100 in magnitude can be analysed. Write it in another "
+                 "unit");
+    }
     const std::string of = std::string(column) + " is \"" + std::string(text) + "\", ";
     if (has_decimal_comma(text))
       refuse(row, column, of + "with a decimal comma; write a decimal point");

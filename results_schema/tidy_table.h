@@ -60,7 +60,10 @@ class TidyTable final {
   /// The columns below throw a sentence with the columns that there are when theirs is not there.
   /// By row; empty where missing. The views live as long as the table.
   std::vector<std::string_view> texts(std::string_view column) const;
-  /// Empty where missing. Refuses what is not finite.
+  /// Numbers whose squares, which analyses sum, keep all their digits.
+  static constexpr double kGreatestNumber = 1e100;
+  static constexpr double kLeastNumber = 1e-100;
+  /// Empty where missing. Refuses what is not finite, and, but for 0, what is greater or smaller in magnitude than these.
   std::vector<std::optional<double>> numbers(std::string_view column) const;
   /// Refuses a missing one as well.
   std::vector<double> all_numbers(std::string_view column) const;

@@ -95,15 +95,30 @@ TEST(LinearMixed, OfSeveralConditionsIsTheRepeatedMeasuresAnova) {
 // A number that is added to all changes the intercept alone, even if it is large.
 TEST(LinearMixed, DependsOnDifferencesOnly) {
   const GroupedMeasurements data = measurements_of(paired_table());
-  GroupedMeasurements shifted = data;
-  shifted.y.array() += 1e6;
   const LinearMixedFit at_0 = fitted(data);
-  const LinearMixedFit fit = fitted(shifted);
-  EXPECT_NEAR(fit.beta()(0), at_0.beta()(0) + 1e6, 1e-6);
-  EXPECT_NEAR(fit.beta()(1), at_0.beta()(1), 1e-8);
-  EXPECT_NEAR(fit.residual_variance(), at_0.residual_variance(), 1e-8);
-  EXPECT_NEAR(fit.standard_error()(0), at_0.standard_error()(0), 1e-8);
-  EXPECT_NEAR(fit.log_likelihood(), at_0.log_likelihood(), 1e-8);
+  for (const double added : {1e6, 1e12}) {  // the sums are those of halves, which are exact
+    SCOPED_TRACE(added);
+    GroupedMeasurements shifted = data;
+    shifted.y.array() += added;
+    const LinearMixedFit fit = fitted(shifted);
+    EXPECT_NEAR(fit.beta()(0), at_0.beta()(0) + added, 1e-15 * added + 1e-6);
+    EXPECT_NEAR(fit.beta()(1), at_0.beta()(1), 1e-8);
+    EXPECT_NEAR(fit.residual_variance(), at_0.residual_variance(), 1e-8);
+    EXPECT_NEAR(fit.standard_error()(0), at_0.standard_error()(0), 1e-8);
+    EXPECT_NEAR(fit.log_likelihood(), at_0.log_likelihood(), 1e-8);
+  }
+}
+
+// Of times in milliseconds since 1970 a covariate has the spread of a session.
+TEST(LinearMixed, HasACovariateWhoseSpreadIsSmall) {
+  GroupedMeasurements data = measurements_of(paired_table());
+  data.design.col(1) << 0, 7, 1, 6, 2, 5, 3, 4, 8, 9;
+  const LinearMixedFit at_0 = fitted(data);
+  data.design.col(1).array() += 1.7e12;
+  EXPECT_THAT(dependent_columns(data.design), IsEmpty());
+  EXPECT_NEAR(fitted(data).beta()(1), at_0.beta()(1), 1e-8);
+  data.design.col(1).setConstant(1.7e12 + 0.1);
+  EXPECT_THAT(dependent_columns(data.design), ElementsAre(1));
 }
 
 TEST(LinearMixed, RecoversWhatItsDataWereDrawnFrom) {

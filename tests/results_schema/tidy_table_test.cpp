@@ -127,10 +127,21 @@ TEST(TidyTable, RefusesNumbersThatAreNone) {
 TEST(TidyTable, RefusesCountsThatADoubleCannotHold) {
   const auto counts = [](const TidyTable& table) { table.counts("k"); };
   EXPECT_EQ(table_refusal("id,k\na,9007199254740991\n", counts), "");
-  for (const char* const count : {"9007199254740992", "9007199254740993", "1e300"}) {
+  for (const char* const count : {"9007199254740992", "9007199254740993", "1e20"}) {
     EXPECT_THAT(table_refusal("id,k\na," + std::string(count) + '\n', counts),
                 testing::HasSubstr("it must be a whole number from 0 to 9007199254740991"));
   }
+}
+
+// Their squares are infinite or 0: a t of 0, or a p of 1, would be stated.
+TEST(TidyTable, RefusesNumbersWhoseSquaresAreNone) {
+  const auto numbers = [](const TidyTable& table) { table.numbers("y"); };
+  for (const char* const number : {"1e160", "-1e160", "1e-160", "5e-324", "1.1e100"}) {
+    EXPECT_THAT(table_refusal("id,y\na," + std::string(number) + '\n', numbers),
+                testing::StartsWith("file.csv:2:2: y is " + std::string(number) +
+                                    "; numbers from 1e-100 to 1e100 in magnitude"));
+  }
+  EXPECT_EQ(table_refusal("id,y\na,1e100\nb,-1e-100\nc,0\nd,-0.0\n", numbers), "");
 }
 
 TEST(TidyTable, RefusesANameInTwoForms) {
