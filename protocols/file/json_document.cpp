@@ -18,6 +18,9 @@ constexpr std::size_t kMaximumDepth = 64;
 constexpr std::size_t kMaximumEntries = 4096;
 constexpr std::size_t kMaximumString = 8192;
 constexpr std::size_t kMaximumKey = 256;
+constexpr const char* kWithoutZero = "; delete this character";
+
+bool has_zero(std::string_view text) { return text.find('\0') != std::string_view::npos; }
 
 /// Counts the characters that the parser has read.
 struct CountingIterator {
@@ -161,7 +164,15 @@ class JsonDocument::Handler {
       return refuse(start(), "this text is longer than " + std::to_string(kMaximumString) +
                                  " bytes; shorten it");
     }
-    return value(given);
+    const std::size_t from = start();
+    const bool contains_zero = has_zero(given);
+    std::string pointer{};
+    if (place(std::move(given), pointer) == nullptr) return false;
+    if (contains_zero) {
+      problems_.push_back(document_.diagnostic(
+          from, pointer, std::string("this text contains U+0000 (\\u0000)") + kWithoutZero));
+    }
+    return true;
   }
   bool binary(nlohmann::json::binary_t&) { return false; }
   bool start_object(std::size_t) { return open(nlohmann::json::object()); }
@@ -183,6 +194,11 @@ class JsonDocument::Handler {
       problems_.push_back(document_.diagnostic(
           key_start_, pointer,
           "the key " + printable(given) + " occurs twice in this object; keep one"));
+    }
+    if (has_zero(given)) {
+      problems_.push_back(document_.diagnostic(
+          key_start_, parent.pointer,
+          "the key " + printable(given) + " contains U+0000 (\\u0000)" + kWithoutZero));
     }
     return true;
   }
@@ -259,7 +275,7 @@ class JsonDocument::Handler {
 
   bool refuse(std::size_t offset, std::string message) {
     std::string pointer = stack_.empty() ? "" : stack_.back().pointer;
-    // The first syntax error ends the reading; duplicate keys found before it are reported with it.
+    // The first syntax error ends the reading; what was found before it is reported with it.
     problems_.push_back(document_.diagnostic(offset, pointer, std::move(message)));
     return false;
   }
@@ -332,7 +348,7 @@ class JsonDocument::Handler {
 };
 
 JsonDocument::JsonDocument(std::string_view text, std::string file,
-                           std::vector<Diagnostic>* duplicates)
+                           std::vector<Diagnostic>* problems_of_texts)
     : text_(text), file_(std::move(file)) {
   const auto refuse = [this](std::string message) {
     throw ProtocolError({diagnostic(0, "", std::move(message))});
@@ -352,6 +368,10 @@ JsonDocument::JsonDocument(std::string_view text, std::string file,
         "this is not a JSON text file, but a binary one, such as a picture; name a text file in "
         "UTF-8 with a JSON object {…}");
   }
+  if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
+    throw ProtocolError({diagnostic(
+        zero, "", std::string("the file contains a zero byte (U+0000)") + kWithoutZero)});
+  }
   std::size_t read = 0;
   Handler handler(*this, read);
   const bool complete =
@@ -360,8 +380,8 @@ JsonDocument::JsonDocument(std::string_view text, std::string file,
   std::vector<Diagnostic> problems = handler.take_problems();
   if (!complete && problems.empty())
     problems.push_back(diagnostic(read, "", "this is not JSON; write a JSON object {…}"));
-  if (complete && duplicates != nullptr) {
-    *duplicates = std::move(problems);
+  if (complete && problems_of_texts != nullptr) {
+    *problems_of_texts = std::move(problems);
   } else if (!problems.empty()) {
     throw ProtocolError(std::move(problems));
   }

@@ -20,13 +20,14 @@ namespace asperity {
 ///
 /// The accepted text is stricter than JSON, which bounds all subsequent recursion and search: UTF-8 without byte order
 /// mark, at most 4 MiB, 64 levels, 4096 elements per array or keys per object, 8192 bytes per string and 256 per key. A
-/// key may occur only once in an object.
+/// key may occur only once in an object. The character U+0000 is not permitted: texts and keys become cells of tables and
+/// labels of values, where it ends a text in some programs.
 class JsonDocument final {
  public:
-  /// Errors: ProtocolError with the one syntax error, or with all duplicate keys. If `duplicates` is given, duplicate
-  /// keys are appended to it instead, and the last value of each key is used.
+  /// Errors: ProtocolError with the one syntax error, or with all duplicate keys and all texts and keys with U+0000. If
+  /// `problems_of_texts` is given, these are stored in it instead, and the last value of each key is used.
   JsonDocument(std::string_view text, std::string file,
-               std::vector<Diagnostic>* duplicates = nullptr);
+               std::vector<Diagnostic>* problems_of_texts = nullptr);
 
   const nlohmann::json& root() const noexcept { return root_; }
   /// A copy with another tree. Values that occur in both trees have their positions in the text.

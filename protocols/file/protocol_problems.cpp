@@ -56,7 +56,7 @@ ProtocolReading read_protocol_with_problems(std::string_view text, const std::st
   ProtocolReading reading{};
   try {
     const JsonDocument document(text, file_name, &reading.problems);
-    const bool has_duplicates = !reading.problems.empty();
+    const bool has_unusable_texts = !reading.problems.empty();
     const auto add = [&reading](const std::vector<Diagnostic>& found) {
       reading.problems.insert(reading.problems.end(), found.begin(), found.end());
     };
@@ -73,7 +73,7 @@ ProtocolReading read_protocol_with_problems(std::string_view text, const std::st
         reading.protocol = protocol_from_json(reading.repair.roots.front(), models);
       }
     }
-    if (has_duplicates) {
+    if (has_unusable_texts) {
       reading.protocol.reset();
       reading.has_form = false;
     }

@@ -178,6 +178,12 @@ const Fault kSyntax[] = {
      "must be escaped"},
     {"duplicate_key", R"("version": "1.0.0",)", R"("version": "1.0.0", "version": "2.0.0",)",
      R"("version": "2.0.0")", "/version", "occurs twice"},
+    {"zero_in_a_text", R"("version": "1.0.0",)", R"("version": "1.0\u0000",)", R"("1.0\u0000")",
+     "/version", "this text contains U+0000 (\\u0000); delete this character"},
+    {"zero_in_a_level", R"("levels": ["metal", "stone"])", R"("levels": ["metal", "st\u0000"])",
+     R"("st\u0000")", "/factors/texture/levels/1", "this text contains U+0000"},
+    {"zero_in_a_key", R"("version": "1.0.0",)", R"("version": "1.0.0", "x-a\u0000": 1,)",
+     R"("x-a\u0000")", "", "the key 'x-a?' contains U+0000 (\\u0000); delete"},
 };
 
 const Fault kForm[] = {
@@ -707,6 +713,22 @@ TEST(Problems, OfABinaryFileSayThatItIsNoText) {
     ASSERT_EQ(problems.size(), 1U);
     EXPECT_THAT(problems[0].message, testing::StartsWith("this is not a JSON text file"));
   }
+}
+
+TEST(Problems, OfAZeroByteHaveItsPlace) {
+  std::string text = test::example_selection();
+  const std::string end = R"("version": "1.0.0",)";
+  text.insert(text.find(end),
+              std::string(600, ' ') + '\n');  // further than the beginning of the file
+  const std::size_t at = text.find(end) + end.size();
+  text.insert(at, 1, '\0');
+  const std::vector<Diagnostic> problems = problems_of(text);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_THAT(problems[0].message,
+              testing::StartsWith("the file contains a zero byte (U+0000); delete"));
+  const auto [line, column] = place_in(text, end);
+  EXPECT_EQ(problems[0].line, line);
+  EXPECT_EQ(problems[0].column, column + static_cast<int>(end.size()));
 }
 
 TEST(Problems, NameTypesInPlainEnglish) {
