@@ -254,7 +254,7 @@ void add_check(CLI::App& program, Job& job) {
   command->add_flag("--json", options->json, "Print one JSON document");
   add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
-    job = [options] {
+    job = watched_with(options->plugins, [options] {
       if (options->study && !std::filesystem::is_directory(*options->study)) {
         throw std::runtime_error("there is no folder " + *options->study +
                                  "; --study takes the folder of a study, which contains the files "
@@ -352,7 +352,7 @@ void add_check(CLI::App& program, Job& job) {
       }
       if (options->json) std::cout << json.dump(2) << '\n';
       return acceptable ? 0 : 1;
-    };
+    });
   });
 }
 

@@ -194,7 +194,9 @@ void add_clean_stiffness(CLI::App& program, Job& job) {
       ->required();
   command->add_flag("--force", options->force, "Replace an existing table");
   add_plugin_option(*command, options->plugins);
-  command->callback([options, &job] { job = [options] { return run_clean_stiffness(*options); }; });
+  command->callback([options, &job] {
+    job = watched_with(options->plugins, [options] { return run_clean_stiffness(*options); });
+  });
 }
 
 }  // namespace asperity

@@ -2,8 +2,10 @@
 
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <stdexcept>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -13,6 +15,13 @@ namespace asperity {
 
 /// What the parsed command line asks for. Returns the exit status; throws what it cannot do.
 using Job = std::function<int()>;
+
+/// Does the job. What it throws is stated on standard error; the status is 1 then, or 2 for WrongUsage.
+int status_of(const Job& job);
+
+/// The job, in a separate process where it loads plug-ins (app/plugins/plugin_process.h): a plug-in that ends its process or does
+/// not return is named. Not for a job in real time, whose process holds the device.
+Job watched_with(const std::vector<std::filesystem::path>& plugins, Job job);
 
 void add_analyze(CLI::App& program, Job& job);
 void add_bake(CLI::App& program, Job& job);

@@ -1,6 +1,5 @@
 // The program: one binary, one subcommand per job; without one, the window.
 
-#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -16,12 +15,9 @@
 #include "app/gui/window/program_window.h"
 #endif
 #include "app/study_files/program.h"
-#include "protocols/file/diagnostic.h"
-#include "results_schema/error_text.h"
 
 namespace {
 
-constexpr int kNotAcceptable = 1;
 constexpr int kWrongUsage = 2;
 
 #ifdef ASPERITY_WITH_WINDOWS
@@ -100,16 +96,5 @@ int main(int argc, char** argv) {
     say(*sentence);
     return kWrongUsage;
   }
-  try {
-    return job();
-  } catch (const WrongUsage& error) {
-    say(std::string("asperity: ") + error.what());
-    return kWrongUsage;
-  } catch (const ProtocolError& error) {
-    for (const Diagnostic& diagnostic : error.diagnostics()) say(text_of(diagnostic));
-    return kNotAcceptable;
-  } catch (const std::exception& error) {
-    say(std::string("asperity: ") + message_of(error));
-    return kNotAcceptable;
-  }
+  return status_of(job);
 }

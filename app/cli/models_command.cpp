@@ -219,7 +219,7 @@ void add_models(CLI::App& program, Job& job) {
   command->add_option("--model", options->model, "Only this force model");
   add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
-    job = [options] {
+    job = watched_with(options->plugins, [options] {
       const ModelRegistry registry = models_with_unchecked(options->plugins);
       const bool only_plugins = options->conformance && !options->plugins.empty();
       std::vector<const ForceModel*> models{};
@@ -244,7 +244,7 @@ void add_models(CLI::App& program, Job& job) {
                   << described(shared_parameters());
       }
       return 0;
-    };
+    });
   });
 }
 

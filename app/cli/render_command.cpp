@@ -215,7 +215,7 @@ void add_render(CLI::App& program, Job& job) {
   command->add_flag("--force", options->force, "Replace existing files");
   add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
-    job = [options] {
+    job = watched_with(options->plugins, [options] {
       const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
       // Before the work; the files that go with it are looked at when they are written.
       refuse_existing({options->out}, overwrite);
@@ -304,7 +304,7 @@ void add_render(CLI::App& program, Job& job) {
       }
       tell_limits(model, *renderer, along.ticks.size());
       return 0;
-    };
+    });
   });
 }
 

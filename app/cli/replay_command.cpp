@@ -93,7 +93,7 @@ void add_replay(CLI::App& program, Job& job) {
   command->add_flag("--force", options->force, "Replace an existing file");
   add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
-    job = [options] {
+    job = watched_with(options->plugins, [options] {
       const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
       refuse_existing({options->out}, overwrite);
       const Study study = Study::open(options->study, Access::read_only);
@@ -148,7 +148,7 @@ void add_replay(CLI::App& program, Job& job) {
       write_file(options->out, forces_tsv(path, forces), overwrite);
       std::cout << options->out.string() << ": " << counted(forces.size(), "row") << '\n';
       return 0;
-    };
+    });
   });
 }
 

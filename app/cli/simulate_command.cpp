@@ -73,7 +73,7 @@ void add_simulate(CLI::App& program, Job& job) {
   add_compute_option(*command, options->inputs.on_gpu, kComputeOfSession);
   add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
-    job = [options] {
+    job = watched_with(options->plugins, [options] {
       require_device("--device", options->inputs.device);
       options->inputs.level_program = options->external.chosen();
       const InterruptWatch interrupt;
@@ -117,7 +117,7 @@ void add_simulate(CLI::App& program, Job& job) {
                   << " s of sessions in " << fixed(result.wall_s, 1) << " s\n";
       }
       return 0;
-    };
+    });
   });
 }
 

@@ -242,7 +242,9 @@ void add_sweep(CLI::App& program, Job& job) {
 #endif
   command->add_flag("--force", options->force, "Replace the rows of another sweep");
   add_plugin_option(*command, options->plugins);
-  command->callback([options, &job] { job = [options] { return run_sweep(*options); }; });
+  command->callback([options, &job] {
+    job = watched_with(options->plugins, [options] { return run_sweep(*options); });
+  });
 }
 
 }  // namespace asperity

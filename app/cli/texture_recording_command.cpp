@@ -206,7 +206,7 @@ void add_texture_recording(CLI::App& program, Job& job) {
   command->add_flag("--force", options->force, "Replace an existing file");
   add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
-    job = [options] {
+    job = watched_with(options->plugins, [options] {
       const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
       refuse_existing({options->out}, overwrite);
       const TextureRecording recording = recording_asked_for(*options);
@@ -227,7 +227,7 @@ void add_texture_recording(CLI::App& program, Job& job) {
             "two speeds; add strokes at another speed, or set single_speed to accepted");
       }
       return 0;
-    };
+    });
   });
 }
 

@@ -30,7 +30,7 @@ void add_verify(CLI::App& program, Job& job) {
       "stored detectors of perceived instability");
   add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
-    job = [options] {
+    job = watched_with(options->plugins, [options] {
       const InterruptWatch interrupt;
       Study study = Study::open(options->study, Access::read_only);
       const ModelBuilds builds = models_with_builds(options->plugins);
@@ -66,7 +66,7 @@ void add_verify(CLI::App& program, Job& job) {
                      "another remedy\n";
       }
       return result.problems.empty() ? 0 : 1;
-    };
+    });
   });
 }
 

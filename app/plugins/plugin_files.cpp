@@ -60,7 +60,12 @@ class PrivateCopy final {
 /// Shared ownership: the model and each of its renderers keep the library, which needs no file once it is loaded.
 std::shared_ptr<void> loaded(const std::filesystem::path& file, const std::string& content) {
   const PrivateCopy copy(file, content);
-  void* const library = dlopen(copy.path().c_str(), RTLD_NOW | RTLD_LOCAL);
+  const std::string name = file.filename().string();
+  const auto dlopened = [&] {
+    const PluginCall call(name.c_str(), PluginFunction::initialisation);
+    return dlopen(copy.path().c_str(), RTLD_NOW | RTLD_LOCAL);
+  };
+  void* const library = dlopened();
   if (library == nullptr) {
     const char* const reason = dlerror();
     std::string why = reason == nullptr ? "it cannot be loaded" : reason;
@@ -68,7 +73,10 @@ std::shared_ptr<void> loaded(const std::filesystem::path& file, const std::strin
     if (why.starts_with(copied)) why.erase(0, copied.size());
     refuse(file, why + "; give a shared library for this computer");
   }
-  return {library, [](void* opened) { dlclose(opened); }};
+  return {library, [name](void* opened) {
+            const PluginCall call(name.c_str(), PluginFunction::finalisation);
+            dlclose(opened);
+          }};
 }
 
 const asperity_model& description_in(const std::filesystem::path& file, void* library) {
@@ -79,6 +87,8 @@ const asperity_model& description_in(const std::filesystem::path& file, void* li
                      "; define it as asperity_plugin.h declares it");
   }
   const asperity_model* description = nullptr;
+  const std::string name = file.filename().string();
+  const PluginCall call(name.c_str(), PluginFunction::model);
   try {
     description = function();
   } catch (...) {
@@ -130,7 +140,6 @@ ForceModel open_plugin(const std::filesystem::path& file) {
   const std::string content = read_file(file);
   PluginOrigin origin{.file = file.filename().string(), .sha256 = sha256_of(content)};
   name_plugins_that_end_the_program();
-  const PluginCall call(origin.file.c_str());
   const std::shared_ptr<void> library = loaded(file, content);
   const asperity_model& description = description_in(file, library.get());
   try {

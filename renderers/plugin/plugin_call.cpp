@@ -6,14 +6,22 @@
 #include <cstring>
 #include <mutex>
 #include <unistd.h>
-#include <utility>
 #include <vector>
 
 namespace asperity {
 namespace {
 
+struct RunningCall {
+  const char* plugin = nullptr;  ///< null where the thread runs no code of a plug-in
+  PluginFunction function{};
+};
 // Constant-initialised and in the executable's own block: a signal handler may read it.
-constinit thread_local const char* running_plugin = nullptr;
+constinit thread_local RunningCall running_call{};
+
+// Null in a process that is not watched. Set before there are calls.
+constinit PluginCallBoard* board = nullptr;
+// The present or the last place of the thread on the board.
+constinit thread_local std::size_t place_on_board = 0;
 
 struct EndingSignal {
   int number = 0;
@@ -42,13 +50,18 @@ void write_text(const char* text) noexcept {
 extern "C" void name_plugin(int number) {
   for (std::size_t i = 0; i < kEnding.size(); ++i) {
     if (kEnding[i].number != number) continue;
-    if (running_plugin != nullptr) {
+    if (running_call.plugin != nullptr && board != nullptr) {
+      board->note_signal(place_on_board, number);
+    } else if (running_call.plugin != nullptr) {
       write_text("asperity: the plug-in ");
-      write_text(running_plugin);
+      write_text(running_call.plugin);
       write_text(" ended the program with ");
       write_text(kEnding[i].meaning);
-      write_text(
-          "; correct the plug-in (docs/write-a-force-model.md, \"When something is wrong\")\n");
+      write_text(" in ");
+      write_text(text_of(running_call.function));
+      write_text("; ");
+      write_text(kCorrectPlugin);
+      write_text("\n");
     }
     sigaction(number, &former_actions[i], nullptr);
   }
@@ -84,9 +97,35 @@ class SignalStack final {
 
 }  // namespace
 
-PluginCall::PluginCall(const char* name) noexcept : outer_(std::exchange(running_plugin, name)) {}
+PluginCall::PluginCall(const char* name, PluginFunction function) noexcept
+    : outer_name_(running_call.plugin), outer_function_(running_call.function) {
+  running_call = {name, function};
+  if (board == nullptr) return;
+  if (outer_name_ == nullptr) {
+    place_on_board = board->begin(place_on_board, name, function);
+  } else if (place_on_board != PluginCallBoard::kNone) {
+    board->change(place_on_board, name, function);
+  }
+}
 
-PluginCall::~PluginCall() { running_plugin = outer_; }
+PluginCall::~PluginCall() {
+  running_call = {outer_name_, outer_function_};
+  if (board == nullptr || place_on_board == PluginCallBoard::kNone) return;
+  if (outer_name_ == nullptr) {
+    board->end(place_on_board);
+  } else {
+    board->change(place_on_board, outer_name_, outer_function_);
+  }
+}
+
+void show_plugin_calls_on(PluginCallBoard& shared) noexcept { board = &shared; }
+
+const char* meaning_of_ending_signal(int number) noexcept {
+  for (const EndingSignal& each : kEnding) {
+    if (each.number == number) return each.meaning;
+  }
+  return nullptr;
+}
 
 void name_plugins_that_end_the_program() {
   static const thread_local SignalStack of_this_thread{};

@@ -262,7 +262,7 @@ class PluginRenderer final : public ForceRenderer {
     const std::vector<double> values = values_for(*plugin_.description, inputs);
     const asperity_inputs given = inputs_for(inputs, values, field_.given());
     std::array<char, 256> message{};
-    const PluginCall call(plugin_.name.c_str());
+    const PluginCall call(plugin_.name.c_str(), PluginFunction::create);
     try {
       renderer_ = plugin_.description->create(&given, message.data(), message.size());
     } catch (...) {
@@ -278,7 +278,7 @@ class PluginRenderer final : public ForceRenderer {
   }
 
   ~PluginRenderer() override {
-    const PluginCall call(plugin_.name.c_str());
+    const PluginCall call(plugin_.name.c_str(), PluginFunction::destroy);
     try {
       plugin_.description->destroy(renderer_);
     } catch (...) {
@@ -289,7 +289,7 @@ class PluginRenderer final : public ForceRenderer {
   void reset(const ProbeState& first) noexcept override {
     contact_.reset();
     failure_ = nullptr;
-    const PluginCall call(plugin_.name.c_str());
+    const PluginCall call(plugin_.name.c_str(), PluginFunction::reset);
     const asperity_sample sample = sample_of(contact_.locate(first.position_m), first, 0.0);
     try {
       if (plugin_.description->reset(renderer_, &sample) != 0) fail(counts_[kError], message());
@@ -302,7 +302,7 @@ class PluginRenderer final : public ForceRenderer {
     const PatchPoint point = contact_.locate(probe.position_m);
     asperity_force force{};
     if (failure_ == nullptr) {
-      const PluginCall call(plugin_.name.c_str());
+      const PluginCall call(plugin_.name.c_str(), PluginFunction::tick);
       const asperity_sample sample = sample_of(point, probe, dt_s);
       try {
         if (plugin_.description->tick(renderer_, &sample, &force) != 0) {
@@ -389,7 +389,7 @@ TextureBand band_of(const Plugin& plugin, const RendererInputs& inputs) {
       inputs.patch.tiling);
   const asperity_inputs given = inputs_for(inputs, values, field.given());
   asperity_band band{};
-  const PluginCall call(plugin.name.c_str());
+  const PluginCall call(plugin.name.c_str(), PluginFunction::band);
   int error = 0;
   try {
     error = plugin.description->band(&given, &band);
@@ -408,7 +408,7 @@ TextureBand band_of(const Plugin& plugin, const RendererInputs& inputs) {
 ForceModel model_of_plugin(const asperity_model& description, std::shared_ptr<const void> library,
                            const std::string& file) {
   // Reading the description can fail as its functions can: a pointer or a count in it may be wrong.
-  const PluginCall call(file.c_str());
+  const PluginCall call(file.c_str(), PluginFunction::description);
   if (description.abi_version != ASPERITY_PLUGIN_ABI_VERSION) {
     throw std::invalid_argument("it has version " + std::to_string(description.abi_version) +
                                 " of the plug-in interface, and this program has version " +

@@ -1,6 +1,7 @@
 // A force model in a plug-in, as a laboratory writes one: built with the installed headers alone, checked, felt in a study,
 // changed and lost.
 
+#include <csignal>
 #include <regex>
 
 #include <gmock/gmock.h>
@@ -301,12 +302,96 @@ TEST_F(Plugin, GivesTheSameStudyWithTheSameSeed) {
   EXPECT_TRUE(once == exported(study(), folder_ / "again"));
 }
 
-TEST_F(Plugin, IsNamedBeforeItEndsTheProgram) {
+TEST_F(Plugin, IsNamedByTheCommandThatItEnds) {
+  write_text(folder_ / "faulty.json", faulty_discrimination().dump());
+  write_text(folder_ / "path.tsv", "time_s\tx_m\ty_m\tz_m\n0\t0\t0\t0.001\n0.001\t0\t0\t-0.001\n");
+  const std::vector<std::vector<std::string>> commands{
+      {"models", "--conformance"},
+      {"check", folder_ / "faulty.json"},
+      {"render", "--model", "faulty", "--path", folder_ / "path.tsv", "--out",
+       folder_ / "forces.tsv"},
+      {"simulate", folder_ / "faulty.json", "--study", study(), "--participants", "1", "--seed",
+       "1"}};
+  for (const std::vector<std::string>& command : commands) {
+    for (const auto& [plugin, named] :
+         {std::pair{"faulty_crash.so",
+                    "the plug-in faulty (faulty_crash.so) ended the program with an "
+                    "invalid memory access (SIGSEGV) in its function tick; correct"},
+          std::pair{"faulty_exits.so",
+                    "the plug-in faulty (faulty_exits.so) ended the program with "
+                    "exit status 0 in its function tick; correct"},
+          std::pair{"faulty_quits.so",
+                    "the plug-in faulty (faulty_quits.so) ended the program with "
+                    "exit status 0 in its function create; correct"},
+          std::pair{"faulty_quits_loading.so",
+                    "the plug-in faulty_quits_loading.so ended the program "
+                    "with exit status 0 in its initialisation; correct"}}) {
+      std::vector<std::string> arguments = command;
+      arguments.insert(arguments.end(),
+                       {"--plugin", std::string(ASPERITY_FAULTY_PLUGINS "/") + plugin});
+      // The copy of a plug-in that ends the program while it is loaded stays there.
+      const Outcome ended =
+          run({.arguments = arguments, .environment = {{"TMPDIR", folder_.path().string()}}});
+      EXPECT_EQ(ended.status, 1) << command.front() << ' ' << plugin;
+      EXPECT_EQ(ended.out, "");
+      EXPECT_THAT(ended.err, HasSubstr(named)) << command.front();
+    }
+  }
+}
+
+TEST_F(Plugin, IsNamedByTheCommandThatWaitsForItInVain) {
   const Outcome ended =
-      asperity({"models", "--conformance", "--plugin", ASPERITY_FAULTY_PLUGINS "/faulty_crash.so"});
-  EXPECT_NE(ended.status, 0);
-  EXPECT_THAT(ended.err, HasSubstr("the plug-in faulty (faulty_crash.so) ended the program with an "
-                                   "invalid memory access"));
+      asperity({"models", "--conformance", "--plugin", ASPERITY_FAULTY_PLUGINS "/faulty_hang.so"});
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_THAT(ended.err,
+              HasSubstr("the plug-in faulty (faulty_hang.so) did not return from its function tick "
+                        "within 5 s, the limit of a call, and the command was ended; correct"));
+}
+
+// The streams of the program are open until the process that calls the plug-in has ended as well.
+TEST_F(Plugin, EndsWithTheCommandThatWaitsForIt) {
+  const auto waiting = [&](bool on_terminal) {
+    return Invocation{.arguments = {"check", example_->protocol(), "--plugin",
+                                    ASPERITY_FAULTY_PLUGINS "/faulty_hang.so"},
+                      .on_terminal = on_terminal};
+  };
+  for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
+    Program program(waiting(false));
+    ASSERT_TRUE(program.read_until_told("the tick does not return")) << program.err();
+    program.send(signal);
+    const Outcome ended = program.finish();
+    EXPECT_EQ(ended.signal, signal) << ended.err;
+    EXPECT_EQ(ended.err, "the tick does not return\n");
+  }
+  Program program(waiting(true));
+  ASSERT_TRUE(program.read_until_told("the tick does not return")) << program.err();
+  program.type("\x03");
+  EXPECT_EQ(program.finish().signal, SIGINT) << program.err();
+}
+
+TEST_F(Plugin, LetsASimulationStopAfterItsTrialAtTheFirstCtrlC) {
+  for (const bool on_terminal : {false, true}) {
+    const std::string label = on_terminal ? "typed" : "sent";
+    Program program(Invocation{
+        .arguments = {"simulate", example_->protocol(), "--study", folder_ / label,
+                      "--participants", "100", "--seed", "3", "--plugin", example_->plugin()},
+        .on_terminal = on_terminal});
+    ASSERT_TRUE(program.read_until([](const std::string&, const std::string& err) {
+      return !done_lines(err).empty();
+    })) << program.err();
+    if (on_terminal) {
+      program.type("\x03");
+    } else {
+      program.send(SIGINT);
+    }
+    const Outcome stopped = program.finish();
+    EXPECT_EQ(stopped.status, 1) << label << stopped.err;
+    EXPECT_THAT(stopped.err, HasSubstr("--resume"));
+    const std::string saying = "stopping after this trial";
+    const std::size_t first = stopped.err.find(saying);
+    EXPECT_NE(first, std::string::npos) << stopped.err;
+    EXPECT_EQ(stopped.err.find(saying, first + 1), std::string::npos) << stopped.err;
+  }
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 // A plug-in with one fault, chosen by FAULT when it is compiled: what the program has to refuse, or to stop.
 
 #include <chrono>
+#include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
+#include <unistd.h>
 #include <vector>
 
 #include "asperity_plugin.hpp"
@@ -24,6 +27,10 @@
 #define FAULT_unit 15
 #define FAULT_stroke 16
 #define FAULT_assertion 17
+#define FAULT_hang 18
+#define FAULT_exits 19
+#define FAULT_quits 20
+#define FAULT_quits_loading 21
 #define IS(fault) (FAULT == FAULT_##fault)
 
 namespace {
@@ -35,7 +42,9 @@ constexpr asperity_parameter kParameters[] = {{"amplitude_m", ASPERITY_NUMBER,
 class Faulty {
  public:
   explicit Faulty(const asperity_inputs& inputs)
-      : stiffness_N_per_m_(inputs.stiffness_N_per_m), amplitude_m_(inputs.values[0]) {}
+      : stiffness_N_per_m_(inputs.stiffness_N_per_m), amplitude_m_(inputs.values[0]) {
+    if (IS(quits)) _exit(0);
+  }
   static asperity_band band(const asperity_inputs&) { return {100.0, 0.0}; }
   void reset(const asperity_sample&) { ticks_ = contact_ticks_ = 0; }
   asperity_force tick(const asperity_sample& sample) {
@@ -50,6 +59,8 @@ class Faulty {
     if (IS(stroke) && amplitude_m_ == 0.0005) throw std::runtime_error("no such amplitude");
     // Some trials into a session: what is checked before it has fewer ticks in contact.
     if (IS(assertion) && ++ticks_of_all > 30000) amplitude_m_ = kept_[kept_.size()];
+    if (IS(exits)) std::exit(0);
+    if (IS(hang)) hang();
     if (IS(crash)) *nowhere_ = amplitude_m_;
     if (IS(exception)) throw std::runtime_error("the ridge is too steep");
     if (IS(nan)) force.force_N[1] = amplitude_m_ / (amplitude_m_ - amplitude_m_);
@@ -63,6 +74,10 @@ class Faulty {
   }
 
  private:
+  [[noreturn]] static void hang() {
+    std::fputs("the tick does not return\n", stderr);
+    for (;;) pause();
+  }
   static void wait() {
     const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds(700);
     while (std::chrono::steady_clock::now() < end) continue;
@@ -76,6 +91,10 @@ class Faulty {
   double* volatile nowhere_ = nullptr;
   std::vector<double> kept_{};
 };
+
+#if IS(quits_loading)
+__attribute__((constructor)) void quit_loading() { _exit(0); }
+#endif
 
 asperity_model described() {
   asperity_model model{};

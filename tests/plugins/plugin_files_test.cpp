@@ -130,7 +130,7 @@ TEST(PluginFiles, KeepSeveralBuildsOnlyToRenderAttemptsAgain) {
 TEST(PluginFiles, NameAPluginThatEndsTheProgram) {
   EXPECT_DEATH((void)models_with({with_fault("crash")}),
                "the plug-in faulty \\(faulty_crash.so\\) ended the program with an invalid memory "
-               "access \\(SIGSEGV\\); correct the plug-in");
+               "access \\(SIGSEGV\\) in its function tick; correct the plug-in");
 }
 
 TEST(PluginFiles, DoNotNameAPluginIfOtherCodeEndsTheProgram) {

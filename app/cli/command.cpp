@@ -1,0 +1,39 @@
+#include "app/cli/command.h"
+
+#include <exception>
+#include <string>
+#include <utility>
+
+#include "app/cli/terminal.h"
+#include "app/plugins/plugin_process.h"
+#include "protocols/file/diagnostic.h"
+#include "results_schema/error_text.h"
+
+namespace asperity {
+
+int status_of(const Job& job) {
+  constexpr int kNotAcceptable = 1;
+  constexpr int kWrongUsage = 2;
+  try {
+    return job();
+  } catch (const WrongUsage& error) {
+    say(std::string("asperity: ") + error.what());
+    return kWrongUsage;
+  } catch (const ProtocolError& error) {
+    for (const Diagnostic& diagnostic : error.diagnostics()) say(text_of(diagnostic));
+    return kNotAcceptable;
+  } catch (const std::exception& error) {
+    say(std::string("asperity: ") + message_of(error));
+    return kNotAcceptable;
+  }
+}
+
+Job watched_with(const std::vector<std::filesystem::path>& plugins, Job job) {
+  if (plugins.empty()) return job;
+  return [plugins, job = std::move(job)] {
+    return in_plugin_process(
+        {.plugins = plugins, .work = [&job] { return status_of(job); }, .tell = say});
+  };
+}
+
+}  // namespace asperity
