@@ -1,6 +1,7 @@
 #include "app/session/attempt_instability.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <exception>
@@ -29,10 +30,31 @@ RecordedTexture texture_of(const JudgedSurface& surface, std::span<const TickRec
                           {records, static_cast<std::uint64_t>(surface.position), rate_Hz});
 }
 
+std::optional<double> finite_texture_force_N(const RecordedTexture& texture,
+                                             const TextureForceBand& band) {
+  const std::optional<double> rms_N = recorded_texture_force_rms_N(texture, band);
+  return rms_N && std::isfinite(*rms_N) ? rms_N : std::nullopt;
+}
+
+bool is_finite(const InstabilityRow& row) {
+  constexpr std::array kNumbers{&InstabilityRow::buzz,
+                                &InstabilityRow::buzz_force_N,
+                                &InstabilityRow::resting_s,
+                                &InstabilityRow::alive_force_N,
+                                &InstabilityRow::alive_plate_force_N,
+                                &InstabilityRow::alive_motion_m,
+                                &InstabilityRow::alive_work_J,
+                                &InstabilityRow::crest_share,
+                                &InstabilityRow::slow_s};
+  return std::all_of(kNumbers.begin(), kNumbers.end(), [&row](const auto number) {
+    return std::isfinite((row.*number).value_or(0.0));
+  });
+}
+
 ReplayedMeasures measures_of(const JudgedSurface& surface, std::span<const TickRecord> records,
                              double rate_Hz) {
   const RecordedTexture texture = texture_of(surface, records, rate_Hz);
-  return {.texture_force_N = recorded_texture_force_rms_N(texture, surface.band),
+  return {.texture_force_N = finite_texture_force_N(texture, surface.band),
           .instability =
               instability_row(perceived_instability(surface.model, surface.inputs, texture))};
 }
@@ -41,10 +63,10 @@ ReplayedMeasures measures_of(const JudgedSurface& surface, std::span<const TickR
 
 std::optional<double> texture_force_N(const JudgedSurface& surface,
                                       std::span<const TickRecord> records, double rate_Hz) {
-  return recorded_texture_force_rms_N(texture_of(surface, records, rate_Hz), surface.band);
+  return finite_texture_force_N(texture_of(surface, records, rate_Hz), surface.band);
 }
 
-InstabilityRow instability_row(const PerceivedInstability& judged) {
+std::optional<InstabilityRow> instability_row(const PerceivedInstability& judged) {
   const auto reason = [](const std::optional<NotJudged>& none) {
     return none ? std::optional<std::string>(name_of(*none)) : std::nullopt;
   };
@@ -68,6 +90,7 @@ InstabilityRow instability_row(const PerceivedInstability& judged) {
     row.slow_s = judged.ridge->slow_s;
   }
   row.no_crest_share = reason(judged.no_ridge);
+  if (!is_finite(row)) return {};
   return row;
 }
 

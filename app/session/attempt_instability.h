@@ -17,8 +17,9 @@
 
 namespace asperity {
 
-/// The values as they are stored.
-InstabilityRow instability_row(const PerceivedInstability& judged);
+/// The values as they are stored; nullopt where one of them is not finite: the computation failed, for example because the
+/// model failed on the path without its vibration.
+std::optional<InstabilityRow> instability_row(const PerceivedInstability& judged);
 
 /// A surface of an attempt, as it was rendered.
 struct JudgedSurface {
@@ -31,11 +32,11 @@ struct JudgedSurface {
 /// The values of a surface that need replays of its records.
 struct ReplayedMeasures {
   std::optional<double>
-      texture_force_N{};  ///< recorded_texture_force_rms_N in the band of the surface
+      texture_force_N{};  ///< recorded_texture_force_rms_N in the band of the surface, if it is finite
   std::optional<InstabilityRow> instability{};
 };
 
-/// The texture force alone. Errors: those of recorded_texture.
+/// The texture force alone; nullopt as well where it is not finite. Errors: those of recorded_texture.
 std::optional<double> texture_force_N(const JudgedSurface& surface,
                                       std::span<const TickRecord> records, double rate_Hz);
 

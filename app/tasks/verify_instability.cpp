@@ -58,10 +58,12 @@ std::optional<std::string> differing_instability(const RecordedAttempt& attempt,
   const RecordedTexture texture = recorded_texture(
       model, inputs,
       {attempt.records, static_cast<std::uint64_t>(surface.row.position), attempt.rate_Hz});
-  const InstabilityRow again = instability_row(perceived_instability(model, inputs, texture));
+  const std::optional<InstabilityRow> again =
+      instability_row(perceived_instability(model, inputs, texture));
+  if (!again) return "the stored detectors have values, those of the recording are not finite";
   for (const ComparedValue& each : kCompared) {
     const std::optional<double>& stored = *surface.row.instability.*each.value;
-    const std::optional<double>& computed = again.*each.value;
+    const std::optional<double>& computed = *again.*each.value;
     const double tolerance = each.per_N * surface.stimulus.model->declaration.replay_tolerance_N;
     if (agree(stored, computed, agreement, tolerance)) continue;
     return std::string("the stored value of ") + each.name + " is " + stated(stored) +

@@ -43,8 +43,8 @@ struct ConformanceCourse {
 ///                   the penetration d: the plate without texture. Not of models with two bodies or with their own law of
 ///                   indentation
 ///   deterministic   two renderers with the same inputs, and one that is reset, give the same bits on the same path
-///   finite          force, torque and penetration are finite, the penetration is not negative, and there is no force without
-///                   contact: on a path into and out of contact and across the border of the patch, up to 1 m/s, with every
+///   finite          force, torque and penetration are finite as stored (rendered_tick.h), the penetration is not negative, and
+///                   there is no force without contact: on a path into and out of contact and across the border of the patch, up to 1 m/s, with every
 ///                   parameter of the model at its lower and its upper limit, and with 16 combinations of limits of all
 ///                   parameters; a point model also on a sphere
 ///   no_allocation   `reset` and `tick` make no heap calls

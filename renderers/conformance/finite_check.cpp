@@ -1,7 +1,6 @@
 #include "renderers/conformance/finite_check.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
@@ -23,13 +22,9 @@ constexpr int kJointRuns = 16;
 
 /// The first problem of a result; empty for none. A tool that is coupled to the hand pulls at it without contact.
 std::string problem_of(const RenderedTick& tick, bool has_bodies) {
-  const glm::dvec3& force_N = tick.wrench.force_N;
-  const glm::dvec3& torque_N_m = tick.wrench.torque_N_m;
-  double sum = tick.penetration_m;
-  for (int axis = 0; axis < 3; ++axis) sum += force_N[axis] + torque_N_m[axis];
-  if (!std::isfinite(sum)) return "a number that is not finite";
+  if (!is_finite_as_stored(tick)) return "a number that is not finite as stored";
   if (tick.penetration_m < 0.0) return "a negative penetration";
-  if (!has_bodies && tick.penetration_m == 0.0 && force_N != glm::dvec3(0.0)) {
+  if (!has_bodies && tick.penetration_m == 0.0 && tick.wrench.force_N != glm::dvec3(0.0)) {
     return "a force without contact";
   }
   return {};

@@ -70,8 +70,7 @@ void require_low_texture(ForceRenderer& renderer, const RendererInputs& inputs) 
     probe.position_m = {place_m, SurfaceProxy::kReach_m};
     renderer.reset(probe);
     const RenderedTick tick = renderer.tick(probe, 1e-3);
-    const glm::dvec3& force_N = tick.wrench.force_N;
-    if (!std::isfinite(tick.penetration_m + force_N.x + force_N.y + force_N.z)) {
+    if (!is_finite_as_stored(tick)) {
       std::string problem = "the model computes no finite force above the body";
       if (!renderer.error().empty()) problem += " (" + std::string(renderer.error()) + ')';
       throw std::invalid_argument(problem + "; correct the model or its parameters");

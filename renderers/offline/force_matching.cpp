@@ -165,6 +165,13 @@ double texture_force_rms_N(const ForceModel& model, const RendererInputs& inputs
     }
     mean_square_N2 += std::pow(band_rms(difference_N, path.rate_Hz, path.low_Hz, path.high_Hz), 2);
   }
+  if (!std::isfinite(mean_square_N2)) {
+    const std::string reason(renderer->error().empty() ? plate->error() : renderer->error());
+    throw std::invalid_argument(
+        "the force model " + model.declaration.id +
+        " computes a force that is not finite on the path of equal texture force" +
+        (reason.empty() ? "" : " (" + reason + ')') + "; correct the model or its parameters");
+  }
   return std::sqrt(mean_square_N2);
 }
 

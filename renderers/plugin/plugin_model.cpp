@@ -26,7 +26,8 @@ namespace {
 
 constexpr const char* kUncaught = "an exception left a function of the plug-in";
 constexpr const char* kInvalid =
-    "a result is not finite, or its normal force or penetration is negative";
+    "a result is not finite (more than 3.4e38 counts as infinite), or its normal force or "
+    "penetration is negative";
 
 /// A description and the library that it is in.
 struct Plugin {
@@ -346,10 +347,9 @@ class PluginRenderer final : public ForceRenderer {
   }
 
   static bool is_valid(const asperity_force& force) noexcept {
-    return std::isfinite(force.force_N[0]) && std::isfinite(force.force_N[1]) &&
-           std::isfinite(force.force_N[2]) && std::isfinite(force.normal_N) &&
-           std::isfinite(force.penetration_m) && force.normal_N >= 0.0 &&
-           force.penetration_m >= 0.0;
+    return is_finite_as_stored(glm::dvec3(force.force_N[0], force.force_N[1], force.force_N[2])) &&
+           is_finite_as_stored(force.normal_N) && is_finite_as_stored(force.penetration_m) &&
+           force.normal_N >= 0.0 && force.penetration_m >= 0.0;
   }
 
   std::string where() const {

@@ -16,8 +16,8 @@ namespace asperity {
 /// The model and its renderers keep `library`, so that the plug-in stays loaded while one of them exists. `file` is the name of
 /// the file, for PluginCall.
 ///
-/// A renderer whose plug-in reports an error, throws, or returns a number that is not finite or a negative normal force or
-/// penetration returns NaN from then on, until `reset`: ServoLoop raises Fault::not_finite, which latches the force at zero.
+/// A renderer whose plug-in reports an error, throws, or returns a number that is not finite as stored (rendered_tick.h) or a
+/// negative normal force or penetration returns NaN from then on, until `reset`: ServoLoop raises Fault::not_finite, which latches the force at zero.
 /// ForceRenderer::error states the reason, and the limits `plugin_error` and `plugin_not_valid` count the ticks.
 ///
 /// Errors: std::invalid_argument, naming the field and the correction, for another version of the interface and for a

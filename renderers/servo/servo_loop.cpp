@@ -31,11 +31,6 @@ bool is_finite(const ProbeState& probe) noexcept {
          std::isfinite(q.y) && std::isfinite(q.z);
 }
 
-bool is_finite(const RenderedTick& tick) noexcept {
-  return is_finite(tick.wrench.force_N) && is_finite(tick.wrench.torque_N_m) &&
-         std::isfinite(tick.penetration_m);
-}
-
 std::int32_t saturated(std::int64_t duration_ns) noexcept {
   return static_cast<std::int32_t>(
       std::clamp<std::int64_t>(duration_ns, std::numeric_limits<std::int32_t>::min(),
@@ -307,7 +302,7 @@ void ServoLoop::render(bool silent, double dt_s, TickRecord& record) noexcept {
   record.rendered = rendered.wrench;
   record.penetration_m = rendered.penetration_m;
   if (rendered.part != 0) record.presentation = rendered.part;
-  if (!is_finite(rendered)) {
+  if (!is_finite_as_stored(rendered)) {
     set(record, TickFlag::limited_not_finite);
     raise(Fault::not_finite);
     return;

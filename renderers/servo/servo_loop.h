@@ -26,7 +26,8 @@ enum class Fault : std::uint8_t {
   none,
   emergency_stop,
   device_lost,
-  not_finite,  ///< the device or the renderer produced a number that is not finite
+  /// The device or the renderer produced a number that is not finite as it is stored (rendered_tick.h).
+  not_finite,
   workspace_left,
   repeated_misses,  ///< more than ServoSettings::misses_to_fault deadlines missed within a second
   standstill,  ///< no tick for ServoSettings::standstill_to_fault_s while a surface was presented

@@ -1,9 +1,12 @@
 // The detectors of perceived instability in a session: stored, judged, and found again in the recording.
 
+#include <limits>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/records/recorded_attempt.h"
+#include "app/session/attempt_instability.h"
 #include "app/tasks/verify_instability.h"
 #include "app/words/coded_phrases.h"
 #include "device/simulated_models.h"
@@ -33,6 +36,29 @@ class InstabilityOfSession : public SessionTest {
     rig_ = std::make_unique<WatchedRig>(settings, 0);
   }
 };
+
+TEST(InstabilityRow, IsMissingWhereANumberOfADetectorIsNotFinite) {
+  const PerceivedInstability judged{.buzz = Buzz{.ratio = 0.5, .force_N = 0.1, .time_ns = 7},
+                                    .aliveness = Aliveness{.resting_s = 1.0, .net_work_J = 1e-6},
+                                    .ridge = Ridge{.crest_share = 0.3, .slow_s = 1.0}};
+  ASSERT_TRUE(instability_row(judged));
+  EXPECT_EQ(instability_row(judged)->buzz, 0.5);
+  for (const double number :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    PerceivedInstability wrong = judged;
+    wrong.buzz->ratio = number;
+    EXPECT_FALSE(instability_row(wrong));
+    wrong = judged;
+    wrong.aliveness->plate_N = number;
+    EXPECT_FALSE(instability_row(wrong));
+    wrong = judged;
+    wrong.aliveness->net_work_J = number;
+    EXPECT_FALSE(instability_row(wrong));
+    wrong = judged;
+    wrong.ridge->crest_share = number;
+    EXPECT_FALSE(instability_row(wrong));
+  }
+}
 
 TEST_F(InstabilityOfSession, IsStoredForEverySurfaceAndFoundAgainInTheRecording) {
   begin(small_protocol());

@@ -394,5 +394,29 @@ TEST_F(Plugin, LetsASimulationStopAfterItsTrialAtTheFirstCtrlC) {
   }
 }
 
+// 1e100 N is finite, and infinite in a recording.
+TEST_F(Plugin, IsADeviceFaultWhereItsForceIsTooGreatToBeStored) {
+  write_text(folder_ / "faulty.json", faulty_discrimination().dump());
+  const auto simulate_with = [&](const std::string& plugin, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"simulate",       folder_ / "faulty.json",
+                                       "--study",        study(),
+                                       "--participants", "1",
+                                       "--seed",         "1",
+                                       "--plugin",       ASPERITY_FAULTY_PLUGINS "/" + plugin};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return asperity(arguments);
+  };
+  const Outcome stopped = simulate_with("faulty_huge.so", {});
+  EXPECT_EQ(stopped.status, 1);
+  EXPECT_THAT(stopped.err,
+              HasSubstr("the plug-in of the force model faulty failed: a result is not "
+                        "finite (more than 3.4e38 counts as infinite)"));
+  const auto tables = exported(study(), folder_ / "out");
+  EXPECT_THAT(tsv(tables.at("attempts.tsv")).column("outcome"),
+              testing::ElementsAre("device_fault"));
+  const Outcome resumed = simulate_with("faulty_none.so", {"--resume"});
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+}
+
 }  // namespace
 }  // namespace asperity::test

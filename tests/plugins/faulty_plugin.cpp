@@ -31,6 +31,7 @@
 #define FAULT_exits 19
 #define FAULT_quits 20
 #define FAULT_quits_loading 21
+#define FAULT_huge 22
 #define IS(fault) (FAULT == FAULT_##fault)
 
 namespace {
@@ -70,6 +71,8 @@ class Faulty {
     if (IS(late) && depth_m < 0.001 && contact_ticks_ == 100) {
       throw std::runtime_error("the hundredth tick");
     }
+    // A finite number that is infinite in a recording.
+    if (IS(huge) && depth_m < 0.001 && contact_ticks_ == 100) force.force_N[0] = 1e100;
     return force;
   }
 

@@ -119,6 +119,11 @@ TEST(Conformance, IsViolatedByANumberThatIsNotFiniteAndByAForceInFreeSpace) {
     }
   };
   EXPECT_THAT(violated_by(with_fault(division)), testing::Contains("finite"));
+  // Infinite in a recording, which has floats.
+  const auto overflow = [](RenderedTick& result, int tick, double) {
+    if (tick == 200 && result.penetration_m > 0.0) result.wrench.torque_N_m.y = 1e39;
+  };
+  EXPECT_THAT(violated_by(with_fault(overflow)), testing::ElementsAre("finite"));
   const auto pull = [](RenderedTick& result, int, double) {
     if (result.penetration_m == 0.0) result.wrench.force_N.z = 0.1;
   };

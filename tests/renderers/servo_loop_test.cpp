@@ -348,23 +348,38 @@ TEST_F(ServoLoopTest, LatchesAVelocityThatIsNotFinite) {
   expect_latched(Fault::not_finite, tick());
 }
 
-TEST_F(ServoLoopTest, LatchesWhatARendererGivesThatIsNotFinite) {
+// A recording has floats, in which a finite number of 1e40, the penetration here, is infinite.
+TEST_F(ServoLoopTest, LatchesWhatARendererGivesThatIsNotFiniteAsItIsStored) {
   for (double UnitPlate::*part :
        {&UnitPlate::force_N, &UnitPlate::torque_N_m, &UnitPlate::penetrations}) {
-    UnitPlate& plate = present();
-    lift();
-    ticks(60);
-    touch();
-    ASSERT_EQ(tick().sent.force_N.z, 1.0);
-    plate.*part = kNan;
-    const TickRecord record = tick();
-    expect_latched(Fault::not_finite, record);
-    EXPECT_TRUE(record.has(TickFlag::limited_not_finite));
-    loop.withdraw();
-    loop.clear_fault(Fault::not_finite);
-    tick();
-    EXPECT_EQ(loop.collect().id, 7U);
+    for (const double number : {kNan, kInfinity, 1e43}) {
+      UnitPlate& plate = present();
+      lift();
+      ticks(60);
+      touch();
+      ASSERT_EQ(tick().sent.force_N.z, 1.0);
+      plate.*part = number;
+      const TickRecord record = tick();
+      expect_latched(Fault::not_finite, record);
+      EXPECT_TRUE(record.has(TickFlag::limited_not_finite));
+      loop.withdraw();
+      loop.clear_fault(Fault::not_finite);
+      tick();
+      EXPECT_EQ(loop.collect().id, 7U);
+    }
   }
+}
+
+TEST_F(ServoLoopTest, LimitsAForceThatIsFiniteAsItIsStored) {
+  UnitPlate& plate = present();
+  lift();
+  ticks(60);
+  touch();
+  plate.force_N = std::numeric_limits<float>::max();
+  const TickRecord record = tick();
+  EXPECT_EQ(loop.status().fault, Fault::none);
+  EXPECT_TRUE(record.has(TickFlag::limited_force));
+  EXPECT_LE(record.sent.force_N.z, device.limits().force_N);
 }
 
 TEST_F(ServoLoopTest, LatchesAProbeThatLeavesTheWorkspace) {
