@@ -69,6 +69,13 @@ class HapticDevice {
   /// Zero force at once, past the slew limit.
   void zero_force() noexcept;
 
+  /// Zero force while a tick does not return: the servo thread is in `read`, in `push`, or in between. From one other
+  /// thread, which waits for nothing that the servo thread may hold, and calls it again and again until the tick returns,
+  /// because a push that was under way can come after it. The pushes of the ticks that follow have the same effect as
+  /// before. How far it reaches depends on the driver (docs/devices.md). It may not return where the manufacturer's
+  /// functions do not.
+  virtual void zero_force_from_outside() noexcept = 0;
+
   /// For a device with Pacing::theirs: from now on its own thread calls. While it does, `read`, `push`
   /// and `zero_force` belong to that thread, inside the call.
   /// Errors: std::logic_error for a device that we pace; std::runtime_error with a sentence when the

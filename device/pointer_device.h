@@ -48,6 +48,8 @@ class PointerDevice final : public HapticDevice {
   /// `samples` must outlive the device.
   explicit PointerDevice(LatestValue<PointerSample>& samples, const PointerSettings& settings = {});
 
+  void zero_force_from_outside() noexcept override {}
+
  private:
   bool do_read(std::int64_t now_ns, ProbeState& state) noexcept override;
   bool do_send(const Wrench&) noexcept override { return true; }

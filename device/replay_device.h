@@ -38,6 +38,7 @@ class ReplayDevice final : public HapticDevice {
   bool is_over() const noexcept { return is_over_; }
 
   void begin_attempt() noexcept override { begins_.store(true); }
+  void zero_force_from_outside() noexcept override {}
 
  private:
   bool do_read(std::int64_t now_ns, ProbeState& state) noexcept override;

@@ -130,7 +130,7 @@ bool SimulatedDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
       }
     }
   }
-  if (lost_) {
+  if (lost_ || is_zeroed_.load(std::memory_order_relaxed)) {
     pushed_ = Wrench{};
   }
   move_until(now_ns);
@@ -148,6 +148,7 @@ bool SimulatedDevice::do_send(const Wrench& limited) noexcept {
     return false;
   }
   pushed_ = limited;
+  is_zeroed_.store(false, std::memory_order_relaxed);
   const double strength_N = glm::length(limited.force_N);
   if (settings_.saturation_force_N > 0.0 && strength_N > settings_.saturation_force_N) {
     pushed_.force_N *= settings_.saturation_force_N / strength_N;

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -92,6 +93,8 @@ class SimulatedDevice final : public HapticDevice {
   SimulatedDevice(VirtualHand& hand, const SimulatedDeviceSettings& settings);
   ~SimulatedDevice() override;
 
+  void zero_force_from_outside() noexcept override { is_zeroed_.store(true); }
+
  private:
   bool do_read(std::int64_t now_ns, ProbeState& state) noexcept override;
   bool do_send(const Wrench& limited) noexcept override;
@@ -104,6 +107,7 @@ class SimulatedDevice final : public HapticDevice {
   ProbeState probe_{};
   ImperfectSensor sensor_;
   Wrench pushed_{};
+  std::atomic<bool> is_zeroed_{false};  ///< from outside, since the last push
   std::int64_t first_ns_ = 0;
   bool started_ = false;
   bool lost_ = false;

@@ -133,6 +133,9 @@ bool FalconDevice::do_send(const Wrench& limited) noexcept {
   return true;
 }
 
+// The thread of the line sends it with its next frame.
+void FalconDevice::zero_force_from_outside() noexcept { line_->command({}); }
+
 std::string FalconDevice::trouble() const {
   const std::string it =
       "The Novint Falcon" + (capability().serial.empty() ? "" : " " + capability().serial);

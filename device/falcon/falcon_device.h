@@ -59,6 +59,7 @@ class FalconDevice final : public HapticDevice {
   static std::unique_ptr<FalconDevice> open(const FalconSettings& settings);
   ~FalconDevice() override;
 
+  void zero_force_from_outside() noexcept override;
   std::string trouble() const override;
 
  private:

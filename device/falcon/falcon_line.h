@@ -53,7 +53,7 @@ struct LineSettings {
 /// std::runtime_error with a sentence where that fails; OpeningStopped where `stop` asks for it.
 ///
 /// Threads: owns one, at SCHED_FIFO only while it exchanges frames, not while it looks for a device.
-/// `take` and `command` belong to one other. The destructor waits for the transfer under way and does
+/// `take` and `command` belong to one other; `command` with zero words may come from any. The destructor waits for the transfer under way and does
 /// not begin another but the parting zero: 0.5 s at the worst, while firmware is loaded, and a second more where the
 /// device takes no zero and it is left to the watchdog; for a search
 /// 0.6 s more for each Falcon on the bus that answers nothing.

@@ -309,6 +309,12 @@ bool ForceDimensionDevice::do_send(const Wrench& limited) noexcept {
   return take(answer, "dhdSetForceAndTorqueAndGripperForce") && force_is_on_;
 }
 
+void ForceDimensionDevice::zero_force_from_outside() noexcept {
+  // While the keeper has it, the device is being closed or opened again, at zero.
+  const std::unique_lock alone(mutex_, std::try_to_lock);
+  if (alone.owns_lock() && !is_closed_) set_zero_force(*sdk_, id_);
+}
+
 std::string ForceDimensionDevice::trouble() const {
   const std::string who = capability().model + " " + capability().serial;
   std::string sentences;

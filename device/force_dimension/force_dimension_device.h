@@ -48,7 +48,8 @@ namespace asperity {
 /// Errors: the constructor throws std::runtime_error with a sentence if the device cannot be opened, is of
 /// an unknown type, or has lost its zero and may not or cannot find it.
 ///
-/// Threads: `trouble` from any; the rest as HapticDevice.
+/// Threads: `trouble` from any; the rest as HapticDevice. `zero_force_from_outside` calls the SDK in a second thread, as
+/// the regulation of libdrd does; where a call of the servo thread hangs in the SDK, this one may hang as well.
 ///
 /// Real-time: as far as the SDK's functions are.
 class ForceDimensionDevice final : public HapticDevice {
@@ -73,6 +74,7 @@ class ForceDimensionDevice final : public HapticDevice {
   /// For velocities: a delay of 2 ms at 1 kHz, and noise of σ·316/s for an error σ of each position.
   static constexpr VelocityWindow kWindow{.samples = 5};
 
+  void zero_force_from_outside() noexcept override;
   std::string trouble() const override;
 
  private:

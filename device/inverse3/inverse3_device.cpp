@@ -251,6 +251,14 @@ struct Inverse3Device::Line {
   std::atomic<bool> is_watched{true};     ///< otherwise nobody would take its force away for us
   std::atomic<bool> is_elsewhere{false};  ///< with axes or an origin other than when it was opened
 
+  std::mutex tick_mutex{};  ///< for `is_in_tick`; no tick holds it
+  bool is_in_tick = false;  ///< the connection is not used by the driver's thread
+
+  void note_tick(bool is_under_way) {
+    const std::lock_guard lock(tick_mutex);
+    is_in_tick = is_under_way;
+  }
+
   bool must_stop() {
     const std::lock_guard lock(mutex);
     return stopping;
@@ -293,7 +301,9 @@ struct Inverse3Device::Line {
       state = state_from(*update, id, grip_id);
       knows_device.store(state.has_value());
       wanted = Wrench{};
+      note_tick(true);
       call.function(call.argument);
+      note_tick(false);
       message = command(wanted.force_N);
       std::this_thread::sleep_until(sent + period);
       // An update that came after all, for a message that was thought lost, must not be taken for the next one.
@@ -422,6 +432,12 @@ void Inverse3Device::stop_calls() noexcept {
   }
   line_->changed.notify_all();
   line_->thread.join();
+}
+
+void Inverse3Device::zero_force_from_outside() noexcept {
+  const std::lock_guard lock(line_->tick_mutex);
+  // Between two ticks the thread of the driver runs, and sends by itself.
+  if (line_->is_in_tick) shut_down_inverse3(WatchdogProcess::Cause::stopped, &line_->shutdown);
 }
 
 bool Inverse3Device::do_read(std::int64_t now_ns, ProbeState& state) noexcept {

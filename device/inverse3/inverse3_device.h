@@ -56,6 +56,9 @@ struct Inverse3Patience {
 /// where no process can be started, and for another preset, basis or transform: its axes or its millimetres would not be ours; OpeningStopped at once when
 /// `stop` is asked for.
 ///
+/// While a tick does not return, `zero_force_from_outside` sends that request over the connection, which its thread does
+/// not use within a tick.
+///
 /// Threads: `trouble` from any; the rest as HapticDevice. `stop_calls` takes up to 1.5 s where the service has fallen
 /// silent, and where a host that is a name has to be found anew.
 ///
@@ -68,6 +71,7 @@ class Inverse3Device final : public HapticDevice {
 
   void start_calls(const TickCall& call) override;
   void stop_calls() noexcept override;
+  void zero_force_from_outside() noexcept override;
   std::string trouble() const override;
 
  private:

@@ -21,7 +21,8 @@ struct Inverse3Shutdown {
   static Inverse3Shutdown over(int file, std::string_view message);
 };
 
-/// What a WatchdogProcess does for an Inverse3; `about` is a Inverse3Shutdown. While the program stands still the
+/// What a WatchdogProcess does for an Inverse3, and the driver while a tick of its own thread does not return (as `stopped`);
+/// `about` is a Inverse3Shutdown. While the program stands still the
 /// connection stays open and the service would hold the last force: it hears the message, as long as it takes what it is
 /// told and the program has no more than some hundred answers to read when it goes on. Once the program has ended it
 /// hears it as the last word of the connection.

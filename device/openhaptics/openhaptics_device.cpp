@@ -85,8 +85,9 @@ struct OpenHapticsDevice::Servo {
   glm::dvec3 turned_rad{0.0};
   glm::dquat last_orientation{1.0, 0.0, 0.0, 0.0};
 
-  std::atomic<bool> has_begun{false};  ///< its first frame
-  std::atomic<bool> is_done{false};    ///< its last call was answered with "no more"
+  std::atomic<bool> has_begun{false};        ///< its first frame
+  std::atomic<bool> is_done{false};          ///< its last call was answered with "no more"
+  std::atomic<bool> is_switched_off{false};  ///< its force output, because a tick did not return
   std::atomic<unsigned int> last_error{0};
   std::atomic<int> frames_since_error{0};
 
@@ -100,6 +101,7 @@ struct OpenHapticsDevice::Servo {
     wanted = Wrench{};
     has_begun.store(false);
     is_done.store(false);
+    is_switched_off.store(false);
     last_error.store(0);
     velocity.reset();
     angular_velocity.reset();
@@ -125,7 +127,10 @@ struct OpenHapticsDevice::Servo {
         frames_since_error.load(std::memory_order_relaxed) < kFramesToForget) {
       frames_since_error.fetch_add(1, std::memory_order_relaxed);
     }
-    if (was_wanted) return HdFunctions::kContinue;
+    if (was_wanted) {
+      if (is_switched_off.exchange(false)) hd->hdEnable(HdFunctions::kForceOutput);
+      return HdFunctions::kContinue;
+    }
     is_done.store(true, std::memory_order_release);
     return HdFunctions::kDone;
   }
@@ -305,6 +310,14 @@ void OpenHapticsDevice::switch_off() noexcept {
   if (has_other_rate_) hd_->hdSetSchedulerRate(static_cast<unsigned long>(kUsualRate_Hz));
   has_other_rate_ = false;
   hd_->take_errors();
+}
+
+void OpenHapticsDevice::zero_force_from_outside() noexcept {
+  if (is_given_up_) return;
+  hd_->hdMakeCurrentDevice(servo_->handle);
+  hd_->hdDisable(HdFunctions::kForceOutput);
+  // Last: a frame that ends in between is followed by one that switches it on.
+  servo_->is_switched_off.store(true);
 }
 
 bool OpenHapticsDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept {

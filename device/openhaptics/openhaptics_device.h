@@ -28,7 +28,9 @@ namespace asperity {
 /// Errors: the constructor and `start_calls` throw std::runtime_error with a sentence; a device that says that it
 /// is not calibrated is refused.
 ///
-/// Threads: `trouble` from any; the rest as HapticDevice. `stop_calls` waits for a tick under way. Where libHD's
+/// Threads: `trouble` from any; the rest as HapticDevice. `zero_force_from_outside` switches force output off, with
+/// which libHD documents that it turns the motors off; the first frame that comes to its end, at zero force, switches
+/// it on again. Whether libHD does so while its own thread hangs is not documented. `stop_calls` waits for a tick under way. Where libHD's
 /// thread hangs in its own code, it gives up after half a second and leaves behind what that thread may still look
 /// at; nobody reaches the motors then, and the device stays in use until the program ends. Where it does not hang,
 /// hdStopScheduler is waited for, as long as that takes libHD.
@@ -42,6 +44,7 @@ class OpenHapticsDevice final : public HapticDevice {
 
   void start_calls(const TickCall& call) override;
   void stop_calls() noexcept override;
+  void zero_force_from_outside() noexcept override;
   std::string trouble() const override;
 
  private:

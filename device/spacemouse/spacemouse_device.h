@@ -42,6 +42,7 @@ class SpaceMouseDevice final : public HapticDevice {
   explicit SpaceMouseDevice(const spacemouse::LineSettings& which,
                             const spacemouse::RateControlSettings& motion = {});
 
+  void zero_force_from_outside() noexcept override {}
   std::string trouble() const override;
 
  private:

@@ -744,5 +744,19 @@ TEST(SimulatedDevice, DoesNotTouchTheHeap) {
   EXPECT_EQ(guard.count(), 0);
 }
 
+// As the watch does while a tick hangs: the probe is held by the hand alone until the next push.
+TEST(SimulatedDevice, ExertsNoForceFromThePointAtWhichItWasZeroedFromOutside) {
+  VirtualHand hand(kSteady, Random(1));
+  SimulatedDevice device(hand, {});
+  const auto push = [](const ProbeState&, double) { return glm::dvec3{0.0, 0.0, 1.0}; };
+  run(device, 1000.0, 0.0, 0.4, push);
+  const double pushed_m = device.read(nanoseconds(0.4)).value().position_m.z;
+  device.zero_force_from_outside();
+  const double held_m = device.read(nanoseconds(0.44)).value().position_m.z;
+  EXPECT_LT(held_m, pushed_m - 1e-4);
+  run(device, 1000.0, 0.441, 0.8, push);
+  EXPECT_NEAR(device.read(nanoseconds(0.8)).value().position_m.z, pushed_m, 1e-5);
+}
+
 }  // namespace
 }  // namespace asperity

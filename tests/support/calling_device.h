@@ -61,6 +61,7 @@ class CallingDevice final : public HapticDevice {
     gate_.close();
     is_lost_ = false;
   }
+  void zero_force_from_outside() noexcept override { last_force_N.store(0.0); }
   std::string trouble() const override { return is_lost_ ? "The Calling 7 is too warm." : ""; }
 
  private:

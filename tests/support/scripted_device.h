@@ -49,6 +49,11 @@ class ScriptedDevice final : public HapticDevice {
   int sent = 0;
   Wrench last_sent{};
 
+  std::function<void()> at_zero_from_outside{};  ///< in the thread of the watch
+
+  void zero_force_from_outside() noexcept override {
+    if (at_zero_from_outside) at_zero_from_outside();
+  }
   std::string trouble() const override { return trouble_text; }
   using HapticDevice::gave_less;
   using HapticDevice::gave_only;
