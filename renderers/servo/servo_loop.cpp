@@ -183,6 +183,13 @@ ServoStatus ServoLoop::status() const noexcept {
   return status;
 }
 
+TickProgress ServoLoop::progress() const noexcept {
+  return {.begun = begun_.load(std::memory_order_acquire),
+          .ended = ticks_.load(std::memory_order_acquire),
+          .presenting = presenting_.load(std::memory_order_acquire),
+          .rendering = rendering_.load(std::memory_order_acquire)};
+}
+
 void ServoLoop::publish_status() noexcept {
   const Servo& servo = *servo_;
   // A reader that sees one of the values below through their release also sees the odd version.
@@ -209,6 +216,7 @@ void ServoLoop::exchange_presentations() noexcept {
     servo.leaving = servo.felt->number <= withdrawn_up_to_.load(std::memory_order_acquire);
     servo.start_over();
   }
+  presenting_.store(servo.felt != nullptr, std::memory_order_release);
 }
 
 bool ServoLoop::is_standstill(std::int64_t from_ns, std::int64_t to_ns) const noexcept {
@@ -289,6 +297,7 @@ void ServoLoop::render(bool silent, double dt_s, TickRecord& record) noexcept {
   ForceRenderer& renderer = *servo.felt->presentation.renderer;
   set(record, TickFlag::presenting);
   double renderer_dt_s = 1.0 / settings_.rate_Hz;
+  rendering_.store(true, std::memory_order_release);
   if (servo.to_be_reset) {
     set(record, TickFlag::first_of_presentation);
     renderer.reset(record.probe);
@@ -299,6 +308,7 @@ void ServoLoop::render(bool silent, double dt_s, TickRecord& record) noexcept {
   servo.last_rendered_ns = record.probe.time_ns;
 
   const RenderedTick rendered = renderer.tick(record.probe, renderer_dt_s);
+  rendering_.store(false, std::memory_order_release);
   record.rendered = rendered.wrench;
   record.penetration_m = rendered.penetration_m;
   if (rendered.part != 0) record.presentation = rendered.part;
@@ -363,6 +373,7 @@ void ServoLoop::send(double elapsed_s, TickRecord& record) noexcept {
 
 void ServoLoop::tick(std::int64_t now_ns, std::int64_t deadline_ns, ClockReading clock) noexcept {
   Servo& servo = *servo_;
+  begun_.store(servo.ticks + 1, std::memory_order_release);
   const double period_s = 1.0 / settings_.rate_Hz;
   const double dt_s =
       servo.has_ticked ? clamped_dt_s(servo.last_tick_ns, now_ns, settings_.rate_Hz) : period_s;

@@ -62,6 +62,19 @@ struct ServoStatus {
   bool position_jumped = false;
 };
 
+/// The ticks of the loop, seen from outside (tick_watch.h). Any thread can read it, also while a tick is under way.
+struct TickProgress {
+  std::uint64_t begun = 0;
+  std::uint64_t ended = 0;
+  bool presenting = false;  ///< the loop has a presentation, which its ticks render
+  bool rendering = false;   ///< the renderer has been called and has not returned
+
+  /// Whether the tick that was under way at `earlier` still is.
+  bool hangs_since(const TickProgress& earlier) const noexcept {
+    return begun != ended && begun == earlier.begun && ended == earlier.ended;
+  }
+};
+
 /// Reads the device, runs the renderer and sends the wrench, once per call of `tick`.
 ///
 /// The loop has no thread and no clock: ServoThread paces it in real time, and the conductor steps it on a simulated
@@ -71,7 +84,8 @@ struct ServoStatus {
 ///
 /// A standstill (the machine was suspended, or the program was stopped by a signal or a debugger, or starved of
 /// processor time) is a fault while a surface is presented. Otherwise it is only counted, and the next presentation
-/// begins with a dt of one period.
+/// begins with a dt of one period. A tick that does not return can detect nothing: then the watch of the thread raises the
+/// fault (tick_watch.h).
 ///
 /// Guarantees:
 /// - A presentation starts at gain 0 and rises to 1 over `ramp_s`, counted from the first tick with penetration 0: a
@@ -94,8 +108,8 @@ struct ServoStatus {
 ///   recording are therefore sufficient to replay it (`offline/replay.h`).
 ///
 /// Threads: `tick` belongs to one thread (the servo). `present`, `withdraw`, `collect` and `heartbeat` belong to one
-/// other thread (the conductor). `emergency_stop`, `lose_device` and `status` may be called from any thread,
-/// `clear_fault` from the conductor's.
+/// other thread (the conductor). `emergency_stop`, `lose_device`, `stand_still`, `status` and `progress` may be called from
+/// any thread, `clear_fault` from the conductor's.
 ///
 /// Real-time: `tick` does not allocate, free, lock, log or throw. The caller of `collect` destroys a presentation; the
 /// tick never does.
@@ -123,10 +137,13 @@ class ServoLoop final {
   void emergency_stop() noexcept;
   /// Raises `device_lost` without a tick, for a device with its own pacing that has stopped calling. From any thread.
   void lose_device() noexcept { raise(Fault::device_lost); }
+  /// Raises `standstill` without a tick, where one does not return or none begins. From any thread.
+  void stand_still() noexcept { raise(Fault::standstill); }
   /// Clears the fault `seen`, which the caller read from `status`; a different fault that has been raised since
   /// remains.
   void clear_fault(Fault seen) noexcept;
   ServoStatus status() const noexcept;
+  TickProgress progress() const noexcept;
 
   /// Reads the clock that `now_ns` was read from.
   using ClockReading = std::int64_t (*)() noexcept;
@@ -170,6 +187,11 @@ class ServoLoop final {
   std::atomic<std::uint64_t> ticks_{0};
   std::atomic<std::uint64_t> missed_deadlines_{0};
   std::atomic<std::uint64_t> presentation_{0};
+
+  // For an observer of a tick that is under way.
+  std::atomic<std::uint64_t> begun_{0};
+  std::atomic<bool> presenting_{false};
+  std::atomic<bool> rendering_{false};
 
   std::unique_ptr<Servo> servo_;
 };

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <thread>
 
 #include "device/monotonic_clock.h"
 #include "renderers/servo/servo_loop.h"
@@ -19,19 +20,26 @@ enum class Scheduling { normal, fifo, fifo_if_permitted };
 /// the stack is touched where permitted.
 ///
 /// A device with Pacing::theirs is not paced: its own thread runs the tick, and that thread's scheduling is outside the
-/// control of this class. Each tick is due one period after the previous one began. A separate watch thread raises
-/// `device_lost` if no call has begun for ServoSettings::silence_to_fault_s, and raises it again after each
-/// `clear_fault` while the silence lasts. Zero force is then sent with the next call; until then only the device itself
-/// can switch its force off.
+/// control of this class. Each tick is due one period after the previous one began.
+///
+/// A separate thread watches the ticks (tick_watch.h), with a higher priority than the servo thread where permitted. Where a
+/// tick does not return, it raises `standstill`, and from 5 ms later on sets the force to zero from outside
+/// (HapticDevice::zero_force_from_outside) every 5 ms until a tick returns. Where a device with its own pacing makes no call,
+/// it raises `device_lost` in the same way. Both are raised again after each `clear_fault` while the cause lasts.
 ///
 /// Errors: the constructor throws std::runtime_error if `fifo` is demanded and refused, naming the limit to raise, or
 /// is demanded of a device's own thread; and in the cases of HapticDevice::start_calls.
 ///
-/// Threads: owns one. The destructor stops it, joins it, and leaves the device at zero force. It does not wait for a
-/// device's own thread that does not respond.
+/// Threads: owns two. The destructor stops them, joins them, and leaves the device at zero force. It does not wait for a
+/// device's own thread that does not respond. With `kept` it waits for a tick for one second only (TickWatch::kWithoutSurface
+/// times ServoSettings::standstill_to_fault_s): a tick that does not return is left behind, with the watch, which still sets
+/// the force to zero, and ends the thread and releases `kept` if the tick returns after all. Without `kept` it waits until
+/// the tick returns.
 class ServoThread final {
  public:
-  ServoThread(ServoLoop& loop, HapticDevice& device, Scheduling scheduling);
+  /// `kept` owns the loop, the device, and everything that they use; null: they outlive this object.
+  ServoThread(ServoLoop& loop, HapticDevice& device, Scheduling scheduling,
+              std::shared_ptr<void> kept = {});
   ~ServoThread();
   ServoThread(const ServoThread&) = delete;
   ServoThread& operator=(const ServoThread&) = delete;
@@ -41,13 +49,16 @@ class ServoThread final {
   const std::string& scheduling() const noexcept { return scheduling_; }
 
  private:
+  struct Ticks;
   struct Pacer;
   struct Called;
-  void start_pacing(ServoLoop& loop, HapticDevice& device, Scheduling scheduling);
-  void start_being_called(ServoLoop& loop, HapticDevice& device, Scheduling scheduling);
+  void start_pacing(ServoLoop& loop, HapticDevice& device, Scheduling scheduling,
+                    std::shared_ptr<void> kept);
+  void start_being_called(ServoLoop& loop, HapticDevice& device, Scheduling scheduling,
+                          std::shared_ptr<void> kept);
 
-  std::unique_ptr<Pacer> pacer_;    // for a device that is paced
-  std::unique_ptr<Called> called_;  // for Pacing::theirs; the other one is null
+  std::shared_ptr<Ticks> ticks_;  // shared with the watch
+  std::thread watch_{};
   bool locked_memory_ = false;
   std::string scheduling_{};
 };

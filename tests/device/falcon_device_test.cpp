@@ -26,6 +26,7 @@
 #include "tests/device/emulated_falcon.h"
 #include "tests/device/falcon_arm_angles.h"
 #include "tests/device/falcon_run.h"
+#include "tests/device/hanging_tick.h"
 #include "tests/device/ticks.h"
 #include "tests/device/watchdog_child.h"
 #include "tests/support/allocation_guard.h"
@@ -488,6 +489,15 @@ TEST_F(Falcon, HasItsMotorsAtZeroWhenNobodyPushesAnyMoreAndAtTheEnd) {
   device.reset();
   EXPECT_EQ(emulated.motor_words(), kNoWords);
   EXPECT_FALSE(emulated.is_held());
+}
+
+// Long before the line takes an old force away by itself: for the line, time passes a hundred times as slowly.
+TEST_F(Falcon, HasItsMotorsAtZeroWhileATickHangs) {
+  EmulatedFalcon emulated(bus(), {});
+  FalconSettings slow = settings();
+  slow.line.clock = [] { return monotonic_now_ns() / 100; };
+  const auto device = FalconDevice::open(slow);
+  expect_zero_force_while_a_tick_hangs(*device, [&] { return emulated.motor_words() != kNoWords; });
 }
 
 pid_t start_victim() {

@@ -8,6 +8,7 @@
 #include "device/force_dimension/force_dimension_device.h"
 #include "device/vendor_library.h"
 #include "renderers/servo/servo_loop.h"
+#include "tests/device/hanging_tick.h"
 #include "tests/device/vendors/test_dhd.h"
 
 namespace asperity {
@@ -63,6 +64,51 @@ TEST(ForceDimensionUnderTheServo, RampsAForceThatWasOffForOneTick) {
   EXPECT_LE(sent_N(2), each_tick_N + 1e-12);
   EXPECT_LE(sent_N(25), 26.0 * each_tick_N + 1e-12);
   EXPECT_NEAR(sent_N(60), kForce_N, 1e-12);
+}
+
+TEST(ForceDimensionUnderTheServo, HasZeroForceWhileATickHangs) {
+  const VendorLibrary library("the stand-in", {ASPERITY_TEST_DRD});
+  TestDhdBench bench_of = nullptr;
+  library.find("test_dhd_bench", bench_of);
+  TestDhdLock lock_of = nullptr;
+  library.find("test_dhd_lock", lock_of);
+  const test_dhd::SharedBench bench(bench_of(), lock_of());
+  *bench_of() = test_dhd::Bench{};
+  bench->units.push_back({.type = 33, .serial = 101});
+  ForceDimensionDevice device(std::make_shared<const DhdFunctions>(ASPERITY_TEST_DRD), 0);
+  expect_zero_force_while_a_tick_hangs(device, [&bench] { return bench->units[0].sent[2] != 0.0; });
+}
+
+// The servo thread is in a call that does not return, and so is the thread that would send zero: only the watchdog of the
+// manufacturer can switch the force off. The fault comes all the same, and zero once the SDK returns.
+TEST(ForceDimensionUnderTheServo, KeepsItsForceWhereTheSdkHangsUntilItReturns) {
+  const VendorLibrary library("the stand-in", {ASPERITY_TEST_DRD});
+  TestDhdBench bench_of = nullptr;
+  library.find("test_dhd_bench", bench_of);
+  TestDhdLock lock_of = nullptr;
+  library.find("test_dhd_lock", lock_of);
+  const test_dhd::SharedBench bench(bench_of(), lock_of());
+  *bench_of() = test_dhd::Bench{};
+  bench->units.push_back({.type = 33, .serial = 101});
+  ForceDimensionDevice device(std::make_shared<const DhdFunctions>(ASPERITY_TEST_DRD), 0);
+  ServoSettings settings = patient_servo();
+  settings.standstill_to_fault_s = ServoSettings{}.standstill_to_fault_s;
+  RecordRing records(1 << 16);
+  ServoLoop loop(device, records, settings);
+  loop.present({.id = 1, .renderer = std::make_unique<OneNewton>()});
+  const ServoThread thread(loop, device, Scheduling::normal);
+  ASSERT_TRUE(eventually([&] {
+    if (const Fault fault = loop.status().fault; fault != Fault::none) loop.clear_fault(fault);
+    return bench->units[0].sent[2] != 0.0;
+  }));
+  {
+    // Every function of the stand-in waits for it, as for a lock of the SDK.
+    const test_dhd::SharedBench::Held hangs = bench.operator->();
+    EXPECT_TRUE(eventually([&] { return loop.status().fault == Fault::standstill; }));
+    EXPECT_FALSE(loop.progress().rendering);
+    EXPECT_NE(hangs.bench->units[0].sent[2], 0.0);
+  }
+  EXPECT_TRUE(eventually([&] { return bench->units[0].sent[2] == 0.0; }));
 }
 
 }  // namespace

@@ -21,6 +21,7 @@
 #include "device/inverse3/web_socket.h"
 #include "renderers/servo/servo_loop.h"
 #include "renderers/servo/servo_thread.h"
+#include "tests/device/hanging_tick.h"
 #include "tests/device/read_and_push.h"
 #include "tests/device/vendors/test_inverse_service.h"
 #include "tests/device/watchdog_child.h"
@@ -608,6 +609,14 @@ TEST_F(Inverse3, IsLostWithItsWordsOnItAndWithoutForceAfterFiftyMillisecondsOfSi
   EXPECT_THAT(bench([](auto& it) { return it.force_N; }), ElementsAre(0.0, 0.0, 0.0));
   bench([](auto& it) { it.answers_to_drop = 0; });
   while (!device->complaint().empty()) std::this_thread::yield();
+}
+
+// The service holds the last force; the thread that would send the next hangs.
+TEST_F(Inverse3, IsAskedForNoForceWhileATickHangs) {
+  const auto device = open();
+  const int connections = bench([](auto& it) { return it.connections; });
+  expect_zero_force_while_a_tick_hangs(*device, [this] { return has_force(); });
+  EXPECT_EQ(bench([](auto& it) { return it.connections; }), connections);
 }
 
 // Somebody who waits for a service that takes the connection and says nothing, or not even that.

@@ -17,6 +17,7 @@
 #include "device/vendor_library.h"
 #include "renderers/servo/servo_loop.h"
 #include "renderers/servo/servo_thread.h"
+#include "tests/device/hanging_tick.h"
 #include "tests/device/long_tick.h"
 #include "tests/device/read_and_push.h"
 #include "tests/device/vendors/test_hd.h"
@@ -385,6 +386,16 @@ TEST_F(OpenHaptics, IsLostWithItsWordsOnItAfterFiftyMillisecondsWithoutAFrame) {
                     HasSubstr("for more than 50 ms")));
   bench->hangs = false;
   while (!device->complaint().empty()) std::this_thread::yield();
+}
+
+TEST_F(OpenHaptics, HasItsForceSwitchedOffWhileATickHangs) {
+  const auto device = open();
+  device->set_limits({.force_N = 3.0, .torque_N_m = 0.1, .slew_N = 1e6});
+  expect_zero_force_while_a_tick_hangs(*device, [this] {
+    const std::lock_guard lock(bench->mutex);
+    return bench->gives_force && std::hypot(bench->force_N[0], bench->force_N[1]) > 0.5;
+  });
+  EXPECT_EQ(bench->disorders, 0);
 }
 
 TEST_F(OpenHaptics, LeavesAThreadThatHangsBehind) {

@@ -4,6 +4,7 @@
 #include "renderers/servo/servo_thread.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <memory>
 #include <stdexcept>
@@ -14,6 +15,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/calling_device.h"
+#include "tests/support/eventually.h"
+#include "tests/support/hanging_push.h"
 #include "tests/support/patient_servo.h"
 #include "tests/support/refusal.h"
 #include "tests/support/scripted_device.h"
@@ -113,6 +116,104 @@ TEST(ServoThread, ObeysAnEmergencyStopFromAnotherThread) {
   EXPECT_TRUE(last.has(TickFlag::fault_latched));
   EXPECT_EQ(last.sent.force_N.z, 0.0);
   EXPECT_EQ(loop.status().fault, Fault::emergency_stop);
+}
+
+/// Patient with everything but ticks that do not return.
+ServoSettings watched_servo(double standstill_to_fault_s = 0.05) {
+  ServoSettings settings = patient_servo();
+  settings.standstill_to_fault_s = standstill_to_fault_s;
+  settings.silence_to_fault_s = 1e6;
+  return settings;
+}
+
+TEST(ServoThread, RaisesAStandstillAndThenZeroesTheForceFromOutsideWhileATickHangs) {
+  const auto hang = std::make_shared<Hang>();
+  ScriptedDevice device;
+  RecordRing ring;
+  ServoLoop loop(device, ring, watched_servo());
+  std::atomic<int> zeroed{0};
+  std::atomic<bool> is_fault_first{true};
+  device.at_zero_from_outside = [&] {
+    if (loop.status().fault == Fault::none) is_fault_first = false;
+    ++zeroed;
+  };
+  loop.present({.id = 1, .renderer = std::make_unique<HangingPush>(hang)});
+  hang->is_wanted = true;
+  const ServoThread thread(loop, device, Scheduling::normal);
+  const HangEnds at_the_end(hang);
+  ASSERT_TRUE(eventually([&] { return hang->is_under_way.load(); }));
+  const auto began = std::chrono::steady_clock::now();
+  ASSERT_TRUE(eventually([&] { return zeroed > 0; }));
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(1));
+  EXPECT_EQ(loop.status().fault, Fault::standstill);
+
+  // Again and again, and whoever clears the fault finds it again.
+  const int before = zeroed;
+  loop.clear_fault(Fault::standstill);
+  EXPECT_TRUE(eventually([&] { return loop.status().fault == Fault::standstill; }));
+  EXPECT_TRUE(eventually([&] { return zeroed > before + 3; }));
+  EXPECT_TRUE(is_fault_first);
+
+  // It returns: its tick sends zero, and the watch leaves the device alone.
+  hang->is_wanted = false;
+  const std::uint64_t ticks = loop.status().ticks;
+  EXPECT_TRUE(eventually([&] { return loop.status().ticks > ticks + 20; }));
+  EXPECT_EQ(loop.status().fault, Fault::standstill);
+  TickRecord record;
+  while (ring.pop(record)) EXPECT_EQ(record.sent.force_N.z, 0.0);
+}
+
+/// What a servo thread keeps.
+struct KeptLoop {
+  ScriptedDevice device{};
+  RecordRing ring{};
+  ServoLoop loop{device, ring, watched_servo(0.01)};
+};
+
+TEST(ServoThread, LeavesATickThatDoesNotReturnBehindAndReleasesWhatItUsesWhenItReturns) {
+  const auto hang = std::make_shared<Hang>();
+  const HangEnds at_the_end(hang);
+  std::atomic<int> zeroed{0};
+  std::atomic<bool> is_closed{false};
+  {
+    auto kept = std::make_shared<KeptLoop>();
+    kept->device.at_zero_from_outside = [&] { ++zeroed; };
+    kept->device.at_close = [&] { is_closed = true; };
+    kept->loop.present({.id = 1, .renderer = std::make_unique<HangingPush>(hang)});
+    hang->is_wanted = true;
+    const ServoThread thread(kept->loop, kept->device, Scheduling::normal, kept);
+    ASSERT_TRUE(eventually([&] { return hang->is_under_way.load(); }));
+  }
+  EXPECT_FALSE(is_closed);
+  const int before = zeroed;
+  EXPECT_TRUE(eventually([&] { return zeroed > before + 3; })) << "nobody watches it any more";
+  hang->is_wanted = false;
+  EXPECT_TRUE(eventually([&] { return is_closed.load(); }));
+}
+
+TEST(ServoThread, WaitsForATickOnAnythingThatItDoesNotKeep) {
+  const auto hang = std::make_shared<Hang>();
+  ScriptedDevice device;
+  RecordRing ring;
+  ServoLoop loop(device, ring, watched_servo(0.01));
+  std::atomic<int> zeroed{0};
+  device.at_zero_from_outside = [&] { ++zeroed; };
+  loop.present({.id = 1, .renderer = std::make_unique<HangingPush>(hang)});
+  hang->is_wanted = true;
+  auto thread = std::make_unique<ServoThread>(loop, device, Scheduling::normal);
+  ASSERT_TRUE(eventually([&] { return hang->is_under_way.load(); }));
+  std::atomic<bool> has_ended{false};
+  std::thread ending([&] {
+    thread.reset();
+    has_ended = true;
+  });
+  // Every 5 ms, for longer than a kept one is waited for.
+  const int before = zeroed;
+  EXPECT_TRUE(eventually([&] { return zeroed > before + 100; }));
+  EXPECT_FALSE(has_ended);
+  hang->is_wanted = false;
+  ending.join();
+  EXPECT_EQ(device.last_sent.force_N.z, 0.0);
 }
 
 TEST(ServoThread, SaysHowItIsScheduled) {
@@ -231,6 +332,48 @@ TEST(CalledServo, SendsNoForceInTheCallThatEndsASilence) {
     last_ns = record.probe.time_ns;
   }
   EXPECT_GT(silences, 0);
+}
+
+// It called, and its call is what does not return: the device is not the cause.
+TEST(CalledServo, TakesATickThatDoesNotReturnForAStandstill) {
+  const auto hang = std::make_shared<Hang>();
+  CallingDevice device;
+  RecordRing ring;
+  ServoLoop loop(device, ring, watched_servo());
+  loop.present({.id = 1, .renderer = std::make_unique<HangingPush>(hang)});
+  const ServoThread thread(loop, device, Scheduling::normal);
+  const HangEnds at_the_end(hang);
+  ASSERT_TRUE(eventually([&] {
+    if (const Fault fault = loop.status().fault; fault != Fault::none) loop.clear_fault(fault);
+    return device.last_force_N.load() > 0.0;
+  }));
+  hang->is_wanted = true;
+  EXPECT_TRUE(eventually([&] { return device.last_force_N.load() == 0.0; }));
+  EXPECT_EQ(loop.status().fault, Fault::standstill);
+}
+
+/// The same for a device that keeps time itself.
+struct KeptCalledLoop {
+  CallingDevice device{};
+  RecordRing ring{};
+  ServoLoop loop{device, ring, watched_servo(0.01)};
+};
+
+TEST(CalledServo, LeavesATickThatDoesNotReturnBehind) {
+  const auto hang = std::make_shared<Hang>();
+  const HangEnds at_the_end(hang);
+  std::weak_ptr<KeptCalledLoop> left{};
+  {
+    auto kept = std::make_shared<KeptCalledLoop>();
+    left = kept;
+    kept->loop.present({.id = 1, .renderer = std::make_unique<HangingPush>(hang)});
+    hang->is_wanted = true;
+    const ServoThread thread(kept->loop, kept->device, Scheduling::normal, kept);
+    ASSERT_TRUE(eventually([&] { return hang->is_under_way.load(); }));
+  }
+  EXPECT_FALSE(left.expired());
+  hang->is_wanted = false;
+  EXPECT_TRUE(eventually([&] { return left.expired(); }));
 }
 
 TEST(CalledServo, EndsThoughTheDevicesThreadHangsAndTurnsItAwayAfterwards) {
