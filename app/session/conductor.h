@@ -72,7 +72,8 @@ struct SessionEnd {
 /// A fault of the device, or an emergency stop, stores the attempt and stops the session, which can be
 /// resumed. With an experimenter the session waits instead until the fault is cleared, and then
 /// resumes with what was interrupted, or until it is stopped. After a standstill it resumes without a
-/// request; the third standstill since it was begun or resumed stops it.
+/// request, unless a tick still does not return: then no request can clear the fault. The third standstill
+/// since it was begun or resumed stops it.
 ///
 /// Threads: `run` belongs to one thread, the only writer of the session's rows. Requests may come
 /// from any.
@@ -161,7 +162,7 @@ class Conductor final {
   Phrase device_problem(const Wait& waiting);
   /// False when the session is to end; `stopped_` then has the reason.
   bool wait_out_fault(Phrase what);
-  std::optional<Phrase> trouble_after_standstill();
+  std::optional<Phrase> trouble_after_standstill(const Phrase& what);
   void forget_surface();
 
   void publish_trouble(const Phrase& what, SessionTrouble::Remedy remedy);

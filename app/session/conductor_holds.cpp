@@ -192,10 +192,14 @@ bool Conductor::outlives(const Interruption& interruption) {
 
 /// A standstill is over when the loop detects it, and requires no action by a user: the fault is
 /// cleared and the device checked. Returns nothing when that has succeeded, otherwise the sentence
-/// that states the problem.
-std::optional<Phrase> Conductor::trouble_after_standstill() {
+/// that states the problem; `what` is the one of the standstill.
+std::optional<Phrase> Conductor::trouble_after_standstill(const Phrase& what) {
+  const TickProgress before = rig_.loop().progress();
   rig_.clear_fault(Fault::standstill);
   const Phrase problem = device_problem(unheeding_);
+  if (rig_.loop().progress().hangs_since(before)) {
+    return with_semicolon(what, phrase_of(Reason::restart_program));
+  }
   const ServoStatus status = rig_.loop().status();
   if (status.fault != Fault::none) return fault_sentence(interruption_by(status), {});
   if (!problem.empty()) {
@@ -225,7 +229,7 @@ bool Conductor::wait_out_fault(Phrase what) {
       stop(phrase_of(Reason::stood_still).with(std::to_string(standstills_)));
       return false;
     }
-    std::optional<Phrase> trouble = trouble_after_standstill();
+    std::optional<Phrase> trouble = trouble_after_standstill(what);
     if (!trouble) return true;
     what = *std::move(trouble);
   }

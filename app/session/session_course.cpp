@@ -206,6 +206,10 @@ void SessionCourse::show(ParticipantScene scene) {
   links_.monitor->show(std::move(scene));
 }
 
+void SessionCourse::tell_experimenter(const std::string& sentence) const {
+  if (links_.tell) links_.tell(sentence);
+}
+
 void SessionCourse::set_facts(SessionFacts facts) {
   if (links_.monitor != nullptr) links_.monitor->set_facts(std::move(facts));
 }

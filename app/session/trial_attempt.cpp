@@ -29,6 +29,8 @@ constexpr double kBeyondMinimum = 1.25;
 constexpr double kSlice_s = SessionCourse::kSlice_s;
 // From the wish to lift to the end of the contact.
 constexpr double kLifting_s = 0.3;
+// A tick that has not returned for so long since a standstill is not waited for any longer.
+constexpr double kForLateTick_s = 0.2;
 // A surface that is not touched is given up this long after the longest contact.
 constexpr double kPatience_s = 5.0;
 // The ratio of two numbers for one stimulus above which a confirmation is required: a typing error
@@ -82,6 +84,10 @@ AttemptRow TrialAttempt::make() {
   row_.offset_ns = course_.now_ns();
   course_.set_guiding_tones(false);  // no guidance once the surface is removed
   if (interruption_) take_surface_away();
+  if (interruption_ && interruption_->fault == Fault::standstill) {
+    course_.tell_experimenter(
+        "The servo loop stalled for more than 50 ms: the force was set to zero.");
+  }
   course_.set_masking(false);
   course_.update([](SessionSnapshot& snapshot) {
     snapshot.surface = 0;
@@ -98,6 +104,7 @@ AttemptRow TrialAttempt::make() {
   measure(recorded.records);
   if (interruption_) {
     name_failed_plugin();
+    name_hanging_tick();
     row_.outcome = interruption_->outcome;
     row_.valid = false;
     row_.invalid_reason = stored(interruption_->reason);
@@ -119,6 +126,21 @@ void TrialAttempt::name_failed_plugin() {
             .with(surfaces_.stimulus(i).model->declaration.id, std::string(error));
     return;
   }
+}
+
+void TrialAttempt::name_hanging_tick() {
+  if (!hanging_tick_ || interruption_->fault != Fault::standstill) return;
+  if (!hanging_tick_->rendering) {
+    interruption_->reason = phrase_of(Reason::driver_does_not_return);
+    return;
+  }
+  std::string models{};  // side by side, any of them
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    if (surfaces_.has(i)) continue;
+    const std::string& id = surfaces_.stimulus(i).model->declaration.id;
+    if (models.find(id) == std::string::npos) models += (models.empty() ? "" : ", ") + id;
+  }
+  interruption_->reason = phrase_of(Reason::model_does_not_return).with(models);
 }
 
 void TrialAttempt::prepare() {
@@ -492,7 +514,9 @@ void TrialAttempt::measure(const std::vector<TickRecord>& records) {
     presentation.visits = visits_.visits(planned.position);
     presentation.matched_texture_force_N = prepared.matched_texture_force_N;
     fill_times(records, id, rate_Hz, presentation);
-    if (interruption_) {
+    if (hanging_tick_) {
+      // Replayed, its model might not return here either.
+    } else if (interruption_) {
       presentation.achieved_texture_force_N = texture_force_N(judged_surface(i), records, rate_Hz);
     } else {
       ReplayedMeasures replayed = instability_.take(judged_surface(i), records, rate_Hz);
@@ -614,6 +638,7 @@ void TrialAttempt::take_surface_away() {
   rig.hand().lift();
   rig.loop().withdraw();
   const std::vector<TickRecord>& records = course_.recorder().records();
+  const TickProgress before = rig.loop().progress();
   for (double passed_s = 0.0; passed_s < 1.0; passed_s += kSlice_s) {
     const Fault fault = rig.loop().status().fault;
     const bool is_fault = fault != Fault::none;
@@ -623,6 +648,10 @@ void TrialAttempt::take_surface_away() {
       if (fault != Fault::not_finite) return;
       course_.pass_slice();
       surfaces_.put_back(rig.loop().collect());
+      return;
+    }
+    if (is_fault && passed_s >= kForLateTick_s && rig.loop().progress().hangs_since(before)) {
+      hanging_tick_ = rig.loop().progress();
       return;
     }
     course_.pass_slice();

@@ -110,6 +110,7 @@ class TrialAttempt final {
   void read_visits(const std::vector<TickRecord>& records);
   /// States the error of a plug-in as the reason of the fault that it caused.
   void name_failed_plugin();
+  void name_hanging_tick();
   void measure(const std::vector<TickRecord>& records);
   void store_answers();
   void judge();
@@ -140,6 +141,7 @@ class TrialAttempt final {
   std::vector<int> felt_{};       ///< the position of every visit, in the order of feeling
   std::vector<Answered> answered_{};
   std::optional<Interruption> interruption_{};
+  std::optional<TickProgress> hanging_tick_{};  ///< one that the interruption left under way
   AttemptRow row_{};
 };
 

@@ -28,6 +28,7 @@ enum class Reason {
   failed_repeatedly,        ///< a trial; which, how many times, why
   criterion_not_met,        ///< of which block
   stood_still,              ///< the servo loop; how many times
+  restart_program,          ///< what to do where a tick does not return
   external_program_failed,  ///< what failed
   // of either
   aborted,
@@ -44,6 +45,8 @@ enum class Reason {
   visited_too_rarely,     ///< which surface, visits, required visits
   visit_cut_short,  ///< which surface: its exposure ended before the required strokes or contact
   plugin_failed,    ///< which force model, its message
+  model_does_not_return,   ///< from a tick; which force model
+  driver_does_not_return,  ///< from a tick
   buzz_too_strong,  ///< which surface, its vibration relative to the texture force, the limit
   set_aside,        ///< why
   // of a device: its problem

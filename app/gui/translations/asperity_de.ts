@@ -7027,6 +7027,18 @@
         <source>the plug-in of the force model %1 failed: %2</source>
         <translation>das Plug-in des Kraftmodells %1 ist ausgefallen: %2</translation>
     </message>
+    <message>
+        <source>end this program and start it again, then resume the session</source>
+        <translation>dieses Programm beenden und neu starten, dann die Sitzung fortsetzen</translation>
+    </message>
+    <message>
+        <source>a tick of the force model %1 did not return</source>
+        <translation>ein Takt des Kraftmodells %1 kehrte nicht zurück</translation>
+    </message>
+    <message>
+        <source>a tick did not return from the driver of the device</source>
+        <translation>ein Takt kehrte nicht aus dem Treiber des Geräts zurück</translation>
+    </message>
 </context>
 <context>
     <name>Rehearsal</name>

@@ -125,28 +125,47 @@ RealTimeRig::RealTimeRig(const RigSettings& settings, const HandHabits& habits,
                         hand, with_noise(in_real_time(settings.device), random));
                   }) {}
 
+struct RealTimeRig::Driven {
+  Driven(const RigSettings& settings, const HandHabits& habits, const Random& random,
+         const DeviceOpening& open)
+      : hand(habits, random),
+        device(open(hand)),
+        records(static_cast<std::size_t>(kRing_s * settings.servo.rate_Hz)),
+        loop((device->set_limits(settings.limits), *device), records, settings.servo) {}
+  VirtualHand hand;
+  std::unique_ptr<HapticDevice> device;
+  RecordRing records;
+  ServoLoop loop;
+};
+
 RealTimeRig::RealTimeRig(const RigSettings& settings, const HandHabits& habits,
                          const Random& random, Scheduling scheduling, std::int64_t not_before_ns,
                          const DeviceOpening& open)
     : clock_(not_before_ns),
-      hand_(habits, random),
-      device_(open(hand_)),
-      records_(static_cast<std::size_t>(kRing_s * settings.servo.rate_Hz)),
-      loop_((device_->set_limits(settings.limits), *device_), records_, settings.servo),
-      thread_(loop_, *device_, scheduling) {}
+      driven_(std::make_shared<Driven>(settings, habits, random, open)),
+      thread_(driven_->loop, *driven_->device, scheduling, driven_) {}
 
 RealTimeRig::~RealTimeRig() = default;
 
+ServoLoop& RealTimeRig::loop() noexcept { return driven_->loop; }
+RecordRing& RealTimeRig::records() noexcept { return driven_->records; }
+VirtualHand& RealTimeRig::hand() noexcept { return driven_->hand; }
+const DeviceCapability& RealTimeRig::capability() const noexcept {
+  return driven_->device->capability();
+}
+const ForceLimits& RealTimeRig::limits() const noexcept { return driven_->device->limits(); }
+std::string RealTimeRig::complaint() const { return driven_->device->complaint(); }
+
 void RealTimeRig::prepare_attempt(const HandHabits& habits, const Random& random) {
-  hand_.set_habits(habits, random);
-  device_->begin_attempt();
+  driven_->hand.set_habits(habits, random);
+  driven_->device->begin_attempt();
 }
 
 void RealTimeRig::pass(double duration_s, Recorder& recorder) {
   const std::int64_t until_ns = clock_.now_ns() + std::llround(duration_s * 1e9);
   for (;;) {
-    loop_.heartbeat();
-    recorder.drain(records_, clock_.ahead_ns());
+    loop().heartbeat();
+    recorder.drain(records(), clock_.ahead_ns());
     const double left_s = static_cast<double>(until_ns - clock_.now_ns()) * 1e-9;
     if (left_s <= 0.0) return;
     std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left_s, kRealTimeSlice_s)));

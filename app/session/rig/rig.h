@@ -120,6 +120,10 @@ struct NamedDevice {
 };
 
 /// A device in real time, on a servo thread.
+///
+/// The device and the loop belong to the servo thread as well: the destructor waits for a tick for a second at most, and
+/// leaves both, at zero force, to a tick that does not return (ServoThread). The device then stays open until that tick
+/// returns or the program ends.
 class RealTimeRig final : public Rig {
  public:
   /// `not_before_ns`: the session's clock starts from there when the machine's clock is behind it
@@ -132,24 +136,22 @@ class RealTimeRig final : public Rig {
   ~RealTimeRig() override;
 
   const Clock& clock() const noexcept override { return clock_; }
-  ServoLoop& loop() noexcept override { return loop_; }
-  RecordRing& records() noexcept override { return records_; }
-  VirtualHand& hand() noexcept override { return hand_; }
-  const DeviceCapability& capability() const noexcept override { return device_->capability(); }
-  const ForceLimits& limits() const noexcept override { return device_->limits(); }
+  ServoLoop& loop() noexcept override;
+  RecordRing& records() noexcept override;
+  VirtualHand& hand() noexcept override;
+  const DeviceCapability& capability() const noexcept override;
+  const ForceLimits& limits() const noexcept override;
   std::string pacing() const override { return "real_time"; }
   std::string scheduling() const override { return thread_.scheduling(); }
-  std::string complaint() const override { return device_->complaint(); }
+  std::string complaint() const override;
   void prepare_attempt(const HandHabits& habits, const Random& random) override;
   void pass(double duration_s, Recorder& recorder) override;
-  void emergency_stop() noexcept override { loop_.emergency_stop(); }
+  void emergency_stop() noexcept override { loop().emergency_stop(); }
 
  private:
+  struct Driven;
   SystemClock clock_;
-  VirtualHand hand_;
-  std::unique_ptr<HapticDevice> device_;
-  RecordRing records_;
-  ServoLoop loop_;
+  std::shared_ptr<Driven> driven_;  // shared with the servo thread
   ServoThread thread_;
 };
 
