@@ -1,6 +1,7 @@
 #include "app/cli/command.h"
 
 #include <exception>
+#include <iostream>
 #include <string>
 #include <utility>
 
@@ -15,7 +16,11 @@ int status_of(const Job& job) {
   constexpr int kNotAcceptable = 1;
   constexpr int kWrongUsage = 2;
   try {
-    return job();
+    const int status = job();
+    if (std::cout.flush()) return status;
+    say("asperity: the output is incomplete: standard output takes no more (it was closed, or its "
+        "disk is full); repeat the command with its output in another file");
+    return kNotAcceptable;
   } catch (const WrongUsage& error) {
     say(std::string("asperity: ") + error.what());
     return kWrongUsage;

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
+#include "app/cli/signals.h"
 #include "app/cli/terminal.h"
 #include "app/cli/usage_errors.h"
 #ifdef ASPERITY_WITH_WINDOWS
@@ -49,6 +50,7 @@ void add_windows(CLI::App& program, asperity::Job& job, int& argc, char** argv) 
 
 int main(int argc, char** argv) {
   using namespace asperity;
+  handle_signals();
   const ShownOutput shown(std::cout);
   const ShownOutput shown_errors(std::cerr);
   CLI::App program{"Asperity: psychophysics experiments on haptic texture.", "asperity"};

@@ -1,4 +1,4 @@
-// Ctrl-C, as a request that the work can hear.
+// Signals: zero force before any of them ends the program; Ctrl-C and its like as a request that the work can hear.
 
 #pragma once
 
@@ -8,15 +8,28 @@
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace asperity {
 
-/// While it lives, the first interrupt (SIGINT, SIGTERM or SIGQUIT: Ctrl-C, kill, Ctrl-\) asks `token()`
-/// to stop. The second one ends the program: `at_once` is called, which asks a device for zero force and
-/// returns; after `kForZero` the program is gone, whatever it was doing. A third one does not wait even
-/// for that. While there is a `Hold`, both wait for its end.
+/// For the life of the program, in windows and at a terminal:
+/// - A write into a pipe without a reader, or beyond the size that files may have, fails with an error and does not end
+///   the program (SIGPIPE, SIGXFSZ). Programs that this one starts have the default actions (ChildProcess).
+/// - Every other signal that would end the program, in any of its threads, first sets the force of every servo loop to zero
+///   (ServoThread::end_all_forces) and, where there is one, waits `InterruptWatch::kForZero`. Only SIGKILL cannot be handled.
 ///
-/// Ctrl-Z does nothing meanwhile: motors keep their last force while a program stands still.
+/// Signals that are handled or ignored already are left unchanged.
+void handle_signals();
+
+/// While it lives, the first interrupt asks `token()` to stop: SIGINT, SIGTERM and SIGQUIT (Ctrl-C, kill, Ctrl-\), and every
+/// other signal whose default action ends a program and that is not raised by an error in it (SIGALRM, SIGUSR1, SIGXCPU, …). The
+/// second one ends the program: `at_once` is called, which asks a device for zero force and
+/// returns; after `kForZero`, where a servo loop runs, the program is gone, whatever it was doing. A third one waits for zero
+/// force only. While there is a `Hold`, both wait for its end.
+///
+/// Ctrl-Z does nothing meanwhile, and neither does what else stops a program in the background of a terminal: motors keep
+/// their last force while a program stands still.
 ///
 /// Threads: owns one, which watches, and calls `at_once`; `will_say` from any. One object at a time.
 class InterruptWatch final {
@@ -56,6 +69,7 @@ class InterruptWatch final {
   std::string saying_{};  ///< under `mutex_`
   std::function<void()> at_once_{};
   std::stop_source source_{};
+  std::vector<std::pair<int, void (*)(int)>> former_handlers_{};
   std::jthread watcher_{};
 };
 

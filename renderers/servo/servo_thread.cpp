@@ -43,6 +43,11 @@ constexpr std::int64_t kLooksBeforeDemotion = 1'000'000'000 / TickWatch::kBetwee
 // Larger than the stack use of a tick; touched before the first tick, so that no tick causes a page fault.
 constexpr std::size_t kStack_bytes = 256 * 1024;
 
+// Of the process, as the signals that end it are.
+constinit std::atomic<bool> all_forces_end{false};
+constinit std::atomic<int> watched_threads{0};
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
+
 std::string reason_for(int error) { return std::generic_category().message(error); }
 
 // A process with this capability may lock any amount of memory, regardless of its limit.
@@ -111,6 +116,12 @@ struct ServoThread::Ticks {
   virtual void demote() noexcept {}
 
   void look(TickWatch& watch, std::int64_t& looks_without_tick) noexcept {
+    if (all_forces_end.load()) {
+      // The tick sends zero first, where it returns.
+      if (loop.status().fault == Fault::emergency_stop) device.zero_force_from_outside();
+      loop.emergency_stop();
+      return;
+    }
     const TickWatch::Verdict verdict = watch.look(loop.progress(), monotonic_now_ns());
     if (verdict == TickWatch::Verdict::well) {
       looks_without_tick = 0;
@@ -148,6 +159,7 @@ struct ServoThread::Ticks {
     const bool is_last = state == Watch::left_behind;
     lock.unlock();
     if (is_last) end();
+    --watched_threads;
   }
 
   void tell_watch(Watch what) {
@@ -266,6 +278,7 @@ ServoThread::ServoThread(ServoLoop& loop, HapticDevice& device, Scheduling sched
   } else {
     start_pacing(loop, device, scheduling, std::move(kept));
   }
+  ++watched_threads;
   try {
     watch_ = std::thread([ticks = ticks_, scheduling] {
       // A servo thread in an endless loop must not keep its own watch from running.
@@ -275,6 +288,7 @@ ServoThread::ServoThread(ServoLoop& loop, HapticDevice& device, Scheduling sched
       ticks->watch_ticks();
     });
   } catch (...) {
+    --watched_threads;
     ticks_->stopping.store(true);
     ticks_->ends_in_time();
     ticks_->end();
@@ -338,6 +352,11 @@ void ServoThread::start_pacing(ServoLoop& loop, HapticDevice& device, Scheduling
   }
   scheduling_ += locked_memory_ ? ", memory locked" : ", memory not locked";
   may_start.set_value(true);
+}
+
+bool ServoThread::end_all_forces() noexcept {
+  all_forces_end.store(true);
+  return watched_threads.load() > 0;
 }
 
 ServoThread::~ServoThread() {

@@ -48,6 +48,10 @@ class ServoThread final {
   /// openhaptics, memory locked".
   const std::string& scheduling() const noexcept { return scheduling_; }
 
+  /// Raises `emergency_stop` in every servo thread of the process, now and in future, and sets its force to zero, within two looks
+  /// of the watch and a tick: the program is about to end. Returns whether there is one. Async-signal-safe.
+  static bool end_all_forces() noexcept;
+
  private:
   struct Ticks;
   struct Pacer;

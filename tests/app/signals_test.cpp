@@ -3,17 +3,27 @@
 #include "app/cli/signals.h"
 
 #include <array>
+#include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstddef>
 #include <fcntl.h>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
+#include <utility>
 
 #include <gtest/gtest.h>
+
+#include "renderers/servo/servo_thread.h"
+#include "tests/support/patient_servo.h"
+#include "tests/support/scripted_device.h"
 
 namespace asperity {
 namespace {
@@ -91,6 +101,124 @@ TEST(InterruptWatch, AsksForZeroForceBeforeTheSecondEndsTheProgram) {
   }
 }
 
+// What a time limit, a batch system or another program may send.
+TEST(InterruptWatch, AsksTheWorkToStopAtAnyOtherSignalThatWouldEndTheProgram) {
+  for (const int signal : {SIGALRM, SIGVTALRM, SIGPROF, SIGUSR1, SIGUSR2, SIGIO, SIGPWR, SIGSTKFLT,
+                           SIGXCPU, SIGRTMIN, SIGRTMAX}) {
+    const Ended ended = program([signal](const auto& tell) {
+      const InterruptWatch watch("stopping", [&] { tell('z'); });
+      raise(signal);
+      wait_for(watch.token());
+      tell('s');
+    });
+    EXPECT_EQ(ended.said, "s") << signal;
+    EXPECT_TRUE(WIFEXITED(ended.status)) << signal;
+  }
+}
+
+/// A servo loop that pushes. `at_zero` is called once it has pushed and then no longer does.
+class PushingLoop final {
+ public:
+  explicit PushingLoop(const std::function<void()>& at_zero, std::function<void()> at_tick = {}) {
+    device_.at_send = [this, at_zero](const Wrench& wrench) {
+      if (wrench.force_N.z > 0.0) {
+        pushes_ = true;
+      } else if (pushes_.exchange(false)) {
+        at_zero();
+      }
+    };
+    device_.at_zero_from_outside = [this, at_zero] {
+      if (pushes_.exchange(false)) at_zero();
+    };
+    loop_.present({.id = 1, .renderer = std::make_unique<Push>(std::move(at_tick), pushes_)});
+    thread_.emplace(loop_, device_, Scheduling::normal);
+    while (!pushes_) std::this_thread::yield();
+  }
+
+ private:
+  class Push final : public ForceRenderer {
+   public:
+    Push(std::function<void()> at_tick, const std::atomic<bool>& pushes)
+        : at_tick_(std::move(at_tick)), pushes_(pushes) {}
+    void reset(const ProbeState&) noexcept override {}
+    RenderedTick tick(const ProbeState&, double) noexcept override {
+      if (at_tick_ && pushes_) at_tick_();
+      return {.wrench = {.force_N = {0.0, 0.0, 1.0}}};
+    }
+
+   private:
+    std::function<void()> at_tick_;
+    const std::atomic<bool>& pushes_;
+  };
+
+  std::atomic<bool> pushes_{false};
+  ScriptedDevice device_{};
+  RecordRing ring_{};
+  ServoLoop loop_{device_, ring_, patient_servo()};
+  std::optional<ServoThread> thread_{};
+};
+
+constexpr std::array kEndings{SIGHUP,    SIGINT,    SIGQUIT, SIGTERM, SIGALRM, SIGUSR1, SIGUSR2,
+                              SIGXCPU,   SIGVTALRM, SIGPROF, SIGIO,   SIGPWR,  SIGSYS,  SIGTRAP,
+                              SIGSTKFLT, SIGSEGV,   SIGBUS,  SIGFPE,  SIGILL,  SIGABRT};
+
+TEST(Signals, EndTheProgramWithZeroForce) {
+  for (const int signal : kEndings) {
+    const Ended ended = program([signal](const auto& tell) {
+      std::signal(signal, SIG_DFL);  // not that of a sanitizer
+      handle_signals();
+      const PushingLoop loop([&] { tell('z'); });
+      raise(signal);
+      tell('n');
+    });
+    EXPECT_EQ(ended.said, "z") << signal;
+    ASSERT_TRUE(WIFSIGNALED(ended.status)) << signal;
+    EXPECT_EQ(WTERMSIG(ended.status), signal);
+  }
+}
+
+// The thread that would send zero is the one that does not come back from the error.
+TEST(Signals, EndTheProgramWithZeroForceWhereTheServoThreadCausesThem) {
+  const Ended ended = program([](const auto& tell) {
+    std::signal(SIGABRT, SIG_DFL);
+    handle_signals();
+    const PushingLoop loop([&] { tell('z'); }, [] { raise(SIGABRT); });
+    for (;;) pause();
+  });
+  EXPECT_EQ(ended.said, "z");
+  ASSERT_TRUE(WIFSIGNALED(ended.status));
+  EXPECT_EQ(WTERMSIG(ended.status), SIGABRT);
+}
+
+TEST(Signals, OfAFailedWriteAreErrorsAndEndNoProgram) {
+  const Ended ended = program([](const auto& tell) {
+    for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_DFL);
+    handle_signals();
+    std::array<int, 2> pipe_ends{};
+    if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) return;
+    close(pipe_ends[0]);
+    if (write(pipe_ends[1], "a", 1) < 0 && errno == EPIPE) tell('p');
+    const rlimit no_bytes{0, 0};
+    setrlimit(RLIMIT_FSIZE, &no_bytes);
+    const int file = open(testing::TempDir().c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+    if (write(file, "a", 1) < 0 && errno == EFBIG) tell('f');
+  });
+  EXPECT_EQ(ended.said, "pf");
+  EXPECT_TRUE(WIFEXITED(ended.status));
+}
+
+TEST(Signals, AreHandledAgainOnceTheWorkIsOver) {
+  const Ended ended = program([](const auto& tell) {
+    handle_signals();
+    { const InterruptWatch watch("stopping"); }
+    const PushingLoop loop([&] { tell('z'); });
+    raise(SIGTERM);
+  });
+  EXPECT_EQ(ended.said, "z");
+  ASSERT_TRUE(WIFSIGNALED(ended.status));
+  EXPECT_EQ(WTERMSIG(ended.status), SIGTERM);
+}
+
 TEST(InterruptWatch, WaitsForNobodyAtTheThird) {
   const Ended ended = program([](const auto& tell) {
     const InterruptWatch watch("stopping", [&] {
@@ -164,7 +292,7 @@ TEST(InterruptWatch, EndsAProgramThatDoesNotLetGoOfWhatItHolds) {
 TEST(InterruptWatch, IsNotPutToSleepByTheTerminal) {
   const Ended ended = program([](const auto& tell) {
     const InterruptWatch watch("stopping");
-    raise(SIGTSTP);
+    for (const int signal : {SIGTSTP, SIGTTIN, SIGTTOU, SIGHUP}) raise(signal);
     tell('w');
   });
   EXPECT_EQ(ended.said, "w");

@@ -1,0 +1,50 @@
+// Output that nobody reads any more.
+
+#include <fcntl.h>
+#include <optional>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/journeys/program.h"
+#include "tests/journeys/small_study.h"
+
+namespace asperity::test {
+namespace {
+
+using testing::HasSubstr;
+
+/// A pipe that nobody reads, in place of this file of the child.
+void nobody_reads(int file) {
+  int ends[2] = {};
+  if (::pipe2(ends, O_CLOEXEC) != 0) ::_exit(125);
+  ::close(ends[0]);
+  ::dup2(ends[1], file);
+}
+
+TEST(OutputThatNobodyReads, IsAnErrorAndDoesNotEndTheProgram) {
+  const Outcome unread =
+      run({.arguments = {"models"}, .in_child = [] { nobody_reads(STDOUT_FILENO); }});
+  EXPECT_EQ(unread.signal, std::nullopt);
+  EXPECT_EQ(unread.status, 1);
+  EXPECT_THAT(unread.err, HasSubstr("the output is incomplete"));
+}
+
+// As of `2>&1 | head`, once head has seen enough.
+TEST(OutputThatNobodyReads, DoesNotEndASession) {
+  const SmallStudy small(1);
+  const Outcome outcome =
+      run({.arguments = {"run", small.selection(), "--study", small.study(), "--participant",
+                         "virtual1", "--virtual", "--seed", "1"},
+           .in_child = [] { nobody_reads(STDERR_FILENO); }});
+  EXPECT_EQ(outcome.signal, std::nullopt);
+  EXPECT_EQ(outcome.status, 0);
+  const auto tables = exported(small.study(), small.place() / "out");
+  EXPECT_EQ(tsv(tables.at("sessions.tsv")).column("state"), std::vector<std::string>{"completed"});
+}
+
+}  // namespace
+}  // namespace asperity::test
