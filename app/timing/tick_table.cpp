@@ -30,9 +30,9 @@ std::optional<double> seconds(const TickTimes& times, double fraction) {
   return 1e-9 * static_cast<double>(*time_ns);
 }
 
-std::optional<double> rate_Hz(const TickTimes& times) {
-  const std::optional<double> p99_s = seconds(times, 0.99);
-  if (!p99_s || !(*p99_s > 0.0)) return std::nullopt;
+std::optional<double> rate_Hz(const TimedRow& row) {
+  const std::optional<double> p99_s = seconds(row.times, 0.99);
+  if (!row.has_rate || !p99_s || !(*p99_s > 0.0)) return std::nullopt;
   return 1.0 / *p99_s;
 }
 
@@ -127,7 +127,7 @@ Table tick_table(const std::vector<TimedRow>& rows, const TimingMachine& machine
                           cell_of(seconds(row.times, 0.5)),
                           cell_of(seconds(row.times, 0.99)),
                           cell_of(seconds(row.times, 1.0)),
-                          cell_of(rate_Hz(row.times)),
+                          cell_of(rate_Hz(row)),
                           cell_of(largest_force_N(row)),
                           size(row.tool, &TimedSize::original),
                           size(row.tool, &TimedSize::simplified),
@@ -154,7 +154,7 @@ Table short_tick_table(const std::vector<TimedRow>& rows) {
         {row.scene, row.model, std::string(name_of(row.place)),
          count_cell(row.times.undisturbed_ns.size()), rounded(seconds(row.times, 0.5), 1e-6),
          rounded(seconds(row.times, 0.99), 1e-6), rounded(seconds(row.times, 1.0), 1e-6),
-         rounded(rate_Hz(row.times), 1e3), rounded(largest_force_N(row), 1.0),
+         rounded(rate_Hz(row), 1e3), rounded(largest_force_N(row), 1.0),
          text_cell(row.quoted ? row.quoted->figure : "")});
   }
   return table;

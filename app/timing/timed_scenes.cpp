@@ -9,11 +9,13 @@
 #include <functional>
 #include <memory>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "analysis/random.h"
+#include "app/timing/hung_ticks.h"
 #include "device/machine.h"
 #include "device/simulated_device.h"
 #include "device/virtual_hand.h"
@@ -48,6 +50,18 @@ struct TorusScene {
 constexpr std::array kToruses{
     TorusScene{{"mesh_100k", "the same models, on a bumpy body of 100 488 facets"}, 316, 159},
     TorusScene{{"mesh_600k", "the same models, on a bumpy body of 601 400 facets"}, 775, 388}};
+
+/// A tick that does not return.
+struct HungTicks {
+  TimedScene scene{};
+  unsigned busy_threads_per_core = 0;
+};
+constexpr std::array kHungTicks{
+    HungTicks{{"hung_tick",
+               "from the call of a model that does not return to zero force, which another thread "
+               "sets"},
+              0},
+    HungTicks{{"hung_tick_busy", "the same, with two more busy threads for each core"}, 2}};
 
 TriangleMesh torus(const TorusScene& scene, std::optional<std::size_t> triangles) {
   if (!triangles) return bumpy_torus(scene.around, scene.along);
@@ -110,6 +124,9 @@ class Timing final {
                    &Timing::time_loop});
     for (const TorusScene& each : kToruses) {
       all.push_back({each.scene, [&each](Timing& timing) { timing.time_torus(each); }});
+    }
+    for (const HungTicks& each : kHungTicks) {
+      all.push_back({each.scene, [&each](Timing& timing) { timing.time_hung(each); }});
     }
     return all;
   }
@@ -204,6 +221,18 @@ class Timing final {
     const auto surface = std::make_shared<const BodySurface>(torus(scene, order_.bodies.triangles));
     const std::vector<ProbeState> stroke = stroke_on_torus(most_ticks());
     time_points(name, surface, std::bind_front(along, std::cref(stroke)));
+  }
+
+  void time_hung(const HungTicks& scene) {
+    const std::string name(scene.scene.name);
+    begin(name);
+    TimedRow row = new_row(name, "endless");
+    row.has_rate = false;
+    row.times = time_hung_ticks(
+        order_.ticks,
+        scene.busy_threads_per_core * std::max(1U, std::thread::hardware_concurrency()),
+        course_.stop);
+    add(std::move(row));
   }
 
   void time_points(const std::string& scene, const std::shared_ptr<const BodySurface>& body,

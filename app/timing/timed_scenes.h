@@ -22,7 +22,8 @@ struct TimedScene {
   std::string_view meaning{};
 };
 
-/// The scenes of two textured bodies (two_body_scenes.h); plane, loop, mesh_100k and mesh_600k for models of a point.
+/// The scenes of two textured bodies (two_body_scenes.h); plane, loop, mesh_100k and mesh_600k for models of a point; hung_tick and
+/// hung_tick_busy for a tick that does not return (hung_ticks.h).
 std::vector<TimedScene> timed_scenes();
 
 struct TimingOrder {
@@ -52,6 +53,7 @@ struct TimedRow {
   std::string device{};          ///< the processor, or the OpenCL device with its driver
   bool has_cold_caches = false;  ///< other data replaced those of the tick before each tick
   TickTimes times{};
+  bool has_rate = true;  ///< its times limit the rate of a loop
   std::optional<double> largest_force_N{};
   std::optional<TimedSize> tool{};
   std::optional<TimedSize> surface{};
@@ -65,7 +67,7 @@ struct TimingOutcome {
 };
 
 /// Measures in this thread, scene by scene: in a scene of two bodies `pd_gradient` with its defaults on the processor and on the first
-/// OpenCL device, in the other scenes every built-in model of a point. What cannot run is a row with the reason.
+/// OpenCL device, in the scenes of points every built-in model of a point. What cannot run is a row with the reason.
 ///
 /// The files of all meshes are read before the first measurement. Errors: ResultsError or std::invalid_argument naming the file;
 /// std::invalid_argument for an unknown scene.

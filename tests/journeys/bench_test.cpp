@@ -50,8 +50,9 @@ TEST(BenchCommand, ListsItsScenes) {
   for (const auto& scene : json.at("scenes")) {
     names.push_back(scene.at("name"));
   }
-  EXPECT_THAT(names, ElementsAre("simple", "ten_contacts", "hammer", "file", "part", "comb",
-                                 "plane", "loop", "mesh_100k", "mesh_600k"));
+  EXPECT_THAT(names,
+              ElementsAre("simple", "ten_contacts", "hammer", "file", "part", "comb", "plane",
+                          "loop", "mesh_100k", "mesh_600k", "hung_tick", "hung_tick_busy"));
 }
 
 TEST(BenchCommand, MeasuresEveryModelOfAPointWithTheOrderedTicksAndQuotesAFigure) {
@@ -103,6 +104,19 @@ TEST(BenchCommand, MeasuresTheWholeTickOfASession) {
   for (const auto& row : rows) {
     EXPECT_EQ(row.at("reason"), nullptr) << row;
     EXPECT_GT(row.at("largest_force_N"), 0.5) << row;  // of a hand that presses with about 1 N
+  }
+}
+
+TEST(BenchCommand, MeasuresForHowLongATickThatDoesNotReturnExertsItsForce) {
+  const TemporaryFolder place{};
+  const Outcome outcome =
+      bench(place, {"--scene", "hung_tick", "--scene", "hung_tick_busy", "--ticks", "3", "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto rows = nlohmann::json::parse(outcome.out).at("rows");
+  ASSERT_EQ(rows.size(), 2U);
+  for (const auto& row : rows) {
+    EXPECT_GT(row.at("maximum_s"), 0.05) << row;  // a shorter stall is no fault
+    EXPECT_EQ(row.at("rate_Hz"), nullptr) << row;
   }
 }
 
@@ -182,8 +196,8 @@ TEST(BenchCommand, RefusesAnUnknownSceneAndABrokenMesh) {
   const Outcome unknown = bench(place, {"--scene", "anvil"});
   EXPECT_EQ(unknown.status, 2);
   EXPECT_THAT(unknown.err, HasSubstr("\"anvil\" is not permitted; write simple, ten_contacts, "
-                                     "hammer, file, part, comb, plane, loop, mesh_100k or "
-                                     "mesh_600k"));
+                                     "hammer, file, part, comb, plane, loop, mesh_100k, mesh_600k, "
+                                     "hung_tick or hung_tick_busy"));
   write_text(place / "broken.obj", "v 0 0 0\nf 1 2 3\n");
   const Outcome broken = bench(place, {"--mesh", place / "broken.obj", "--scene", "plane"});
   EXPECT_EQ(broken.status, 1);
