@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "device/closing_process.h"
 #include "device/falcon/falcon_device.h"
 #include "device/force_dimension/force_dimension_device.h"
 #include "device/inverse3/inverse3_device.h"
@@ -124,6 +125,11 @@ std::unique_ptr<HapticDevice> DriverRegistry::open(const std::string& name,
     throw OpeningStopped(
         "the device \"" + name +
         "\" was closed: opening it was stopped on request; open it again to use it");
+  }
+  if (driver->is_closed_by_another_process && !options.closing_program.empty()) {
+    const std::string& serial = device->capability().serial;
+    device->keep(std::make_shared<const ClosingProcess>(
+        options.closing_program, id + (serial.empty() ? "" : ":" + serial), options.library));
   }
   return device;
 }

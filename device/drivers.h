@@ -52,6 +52,9 @@ struct DriverOptions {
   std::unique_lock<std::mutex>* alone = nullptr;
   /// Drivers with a thread of their own ask for SCHED_FIFO; refused, they go on without.
   bool wants_fifo = true;
+  /// This program, which the command close-device makes open and close a device (ClosingProcess). Empty: where the program is
+  /// killed, such a device is left as it is.
+  std::filesystem::path closing_program{};
   /// What holds the probe of the simulated device; has to outlive it. Null elsewhere.
   VirtualHand* hand = nullptr;
   SimulatedDeviceSettings simulated{};
@@ -91,6 +94,9 @@ struct Driver {
   std::string summary{};  ///< one sentence
   /// False for one whose devices only measure where the hand is: they are measured without the user's consent.
   bool has_motors = true;
+  /// Where a program that drives its devices is killed, they are opened and closed by another process (ClosingProcess): the
+  /// driver has no process that sends zero by itself.
+  bool is_closed_by_another_process = false;
   /// How it estimates velocity from positions; nothing where its devices give a velocity of their own.
   std::optional<VelocityWindow> velocity{};
   /// The position step that all of its devices have, as they declare it; nothing where it is unknown or depends on the model.

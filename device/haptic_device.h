@@ -4,8 +4,10 @@
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "device/device_capability.h"
 #include "device/force_limiter.h"
@@ -91,6 +93,9 @@ class HapticDevice {
   /// An attempt begins: a device that plays a recording begins anew with the next reading. From any thread.
   virtual void begin_attempt() noexcept {}
 
+  /// Keeps `what` for as long as the device exists, until after its driver has set the motors to zero.
+  void keep(std::shared_ptr<const void> what) noexcept { kept_ = std::move(what); }
+
   /// What is wrong with the device now, in sentences for the person who must act: that its pose is
   /// frozen, and its driver's `trouble`. Empty while all is well. From any thread but the servo's.
   std::string complaint() const;
@@ -125,6 +130,7 @@ class HapticDevice {
   void forget_silence(std::int64_t now_ns) noexcept;
   void note_push(double force_N) noexcept;
 
+  std::shared_ptr<const void> kept_{};
   DeviceCapability capability_{};
   ForceLimiter limiter_;
   std::optional<Wrench> given_{};

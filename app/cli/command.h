@@ -28,6 +28,8 @@ void add_bake(CLI::App& program, Job& job);
 void add_bench(CLI::App& program, Job& job);
 void add_check(CLI::App& program, Job& job);
 void add_clean_stiffness(CLI::App& program, Job& job);
+/// Hidden: ClosingProcess starts it.
+void add_close_device(CLI::App& program, Job& job);
 void add_copy(CLI::App& program, Job& job);
 void add_devices(CLI::App& program, Job& job);
 void add_device_test(CLI::App& program, Job& job);

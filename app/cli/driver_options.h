@@ -4,12 +4,14 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/study_files/program.h"
 #include "device/drivers.h"
 
 namespace asperity {
 
 /// Adds --firmware, --library and --service. `options` has to outlive the command.
 inline void add_driver_options(CLI::App& command, DriverOptions& options) {
+  options.closing_program = program_file();
   command.add_option("--firmware", options.firmware, "File with the firmware of a Falcon");
   command.add_option("--library", options.library,
                      "File of the manufacturer's library, if the system does not find it "

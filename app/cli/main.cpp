@@ -87,6 +87,7 @@ int main(int argc, char** argv) {
   add_bench(program, job);
   add_copy(program, job);
   add_withdraw(program, job);
+  add_close_device(program, job);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

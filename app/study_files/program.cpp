@@ -1,6 +1,7 @@
 #include "app/study_files/program.h"
 
 #include <sys/utsname.h>
+#include <system_error>
 
 #include <gnu/libc-version.h>
 
@@ -38,6 +39,12 @@ ProgramIdentity this_program() {
                   ", glibc " + gnu_get_libc_version();
   }
   return identity;
+}
+
+std::filesystem::path program_file() {
+  std::error_code unseen{};
+  std::filesystem::path file = std::filesystem::read_symlink("/proc/self/exe", unseen);
+  return std::filesystem::exists(file, unseen) ? file : std::filesystem::path{};
 }
 
 std::string program_version() { return kProgramVersion; }

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 namespace asperity {
@@ -18,6 +19,9 @@ struct ProgramIdentity {
 
 /// The identity of the running program. Reads the executable once per call.
 ProgramIdentity this_program();
+
+/// The executable; empty where it was replaced or removed since the program was started.
+std::filesystem::path program_file();
 
 /// "0.2.0"
 std::string program_version();

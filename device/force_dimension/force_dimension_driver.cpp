@@ -89,6 +89,7 @@ Driver force_dimension_driver() {
           .name = "Force Dimension",
           .summary =
               "delta, omega, sigma and lambda of Force Dimension, through the manufacturer's SDK.",
+          .is_closed_by_another_process = true,
           .velocity = ForceDimensionDevice::kWindow,
           .find =
               [](const DriverOptions& options) {

@@ -363,6 +363,7 @@ Driver openhaptics_driver() {
   return {.id = "openhaptics",
           .name = "3D Systems Touch and Phantom",
           .summary = "Touch and Phantom of 3D Systems, through OpenHaptics.",
+          .is_closed_by_another_process = true,
           .velocity = kVelocityWindow,
           .find =
               [](const DriverOptions& options) {

@@ -222,6 +222,8 @@ std::map<std::string, std::string> driver_places() {
 DriverOptions driver_options(const std::string& device) {
   const std::string driver = device.substr(0, device.find(':'));
   DriverOptions options{};
+  options.closing_program =
+      QCoreApplication::instance()->property(kClosingProgram).toString().toStdString();
   const std::optional<DriverNeed> need = need_of(driver);
   if (!need) return options;
   switch (*need) {

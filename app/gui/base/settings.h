@@ -72,6 +72,8 @@ void remember_driver_place(const std::string& driver, const std::string& place);
 std::map<std::string, std::string> driver_places();
 /// What the windows tell the driver of `device`, which is named as DriverRegistry::open takes it. Any thread.
 DriverOptions driver_options(const std::string& device);
+/// The property of the application with DriverOptions::closing_program.
+inline constexpr const char* kClosingProgram = "closing_program";
 
 /// Where a window was, by its name; false when it has never been anywhere.
 bool restore_geometry(QWidget& window, const QString& name);

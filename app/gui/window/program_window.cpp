@@ -12,6 +12,7 @@
 #include "app/gui/look/theme.h"
 #include "app/gui/window/session_desk.h"
 #include "app/gui/window/study_window.h"
+#include "app/study_files/program.h"
 #include "results_schema/study.h"
 
 namespace asperity {
@@ -46,6 +47,7 @@ int run_windows(int& argc, char** argv, const std::optional<std::filesystem::pat
   QApplication::setOrganizationName("asperity");
   QApplication::setApplicationName("asperity");
   QApplication::setDesktopFileName("asperity");
+  application.setProperty(kClosingProgram, QString::fromStdString(program_file().string()));
   QApplication::setWindowIcon(QIcon(":/look/asperity.svg"));
   apply_theme(application, theme_choice());
   apply_language(language_choice());

@@ -2,6 +2,7 @@
 
 #include "tests/device/vendors/test_dhd.h"
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -15,9 +16,12 @@ using asperity::test_dhd::Unit;
 
 namespace {
 
-// For a program that a test starts: one unit with this serial number, which was switched off.
+// For a program that a test starts: one unit with this serial number, which knows its zero or was switched off.
 Bench bench_of_this_process() {
   Bench bench;
+  if (const char* serial = std::getenv("ASPERITY_TEST_DHD_ATTACHED")) {
+    bench.units.push_back({.serial = static_cast<unsigned short>(std::atoi(serial))});
+  }
   if (const char* serial = std::getenv("ASPERITY_TEST_DHD_SWITCHED_OFF")) {
     bench.units.push_back({.serial = static_cast<unsigned short>(std::atoi(serial)),
                            .knows_its_zero = false,
@@ -79,6 +83,20 @@ void note(const char* function, char id) {
     std::ofstream(file, std::ios::app) << the_bench.calls.back() << '\n';
   }
 }
+
+#ifndef ASPERITY_TEST_DHD_IS_OLD
+// What a unit receives, as another process sees it: a line for each change between zero and a force.
+void note_at_wire(const double (&sent)[7]) {
+  static std::string last;
+  const char* file = std::getenv("ASPERITY_TEST_DHD_WIRE");
+  if (file == nullptr) return;
+  const bool is_zero = std::all_of(sent, sent + 7, [](double each) { return each == 0.0; });
+  const std::string now = is_zero ? "zero" : "force";
+  if (now == last) return;
+  last = now;
+  std::ofstream(file, std::ios::app) << now << '\n';
+}
+#endif
 
 void wait_while_blocked(std::unique_lock<std::recursive_mutex>& held, const char* function) {
   while (the_bench.blocks == function) stopped.wait_for(held, std::chrono::milliseconds(1));
@@ -240,6 +258,7 @@ int dhdSetForceAndTorqueAndGripperForce(double fx, double fy, double fz, double 
   if (unit == nullptr || the_bench.send_answer < 0) return -1;
   const double sent[7] = {fx, fy, fz, tx, ty, tz, gripper};
   for (int i = 0; i < 7; ++i) unit->sent[i] = sent[i];
+  note_at_wire(sent);
   return the_bench.send_answer;
 }
 #endif

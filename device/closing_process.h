@@ -1,0 +1,49 @@
+// A device that another process opens and closes when the program that drove it was killed.
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "device/watchdog_process.h"
+
+namespace asperity {
+
+/// While it lives, a second process waits for the end of this one. After an end without its destructor (SIGKILL, a crash) it starts
+/// `program` as
+///
+///     PROGRAM close-device DEVICE [--library FILE]
+///
+/// which opens the device and closes it, as soon as that is possible: every driver sets the motors to zero in both. For
+/// a device that is reached through a library of its manufacturer, which the second process itself cannot call: it is a
+/// fork of a program with threads (watchdog_process.h). While this process is stopped the device is in use, and nothing
+/// happens.
+///
+/// Errors: the constructor throws those of WatchdogProcess, and std::length_error for names that are too long.
+class ClosingProcess final {
+ public:
+  ClosingProcess(const std::filesystem::path& program, const std::string& device,
+                 const std::filesystem::path& library);
+  ClosingProcess(const ClosingProcess&) = delete;
+  ClosingProcess& operator=(const ClosingProcess&) = delete;
+
+ private:
+  static constexpr std::size_t kLongest_bytes = 4096;
+  static constexpr std::size_t kMostWords = 5;
+  /// For a process that may not allocate.
+  struct Command {
+    std::array<std::array<char, kLongest_bytes>, kMostWords> words{};
+    std::array<char*, kMostWords + 1> pointers{};  ///< as execv takes them
+    std::size_t count = 0;
+  };
+  void add(const std::string& word);
+  static void start(WatchdogProcess::Cause cause, const void* about) noexcept;
+
+  Command command_{};
+  std::optional<WatchdogProcess> watchdog_{};
+};
+
+}  // namespace asperity
