@@ -11,6 +11,7 @@
 #include "analysis/matrix_place.h"
 #include "analysis/number_text.h"
 #include "analysis/summary.h"
+#include "analysis/t_test.h"
 
 namespace asperity {
 namespace {
@@ -162,54 +163,74 @@ Eigen::MatrixXd mean_table(std::span<const Eigen::MatrixXd> participants) {
   return total.cwiseQuotient(n);  // 0/0 is NaN
 }
 
-std::optional<ComponentIntervals> component_intervals(std::span<const Eigen::MatrixXd> participants,
-                                                      const ComponentResampling& resampling,
-                                                      const Random& random) {
-  if (participants.size() < 2) return std::nullopt;
+namespace {
+
+/// The components of the mean table; nothing where a cell is empty or a scale constant.
+std::optional<PrincipalComponents> components_of_means(
+    std::span<const Eigen::MatrixXd> participants) {
   const Eigen::MatrixXd means = mean_table(participants);
   if (means.hasNaN()) return std::nullopt;
-  const std::optional<PrincipalComponents> of_all = principal_components(means);
+  return principal_components(means);
+}
+
+double logit(double proportion) { return std::log(proportion / (1.0 - proportion)); }
+double logistic(double x) { return 1.0 / (1.0 + std::exp(-x)); }
+
+/// From the statistic of all and those without one participant each, on a scale without limits.
+/// `back`: from that scale to the one of the answer.
+std::optional<ComponentEstimate> jackknifed(double of_all, const std::vector<double>& without_one,
+                                            double confidence, double (*back)(double)) {
+  const auto n = static_cast<double>(without_one.size());
+  std::vector<double> pseudo_values{};
+  for (const double one : without_one) pseudo_values.push_back(n * of_all - (n - 1.0) * one);
+  if (!std::all_of(pseudo_values.begin(), pseudo_values.end(),
+                   [](double one) { return std::isfinite(one); })) {
+    return std::nullopt;
+  }
+  const OneSampleT t = one_sample_t(pseudo_values, {.confidence = confidence});
+  if (!t.test) return std::nullopt;
+  return ComponentEstimate{
+      .corrected = back(t.mean),
+      .interval = {.low = back(t.test->interval.low), .high = back(t.test->interval.high)}};
+}
+
+}  // namespace
+
+std::optional<ComponentJackknife> component_jackknife(std::span<const Eigen::MatrixXd> participants,
+                                                      double confidence) {
+  if (participants.size() < kFewestJackknifed) return std::nullopt;
+  const std::optional<PrincipalComponents> of_all = components_of_means(participants);
   if (!of_all) return std::nullopt;
-  const Eigen::Index p = means.cols();
-  std::vector<std::vector<double>> proportions(static_cast<std::size_t>(p));
-  std::vector<std::vector<double>> loadings(static_cast<std::size_t>(p * p));
-  ComponentIntervals answer{};
-  std::vector<Eigen::MatrixXd> drawn(participants.size());
-  for (std::size_t draw = 0; draw < resampling.draws; ++draw) {
-    Random of_draw = random.split(static_cast<std::uint64_t>(draw));
-    for (Eigen::MatrixXd& own : drawn) own = participants[of_draw.below(participants.size())];
-    const Eigen::MatrixXd resampled = mean_table(drawn);
-    if (resampled.hasNaN()) continue;
-    const std::optional<PrincipalComponents> found = principal_components(resampled);
-    if (!found) continue;
-    ++answer.valid;
-    for (Eigen::Index component = 0; component < p; ++component) {
-      proportions[static_cast<std::size_t>(component)].push_back(found->proportion(component));
-      const Eigen::VectorXd own = found->loadings.col(component);
-      const double sign = own.dot(of_all->loadings.col(component)) < 0.0 ? -1.0 : 1.0;
-      for (Eigen::Index scale = 0; scale < p; ++scale) {
-        loadings[static_cast<std::size_t>(component * p + scale)].push_back(sign * own(scale));
+  std::vector<PrincipalComponents> without_one{};
+  for (std::size_t left_out = 0; left_out < participants.size(); ++left_out) {
+    std::vector<Eigen::MatrixXd> others(participants.begin(), participants.end());
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(left_out));
+    std::optional<PrincipalComponents> found = components_of_means(others);
+    if (!found) return std::nullopt;
+    for (Eigen::Index component = 0; component < found->loadings.cols(); ++component) {
+      if (found->loadings.col(component).dot(of_all->loadings.col(component)) < 0.0) {
+        found->loadings.col(component) *= -1.0;
       }
     }
+    without_one.push_back(*std::move(found));
   }
-  constexpr double kMostInvalid = 0.1;
-  const auto draws = static_cast<double>(resampling.draws);
-  if (static_cast<double>(answer.valid) < (1.0 - kMostInvalid) * draws) return std::nullopt;
-  const double tail = 0.5 - resampling.confidence / 2.0;
-  answer.proportion_low.resize(p);
-  answer.proportion_high.resize(p);
-  answer.loadings_low.resize(p, p);
-  answer.loadings_high.resize(p, p);
+  const Eigen::Index p = of_all->loadings.cols();
+  ComponentJackknife answer{};
+  std::vector<double> others(without_one.size());
   for (Eigen::Index component = 0; component < p; ++component) {
-    std::vector<double>& of_component = proportions[static_cast<std::size_t>(component)];
-    std::sort(of_component.begin(), of_component.end());
-    answer.proportion_low(component) = quantile(of_component, tail);
-    answer.proportion_high(component) = quantile(of_component, 1.0 - tail);
-    for (Eigen::Index scale = 0; scale < p; ++scale) {
-      std::vector<double>& own = loadings[static_cast<std::size_t>(component * p + scale)];
-      std::sort(own.begin(), own.end());
-      answer.loadings_low(scale, component) = quantile(own, tail);
-      answer.loadings_high(scale, component) = quantile(own, 1.0 - tail);
+    std::transform(without_one.begin(), without_one.end(), others.begin(),
+                   [component](const auto& one) { return logit(one.proportion(component)); });
+    answer.proportions.push_back(
+        jackknifed(logit(of_all->proportion(component)), others, confidence, logistic));
+  }
+  for (Eigen::Index scale = 0; scale < p; ++scale) {
+    auto& of_scale = answer.loadings.emplace_back();
+    for (Eigen::Index component = 0; component < p; ++component) {
+      std::transform(without_one.begin(), without_one.end(), others.begin(), [&](const auto& one) {
+        return std::atanh(one.loadings(scale, component));
+      });
+      of_scale.push_back(jackknifed(std::atanh(of_all->loadings(scale, component)), others,
+                                    confidence, [](double x) { return std::tanh(x); }));
     }
   }
   return answer;

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "analysis/proportion.h"
 #include "analysis/random.h"
 #include "analysis/seed_of_tests.h"
 
@@ -80,31 +81,36 @@ ParallelAnalysis compared_with_noise(const Eigen::VectorXd& eigenvalues,
                                      std::span<const Eigen::VectorXd> of_noise,
                                      double percentile = 0.95);
 
-/// Intervals of the components of mean ratings, from participants drawn with replacement. The items are fixed: the
-/// intervals generalise to other participants, not to other items.
+/// Components of mean ratings as estimates for other participants, by the jackknife over N participants [Efron 1982]. The items
+/// are fixed: the intervals do not generalise to other items.
 ///
-/// The components of each draw are those of its mean table, each reflected so that its loadings have a positive inner
-/// product with those of the data (M. E. Timmerman, H. A. L. Kiers, A. K. Smilde: Estimating confidence intervals for
-/// principal component loadings: A comparison between the bootstrap and asymptotic results. British Journal of Mathematical
-/// and Statistical Psychology 60(2), 295–314, 2007). They are not rotated to each other: components whose eigenvalues are
-/// close change places between draws, and have wide intervals. Limits are percentiles (quantiles of type 7).
-struct ComponentIntervals {
-  Eigen::VectorXd proportion_low{};
-  Eigen::VectorXd proportion_high{};
-  Eigen::MatrixXd loadings_low{};  ///< as PrincipalComponents::loadings
-  Eigen::MatrixXd loadings_high{};
-  std::size_t valid = 0;  ///< draws in which every cell has a rating and no scale is constant
+/// The components of observed means are biased: the participants' deviations add σ²/N to the variance of every mean, so that
+/// correlations, first proportions and loadings are too small. With θ the statistic of all participants and θ₍ᵢ₎ that without
+/// participant i, the pseudo-values ψᵢ = N·θ − (N − 1)·θ₍ᵢ₎ have the mean θ_J, whose bias is of the order 1/N² instead of
+/// 1/N, and the interval is θ_J ∓ t·sd(ψ)/√N with N − 1 degrees of freedom. θ is ln(p/(1 − p)) of a proportion p and artanh
+/// of a loading, so that estimates and limits remain possible values. A bootstrap of the participants adds the same bias a second
+/// time, so that its percentiles exclude the estimate.
+///
+/// Components without a participant are reflected so that their loadings have a positive inner product with those of all. They
+/// are not rotated to each other: components whose eigenvalues are close change places, and have wide intervals.
+///
+/// [Efron 1982] Efron: The jackknife, the bootstrap and other resampling plans. SIAM, chapters 2 and 3.
+struct ComponentEstimate {
+  double corrected = 0.0;  ///< θ_J on the scale of the statistic
+  ConfidenceInterval interval{};
 };
-struct ComponentResampling {
-  std::size_t draws = 2000;
-  double confidence = 0.95;
+struct ComponentJackknife {
+  /// By component; nothing where a proportion is 0 or 1 for all participants or without one.
+  std::vector<std::optional<ComponentEstimate>> proportions{};
+  /// By scale and component, [scale][component]; nothing where a loading is −1, 0 of an empty component, or 1.
+  std::vector<std::vector<std::optional<ComponentEstimate>>> loadings{};
 };
-/// `participants`: a table of items × scales each, NaN where there is no rating. Nothing with fewer than two
-/// participants, where the components of all of them are not defined, and where less than nine tenths of the draws are
-/// valid. Throws std::invalid_argument for tables of different sizes, and as `principal_components` does.
-std::optional<ComponentIntervals> component_intervals(std::span<const Eigen::MatrixXd> participants,
-                                                      const ComponentResampling& resampling = {},
-                                                      const Random& random = Random(kSeedOfTests));
+constexpr std::size_t kFewestJackknifed = 5;
+/// `participants`: a table of items × scales each, NaN where there is no rating. Nothing with fewer than kFewestJackknifed
+/// participants, and where the components of all of them, or without one, are not defined. Throws std::invalid_argument for
+/// tables of different sizes, and as `principal_components` does.
+std::optional<ComponentJackknife> component_jackknife(std::span<const Eigen::MatrixXd> participants,
+                                                      double confidence = 0.95);
 /// The mean over participants of each cell, over those who have it; NaN where none has.
 Eigen::MatrixXd mean_table(std::span<const Eigen::MatrixXd> participants);
 

@@ -163,42 +163,82 @@ TEST(ParallelAnalysis, RefusesImpossibleQuestions) {
   EXPECT_THROW(compared_with_noise(eigenvalues, noise), std::invalid_argument);
 }
 
-TEST(ComponentIntervals, ArePointsWhereAllParticipantsAreAlike) {
-  const Eigen::MatrixXd values = six_scales();
-  const auto components = principal_components(values);
-  const std::vector<Eigen::MatrixXd> alike(4, values);
-  const auto intervals = component_intervals(alike, {.draws = 20});
-  ASSERT_TRUE(intervals);
-  EXPECT_EQ(intervals->valid, 20U);
-  EXPECT_LT((intervals->loadings_low - components->loadings).cwiseAbs().maxCoeff(), 1e-12);
-  EXPECT_LT((intervals->loadings_high - components->loadings).cwiseAbs().maxCoeff(), 1e-12);
-  EXPECT_LT((intervals->proportion_low - components->proportion).cwiseAbs().maxCoeff(), 1e-12);
+double correlation(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
+  const Eigen::VectorXd u = x.array() - x.mean();
+  const Eigen::VectorXd v = y.array() - y.mean();
+  return u.dot(v) / std::sqrt(u.squaredNorm() * v.squaredNorm());
 }
 
-TEST(ComponentIntervals, ContainTheLoadingsOfParticipantsWhoDiffer) {
+// Two scales with the correlation r have the first proportion p = (1 + r)/2, and ln(p/(1 − p)) = 2·artanh r.
+TEST(ComponentJackknife, OfTwoScalesIsThatOfTheirCorrelation) {
+  Random random(11);
+  std::vector<Eigen::MatrixXd> participants(6, six_scales().leftCols(2));
+  for (Eigen::MatrixXd& own : participants) {
+    own.col(1) = own.col(0);
+    for (double& rating : own.reshaped()) rating += random.normal();
+  }
+  std::vector<double> pseudo_values{};
+  const Eigen::MatrixXd all = mean_table(participants);
+  const double of_all = 2.0 * std::atanh(correlation(all.col(0), all.col(1)));
+  for (const Eigen::MatrixXd& own : participants) {
+    const Eigen::MatrixXd others = (6.0 * all - own) / 5.0;
+    pseudo_values.push_back(6.0 * of_all -
+                            5.0 * 2.0 * std::atanh(correlation(others.col(0), others.col(1))));
+  }
+  double mean = 0.0;
+  for (const double one : pseudo_values) mean += one / 6.0;
+  double squares = 0.0;
+  for (const double one : pseudo_values) squares += (one - mean) * (one - mean);
+  const double half = 2.570581835636314 * std::sqrt(squares / 5.0 / 6.0);  // t of 5 df, 97.5 %
+  const auto jackknife = component_jackknife(participants);
+  ASSERT_TRUE(jackknife && jackknife->proportions.at(0));
+  const ComponentEstimate& first = *jackknife->proportions[0];
+  const auto logistic = [](double x) { return 1.0 / (1.0 + std::exp(-x)); };
+  EXPECT_NEAR(first.corrected, logistic(mean), 1e-9);
+  EXPECT_NEAR(first.interval.low, logistic(mean - half), 1e-9);
+  EXPECT_NEAR(first.interval.high, logistic(mean + half), 1e-9);
+}
+
+// Deviations of variance σ² add σ²/N to the variances of means and nothing to their covariances. The scales are equal to
+// their common values but for these deviations: without them the first proportion is 1.
+TEST(ComponentJackknife, MovesTheFirstProportionTowardsThatWithoutTheDeviations) {
   const Eigen::MatrixXd values = six_scales();
   Random random(3);
-  std::vector<Eigen::MatrixXd> participants(10, values);
+  std::vector<Eigen::MatrixXd> participants(8, values);
+  for (Eigen::MatrixXd& own : participants) {
+    for (double& rating : own.reshaped()) rating += 1.5 * random.normal();
+  }
+  const auto of_means = principal_components(mean_table(participants));
+  const auto without = principal_components(values);
+  const auto jackknife = component_jackknife(participants);
+  ASSERT_TRUE(of_means && without && jackknife && jackknife->proportions.at(0));
+  const ComponentEstimate& first = *jackknife->proportions[0];
+  EXPECT_LT(of_means->proportion(0), without->proportion(0));
+  EXPECT_LT(std::abs(first.corrected - without->proportion(0)),
+            std::abs(of_means->proportion(0) - without->proportion(0)));
+  EXPECT_LT(first.interval.low, first.corrected);
+  EXPECT_GT(first.interval.high, first.corrected);
+  EXPECT_LT(first.interval.high, 1.0);
+  for (const auto& of_scale : jackknife->loadings) {
+    if (!of_scale.at(0)) continue;
+    EXPECT_GE(of_scale[0]->interval.low, -1.0);
+    EXPECT_LE(of_scale[0]->interval.high, 1.0);
+  }
+}
+
+TEST(ComponentJackknife, NeedsFiveParticipantsAndEveryCell) {
+  const Eigen::MatrixXd values = six_scales();
+  Random random(4);
+  std::vector<Eigen::MatrixXd> participants(5, values);
   for (Eigen::MatrixXd& own : participants) {
     for (double& rating : own.reshaped()) rating += 0.5 * random.normal();
   }
-  const auto components = principal_components(mean_table(participants));
-  const auto intervals = component_intervals(participants, {.draws = 400});
-  ASSERT_TRUE(intervals);
-  for (Eigen::Index scale = 0; scale < 6; ++scale) {
-    EXPECT_LE(intervals->loadings_low(scale, 0), components->loadings(scale, 0));
-    EXPECT_GE(intervals->loadings_high(scale, 0), components->loadings(scale, 0));
-    EXPECT_LT(intervals->loadings_low(scale, 0), intervals->loadings_high(scale, 0));
-  }
-}
-
-TEST(ComponentIntervals, NeedTwoParticipantsAndEveryCell) {
-  const Eigen::MatrixXd values = six_scales();
-  EXPECT_FALSE(component_intervals(std::vector<Eigen::MatrixXd>{values}));
-  Eigen::MatrixXd incomplete = values;
-  incomplete(0, 0) = std::nan("");
-  EXPECT_FALSE(component_intervals(std::vector<Eigen::MatrixXd>{incomplete, incomplete}));
-  EXPECT_EQ(mean_table(std::vector<Eigen::MatrixXd>{incomplete, values})(0, 0), values(0, 0));
+  EXPECT_TRUE(component_jackknife(participants));
+  EXPECT_FALSE(component_jackknife(std::span(participants).first(4)));
+  for (Eigen::MatrixXd& own : participants) own(0, 0) = std::nan("");
+  participants.front()(0, 0) = 1.0;  // without this participant the cell is empty
+  EXPECT_FALSE(component_jackknife(participants));
+  EXPECT_EQ(mean_table(participants)(0, 0), 1.0);
 }
 
 }  // namespace

@@ -557,10 +557,10 @@ TEST(RatingModel, IsOrdinalUpToElevenPoints) {
   EXPECT_NE(FoundNumbers(tables("12").findings).find("lmm.status", "rough"), nullptr);
 }
 
-/// Three participants rate so many items on both scales.
+/// Five participants rate so many items on both scales.
 AnalysisOutcome profiles_of_items(int items) {
-  std::vector<std::vector<MadeUpTrial>> people(3);
-  for (int person = 0; person < 3; ++person) {
+  std::vector<std::vector<MadeUpTrial>> people(5);
+  for (int person = 0; person < 5; ++person) {
     for (int item = 0; item < items; ++item) {
       people[static_cast<std::size_t>(person)].push_back(
           rated_on("item" + std::to_string(10 + item), std::to_string(1 + (item + person) % 7),
@@ -580,7 +580,12 @@ TEST(RatingComponents, HaveLoadingsForOneComponentPerFiveItems) {
   const AnalysisOutcome nine = profiles_of_items(9);
   for (const Finding* const loading : FoundNumbers(nine.findings).all("loading")) {
     EXPECT_TRUE(loading->key.ends_with("|C1")) << loading->key;
-    EXPECT_TRUE(loading->low && loading->high) << loading->key;
+    EXPECT_FALSE(loading->low || loading->high) << loading->key;
+  }
+  for (const Finding* const corrected : FoundNumbers(nine.findings).all("loading.corrected")) {
+    EXPECT_TRUE(corrected->key.ends_with("|C1")) << corrected->key;
+    EXPECT_LE(corrected->low.value(), corrected->value.value()) << corrected->key;
+    EXPECT_GE(corrected->high.value(), corrected->value.value()) << corrected->key;
   }
   EXPECT_EQ(FoundNumbers(nine.findings).all("loading").size(), 2U);
   EXPECT_EQ(FoundNumbers(profiles_of_items(10).findings).all("loading").size(), 4U);

@@ -27,6 +27,8 @@ constexpr std::array kReferences{
               "Dorfman, D. D., & Alf, E. (1969). Maximum-likelihood estimation of parameters of "
               "signal-detection theory and determination of confidence intervals: Rating-method "
               "data. Journal of Mathematical Psychology, 6(3), 487–496."},
+    Reference{"Efron 1982", "Efron, 1982",
+              "Efron, B. (1982). The jackknife, the bootstrap and other resampling plans. SIAM."},
     Reference{"Ernst 2004", "Ernst, 2004",
               "Ernst, M. D. (2004). Permutation methods: A basis for exact inference. Statistical "
               "Science, 19(4), 676–685."},

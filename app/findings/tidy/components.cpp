@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "analysis/principal_components.h"
-#include "analysis/seed_of_tests.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/tidy_families.h"
 
@@ -106,30 +105,31 @@ std::vector<Finding> components_findings(const TidyInput& input) {
                               std::to_string(noise.data_sets) + " tables of random numbers"};
   findings.count("retained", "", noise.retained, limit);
   const double confidence = input.options.confidence();
-  const std::optional<ComponentIntervals> intervals =
-      component_intervals(of_people, {.confidence = confidence});
-  const auto with_interval = [&](double low, double high) {
-    Basis resampled = basis;
-    resampled.method += "; percentile interval, " + std::to_string(intervals->valid) +
-                        " draws of the participants, seed " + std::to_string(kSeedOfTests);
-    resampled.interval = ConfidenceInterval{low, high};
-    resampled.confidence = confidence;
-    return resampled;
+  const std::optional<ComponentJackknife> jackknife =
+      component_jackknife(of_people, confidence);
+  const auto add_corrected = [&](const char* quantity, const std::string& key,
+                                 const std::optional<ComponentEstimate>& estimate) {
+    if (!estimate) return;
+    Basis corrected{.n = of_people.size(),
+                    .method = basis.method +
+                              "; corrected for the bias of observed means by the jackknife over "
+                              "participants, t-based interval of the pseudo-values",
+                    .interval = estimate->interval,
+                    .confidence = confidence};
+    findings.number(quantity, key, estimate->corrected, std::move(corrected));
   };
   for (Eigen::Index component = 0; component < columns; ++component) {
+    const auto place = static_cast<std::size_t>(component);
     const std::string name = component_name(component);
     findings.number("eigenvalue", name, found->eigenvalues(component), basis);
-    findings.number("proportion", name, found->proportion(component),
-                    intervals ? with_interval(intervals->proportion_low(component),
-                                              intervals->proportion_high(component))
-                              : basis);
+    findings.number("proportion", name, found->proportion(component), basis);
+    if (jackknife) add_corrected("proportion.corrected", name, jackknife->proportions[place]);
     findings.number("parallel.limit", name, noise.limits(component), limit);
     for (Eigen::Index scale = 0; scale < columns; ++scale) {
-      findings.number("loading", both(scales[static_cast<std::size_t>(scale)], name),
-                      found->loadings(scale, component),
-                      intervals ? with_interval(intervals->loadings_low(scale, component),
-                                                intervals->loadings_high(scale, component))
-                                : basis);
+      const auto of_scale = static_cast<std::size_t>(scale);
+      const std::string key = both(scales[of_scale], name);
+      findings.number("loading", key, found->loadings(scale, component), basis);
+      if (jackknife) add_corrected("loading.corrected", key, jackknife->loadings[of_scale][place]);
     }
     for (Eigen::Index item = 0; item < rows; ++item) {
       findings.number("score", both(items[static_cast<std::size_t>(item)], name),
