@@ -301,6 +301,7 @@ std::optional<Figure> figure_of_thresholds(const DrawnThreshold& drawn, const Ta
               .low = (is_pse ? lowest - room : std::min(0.0, lowest)) / shown.size,
               .high = (greatest + (room > 0.0 ? room : 1e-9)) / shown.size};
   FigureSeries points{};
+  bool has_bound = false;
   std::vector<SingleValues> behind{};
   for (const RowOfTable& row : rows) {
     const auto scaled = [&](const char* end) {
@@ -308,11 +309,14 @@ std::optional<Figure> figure_of_thresholds(const DrawnThreshold& drawn, const Ta
       return number ? std::optional(*number / shown.size) : std::nullopt;
     };
     const auto place = static_cast<double>(figure.y.places.size());
-    FigurePoint point{.x = *scaled(""), .y = place};
-    if (const auto low = scaled("_low"), high = scaled("_high"); low && high) {
-      point.x_interval = FigureSpan{*low, *high};
+    if (const auto mean = scaled("")) {
+      FigurePoint point{.x = *mean, .y = place};
+      if (const auto low = scaled("_low"), high = scaled("_high"); low && high) {
+        point.x_interval = FigureSpan{*low, *high};
+      }
+      points.points.push_back(point);
     }
-    points.points.push_back(point);
+    has_bound = has_bound || !row.text("status").empty();
     const std::string condition = row.text("condition");
     std::vector<double> own = singles[condition];
     for (double& value : own) value /= shown.size;
@@ -321,6 +325,13 @@ std::optional<Figure> figure_of_thresholds(const DrawnThreshold& drawn, const Ta
   }
   figure.series.push_back(singles_in_rows(behind, figure.x, 0));
   figure.series.push_back(std::move(points));
+  if (has_bound) {
+    figure.note = phrase("Figures",
+                         "%1 A mean that leaves out thresholds outside the presented levels has no "
+                         "error bar; it is an upper bound if all of these lie below the levels, a "
+                         "lower bound if all lie above, and otherwise not drawn.")
+                      .with(figure.note);
+  }
   figure.note = with_note_on_singles(figure.note, figure);
   return figure;
 }

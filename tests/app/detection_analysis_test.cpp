@@ -262,9 +262,12 @@ TEST(DetectionAnalysis, StatesThatMeansOfSmallSensitivitiesAreTooHigh) {
 TEST(DetectionAnalysis, StatesHowManyThresholdsCouldNotBeEstimated) {
   const AnalysisOutcome& outcome = outcome_of_detections(
       {.design = yes_no_task(), .people = 6, .rounds = 20, .of_every_other = as_always});
-  EXPECT_THAT(answer_to(outcome, "threshold"), HasSubstr("Not estimated: 3 of 6 participants ("));
-  EXPECT_THAT(table_of(outcome, "mean_thresholds").note.english(),
-              HasSubstr("JND at d′ = 1: 3 of 6 thresholds could not be estimated ("));
+  EXPECT_THAT(answer_to(outcome, "threshold"), HasSubstr("No mean threshold is reported. Left out of 6 thresholds: 3 not estimated ("));
+  const std::vector<Finding> means = part_of(outcome, "mean_thresholds");
+  const Finding* const mean = FoundNumbers(means).find("geomean.jnd.dprime1", "all");
+  ASSERT_NE(mean, nullptr);
+  EXPECT_FALSE(mean->value);
+  EXPECT_EQ(mean->word, "no_bound");
 }
 
 TEST(DetectionAnalysis, StatesWhichPairsHaveADifferenceOfZero) {

@@ -1,5 +1,6 @@
 // The conditions and the tasks of discriminations: what is estimated separately, and what is compared.
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -74,6 +75,65 @@ TEST(Discrimination, TestsWhetherThresholdsDifferBetweenConditions) {
   const AnalysisOutcome three = outcome_with({"metal", "stone", "wood"});
   EXPECT_THAT(sentence_about(three, "conditions", "JND"), HasSubstr("Friedman test"));
   EXPECT_THAT(find_analysis("discrimination")->estimates(three).text, HasSubstr("stone, JND "));
+}
+
+// The third of six participants is always correct on wood, and therefore has no threshold there.
+TEST(Discrimination, ComparesConditionsOverTheParticipantsWhoHaveAll) {
+  PsychometricFunction always = kPerformer;
+  always.gamma = 1.0;
+  always.lambda = 0.0;
+  const AnalysisOutcome outcome =
+      outcome_of_choices(discrimination_protocol("performance"), {.number = 6}, [&](int person) {
+        std::vector<MadeUpTrial> trials{};
+        for (const char* const texture : {"metal", "wood"}) {
+          PsychometricFunction function = kPerformer;
+          function.alpha = std::string(texture) == "metal" ? 6e-6 : 12e-6;
+          if (person == 2 && std::string(texture) == "wood") function = always;
+          std::vector<MadeUpChoice> choices =
+              MadeUpObserver(function, static_cast<unsigned>(20 + person))
+                  .choices(kAbove_m, 60, true);
+          for (MadeUpChoice& choice : choices) choice.texture = texture;
+          for (const MadeUpTrial& trial : trials_of(choices)) trials.push_back(trial);
+        }
+        return trials;
+      });
+  const std::vector<Finding> thresholds = part_of(outcome, "thresholds");
+  const FoundNumbers own(thresholds);
+  std::vector<double> logs{};
+  double log_of_wood = 0.0;
+  for (const Finding* const metal : own.all("jnd")) {
+    if (!metal->key.ends_with("|metal")) continue;
+    const std::string label = metal->key.substr(0, metal->key.find('|'));
+    const auto wood = own.value("jnd", label + "|wood");
+    if (!wood || !metal->value) continue;
+    logs.push_back(std::log(*wood / *metal->value));
+    log_of_wood += std::log(*wood) / 5.0;
+  }
+  ASSERT_EQ(logs.size(), 5U);
+  double mean = 0.0;
+  for (const double one : logs) mean += one / 5.0;
+  double squares = 0.0;
+  for (const double one : logs) squares += (one - mean) * (one - mean);
+  const double half = 2.7764451051977987 * std::sqrt(squares / 4.0 / 5.0);  // t of 4 df, 97.5 %
+  const std::vector<Finding> compared = part_of(outcome, "compared_thresholds");
+  const FoundNumbers found(compared);
+  const Finding* const ratio = found.find("ratio.jnd", "wood|metal");
+  ASSERT_TRUE(ratio != nullptr && ratio->low);
+  EXPECT_EQ(ratio->n, 5U);
+  EXPECT_NEAR(*ratio->value, std::exp(mean), 1e-9);
+  EXPECT_NEAR(*ratio->low, std::exp(mean - half), 1e-9);
+  EXPECT_NEAR(*ratio->high, std::exp(mean + half), 1e-9);
+  const Finding* const wood = found.find("geomean.jnd", "wood");
+  ASSERT_NE(wood, nullptr);
+  EXPECT_EQ(wood->n, 5U);
+  EXPECT_NEAR(*wood->value, std::exp(log_of_wood), 1e-12);
+  EXPECT_FALSE(wood->low);
+  const std::string answer = answer_to(outcome, "conditions");
+  EXPECT_THAT(answer, HasSubstr("geometric mean thresholds of 5 participants: metal: "));
+  EXPECT_THAT(answer, HasSubstr("ratio wood / metal: "));
+  EXPECT_THAT(answer, HasSubstr("Left out: 1 of 6 participants"));
+  EXPECT_THAT(find_analysis("discrimination")->estimates(outcome).text,
+              HasSubstr("The ratio of the JNDs (wood / metal) was "));
 }
 
 // As strings "0.01" comes before "9e-04".

@@ -360,8 +360,8 @@ TEST(Discrimination, StatesWhyThereAreNoThresholds) {
   EXPECT_THAT(outcome.remarks.back().english(), HasSubstr("thresholds cannot be estimated"));
 }
 
-// The estimable participants are a selection: their mean is biased.
-TEST(Discrimination, StatesThatAMeanWithoutThresholdsOnOneSideIsBiased) {
+// The estimable participants are a selection: their mean is a bound, and an interval would be about others.
+TEST(Discrimination, HasNoIntervalOfAMeanThatLeavesOutThresholds) {
   PsychometricFunction always = kPerformer;
   always.gamma = 1.0;
   always.lambda = 0.0;
@@ -373,11 +373,22 @@ TEST(Discrimination, StatesThatAMeanWithoutThresholdsOnOneSideIsBiased) {
       });
   EXPECT_THAT(
       answer_to(outcome, "threshold"),
-      HasSubstr("Left out of 4 thresholds: 1 below the presented levels; a mean without such "
-                "thresholds is too high."));
+      HasSubstr("Left out of 4 thresholds: 1 below the presented levels; the mean of the others is "
+                "an upper bound and has no CI."));
+  EXPECT_THAT(answer_to(outcome, "threshold"), HasSubstr("differences: at most "));
+  EXPECT_THAT(answer_to(outcome, "threshold"), Not(HasSubstr("95 % CI")));
+  EXPECT_THAT(estimate_sentence(outcome).text, HasSubstr("JND at most "));
   EXPECT_THAT(estimate_sentence(outcome).text,
-              HasSubstr("Of the 4 JNDs, the mean does not include 1 below the presented levels; a "
-                        "mean without such thresholds is too high."));
+              HasSubstr("Of the 4 JNDs, the mean does not include 1 below the presented levels; the "
+                        "mean of the others is an upper bound and has no CI."));
+  const std::vector<Finding> means = part_of(outcome, "mean_thresholds");
+  for (const char* const quantity : {"mean.jnd", "geomean.jnd", "geomean.weber"}) {
+    const Finding* const mean = FoundNumbers(means).find(quantity, "all");
+    ASSERT_TRUE(mean != nullptr && mean->value) << quantity;
+    EXPECT_FALSE(mean->low || mean->high || mean->confidence) << quantity;
+  }
+  EXPECT_THAT(table_of(outcome, "mean_thresholds").note.english(),
+              HasSubstr("contained the true mean in 75 and 48 % of the studies"));
   EXPECT_THAT(answer_to(outcome_of_performers(), "threshold"), Not(HasSubstr("Left out")));
 }
 

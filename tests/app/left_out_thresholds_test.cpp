@@ -1,4 +1,4 @@
-// The bias of means that leave out thresholds on one side of the presented levels, or on both.
+// What the mean is that leaves out thresholds on one side of the presented levels, or on both.
 
 #include "app/findings/study/left_out_thresholds.h"
 
@@ -41,38 +41,45 @@ DiscriminationResults results_with(const DiscriminationStudy& study,
   return results;
 }
 
-TEST(LeftOutThresholds, BiasAMeanInOneDirectionOnlyIfTheyAreOnOneSide) {
+TEST(LeftOutThresholds, MakeTheMeanABoundOnlyIfAllAreOnOneSide) {
   const WhyNoThreshold below = threshold_below_levels();
   const WhyNoThreshold above = threshold_above_levels();
+  const WhyNoThreshold unknown = quartiles_outside_levels();
   struct Case {
     std::vector<WhyNoThreshold> missing{};
-    const char* bias = "";
+    MeanOfThresholds mean = MeanOfThresholds::complete;
+    const char* text = "";
   };
   const DiscriminationStudy study{};
   for (const Case& one :
-       {Case{{below, below},
-             "2 below the presented levels; a mean without such thresholds is too high."},
-        Case{{above}, "1 above the presented levels; a mean without such thresholds is too low."},
-        Case{{below, above, below},
-             "2 below and 1 above the presented levels; the direction of the bias of a mean "
-             "without such thresholds is unknown."}}) {
+       {Case{{below, slope_at_bound()}, MeanOfThresholds::upper_bound,
+             "2 below the presented levels; the mean of the others is an upper bound and has no CI."},
+        Case{{above}, MeanOfThresholds::lower_bound,
+             "1 above the presented levels; the mean of the others is a lower bound and has no CI."},
+        Case{{below, above, below}, MeanOfThresholds::no_bound,
+             "2 below the presented levels, 1 above the presented levels; the mean of the others is "
+             "neither an upper nor a lower bound and is not reported."},
+        Case{{below, unknown}, MeanOfThresholds::no_bound,
+             "1 below the presented levels, 1 not estimated (outside the presented levels); the mean "
+             "of the others is neither an upper nor a lower bound and is not reported."}}) {
     const std::string all = std::to_string(4 + one.missing.size());
     const DiscriminationResults results = results_with(study, one.missing);
-    EXPECT_EQ(with_left_out_thresholds(Phrase("Answer."), results).english(),
-              "Answer. Left out of " + all + " thresholds: " + one.bias);
-    EXPECT_THAT(with_left_out_means(Phrase("Note."), {results}).english(),
-                HasSubstr(": left out of " + all + " thresholds: " + one.bias));
-    EXPECT_EQ(bias_sentence(results.fit.thresholds, "jnd", "JND"),
-              " Of the " + all + " JNDs, the mean does not include " + one.bias);
+    EXPECT_EQ(left_out_thresholds(results.fit.thresholds, "jnd", "all").mean(), one.mean);
+    EXPECT_EQ(with_left_out_thresholds(Phrase("Answer."), results, "jnd").english(),
+              "Answer. Left out of " + all + " thresholds: " + one.text);
+    EXPECT_EQ(bound_sentences(results.fit.thresholds, "jnd", "JND"),
+              " Of the " + all + " JNDs, the mean does not include " + one.text);
   }
+  EXPECT_EQ(bound_sentences(results_with(study, {}).fit.thresholds, "jnd", "JND"), "");
 }
 
-TEST(LeftOutThresholds, AreCountedOverAllTasks) {
-  const DiscriminationStudy study{};
-  const std::vector<DiscriminationResults> all{results_with(study, {threshold_below_levels()}),
-                                               results_with(study, {threshold_above_levels()})};
-  EXPECT_THAT(with_left_out_means({}, all).english(),
-              HasSubstr("left out of 10 thresholds: 1 below and 1 above the presented levels"));
+TEST(LeftOutThresholds, AreThoseOfOneCondition) {
+  std::vector<Finding> thresholds = thresholds_with({threshold_below_levels()});
+  thresholds[0].key = "p1|wood";
+  thresholds[4].key = "p5|wood";
+  EXPECT_EQ(left_out_thresholds(thresholds, "jnd", "wood").of, 2U);
+  EXPECT_EQ(left_out_thresholds(thresholds, "jnd", "wood").below, 1U);
+  EXPECT_EQ(left_out_thresholds(thresholds, "jnd", "all").missing(), 0U);
 }
 
 }  // namespace

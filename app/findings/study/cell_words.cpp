@@ -204,6 +204,10 @@ const CellWords& words_of_reasons() {
        phrase("CellWords",
               "responses are correct or incorrect, so that there is no point of "
               "subjective equality")},
+      {"no_bound",
+       phrase("CellWords", "no mean: neither an upper nor a lower bound without the others")},
+      {"lower_bound", phrase("CellWords", "lower bound: the others are above the levels")},
+      {"upper_bound", phrase("CellWords", "upper bound: the others are below the levels")},
       {"no_thresholds", phrase("CellWords", "too few thresholds could be estimated")},
       {"not_converged", phrase("CellWords", "no maximum of the likelihood was found")},
       {"not_defined", phrase("CellWords", "not defined")},

@@ -177,9 +177,11 @@ void test_equality(const GatheredAnswers& gathered, const DiscriminationResults&
   for (std::size_t condition = 0; condition < results.conditions.size(); ++condition) {
     const std::string about = results.about_equality(condition);
     ScoreRows scores(gathered);
+    std::size_t of_condition = 0;
     std::size_t estimated = 0;
     for (const auto& function : results.functions) {
       if (function.condition != condition) continue;
+      ++of_condition;
       const auto pse = found.value("pse", function.data.key);
       if (!pse) continue;
       ++estimated;
@@ -197,6 +199,10 @@ void test_equality(const GatheredAnswers& gathered, const DiscriminationResults&
     keep_tests(findings, true, outcome);
     const FoundNumbers tested(findings);
     tests.add("point_of_subjective_equality", about, tested, kWilcoxonP, both("pse", "standard"));
+    tests.leave_out(of_condition - estimated,
+                    phrase("Analysis",
+                           "Participants without a point of subjective equality within the presented "
+                           "levels are left out of its test"));
     drop_ties(estimated, both("pse", "standard"), tested, tests);
   }
 }
@@ -274,6 +280,7 @@ void analyze_responses(const GatheredAnswers& gathered, AnalysisOutcome& outcome
               quantity == "bound.beta" || quantity == "loglik");
     });
     keep_findings(results.means, outcome);
+    keep_findings(results.compared, outcome);
     keep_findings(results.unsure, outcome);
     remark_on_unsure(results, outcome);
     const DiscriminationDesign& design = *results.study.task.design;

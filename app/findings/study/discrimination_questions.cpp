@@ -1,7 +1,11 @@
 #include "app/findings/study/discrimination_questions.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "app/findings/found_numbers.h"
 #include "app/findings/reading_number.h"
@@ -18,7 +22,7 @@ namespace asperity {
 
 namespace {
 
-/// "wood: 12.3 µm (95 % CI …); metal: 14 µm (…)", without a name where there is one condition. Empty without a number.
+/// "wood: 12.3 µm (95 % CI …); metal: at most 14 µm", without a name where there is one condition. Empty without a number.
 Phrase mean_thresholds_text(const DiscriminationResults& results, const std::string& quantity,
                             const std::string& fraction) {
   const FoundNumbers found(results.means);
@@ -26,10 +30,13 @@ Phrase mean_thresholds_text(const DiscriminationResults& results, const std::str
   for (const std::string& condition : results.conditions) {
     const Finding* const mean = found.find(quantity, condition);
     if (mean == nullptr || !mean->value) continue;
-    Phrase one = quantity_with_interval(*mean);
+    const auto with_bound = [&results](const Finding& of) {
+      return mean_with_bound(of, left_out_of_mean(results.fit.thresholds, of));
+    };
+    Phrase one = with_bound(*mean);
     const Finding* const part = fraction.empty() ? nullptr : found.find(fraction, condition);
     if (part != nullptr && part->value) {
-      one = phrase("Analysis", "%1, Weber fraction %2").with(one, quantity_with_interval(*part));
+      one = phrase("Analysis", "%1, Weber fraction %2").with(one, with_bound(*part));
     }
     one = phrase("Analysis", "%1, n = %2").with(one, std::to_string(mean->n));
     if (results.conditions.size() > 1)
@@ -37,6 +44,48 @@ Phrase mean_thresholds_text(const DiscriminationResults& results, const std::str
     all = all.empty() ? one : phrase("Analysis", "%1; %2").with(all, one);
   }
   return all;
+}
+
+/// Whether the mean of a condition is neither an upper nor a lower bound, and therefore not reported.
+bool has_no_bound(const DiscriminationResults& results, const std::string& quantity) {
+  return std::any_of(results.means.begin(), results.means.end(), [&](const Finding& mean) {
+    return mean.quantity == quantity && !mean.value;
+  });
+}
+
+/// "wood: 12.3 µm; metal: 14 µm; ratio metal / wood: 1.14 (95 % CI …)", over the participants with all conditions.
+Phrase compared_thresholds_text(const DiscriminationResults& results) {
+  const FoundNumbers found(results.compared);
+  const std::string quantity = results.quantity_of_threshold();
+  Phrase all{};
+  const auto add = [&all](const Phrase& one) {
+    all = all.empty() ? one : phrase("Analysis", "%1; %2").with(all, one);
+  };
+  for (const std::string& condition : results.conditions) {
+    const Finding* const mean = found.find("geomean." + quantity, condition);
+    if (mean == nullptr) continue;
+    add(phrase("Analysis", "%1: %2")
+            .with(words_of_condition(condition), quantity_with_interval(*mean)));
+  }
+  for (const Finding* const ratio : found.all("ratio." + quantity)) {
+    add(phrase("Analysis", "ratio %1 / %2: %3")
+            .with(words_of_condition(results.conditions[1]),
+                  words_of_condition(results.conditions[0]), quantity_with_interval(*ratio)));
+  }
+  return all;
+}
+
+/// The answer, and after it the number of participants without a threshold in every condition, whom the comparison leaves
+/// out.
+Phrase with_left_out_participants(const Phrase& answer, const DiscriminationResults& results,
+                                  std::size_t complete) {
+  std::set<std::uint32_t> people{};
+  for (const auto& function : results.functions) people.insert(function.person);
+  if (people.size() == complete) return answer;
+  return phrase("Analysis",
+                "%1 Left out: %2 of %3 participants, who do not have a threshold within the presented "
+                "levels in every condition; the comparison does not describe them.")
+      .with(answer, std::to_string(people.size() - complete), std::to_string(people.size()));
 }
 
 /// A signed-rank test that could not be made because at most one participant has a difference other than zero.
@@ -110,7 +159,9 @@ void ask_thresholds(const DiscriminationResults& results, AnalysisOutcome& outco
   const std::string quantity = "geomean." + results.quantity_of_threshold();
   const Phrase means = mean_thresholds_text(results, quantity, "geomean.weber");
   Phrase answer =
-      means.empty()
+      means.empty() && has_no_bound(results, quantity)
+          ? phrase("Analysis", "No mean threshold is reported.")
+      : means.empty()
           ? phrase("Analysis",
                    "It could not be estimated: no participant has a threshold within the presented "
                    "levels.")
@@ -118,7 +169,7 @@ void ask_thresholds(const DiscriminationResults& results, AnalysisOutcome& outco
                  ? phrase("Analysis", "Geometric mean of the detection thresholds: %1.")
                  : phrase("Analysis", "Geometric mean of the just-noticeable differences: %1."))
                 .with(means);
-  if (!means.empty()) answer = with_left_out_thresholds(answer, results);
+  answer = with_left_out_thresholds(answer, results, results.quantity_of_threshold());
   add_question(outcome, results.name_of_question("threshold").c_str(), question,
                with_unfinished_tracks(answer, results, results.quantity_of_threshold(), means),
                method_of_thresholds(results), means.empty() ? kThresholds : kMeanThresholds,
@@ -139,9 +190,13 @@ void ask_equality(const DiscriminationResults& results, const StudyTests& tests,
   const Phrase means = mean_thresholds_text(results, "mean.pse", "");
   const std::string name = results.name_of_question("point_of_subjective_equality");
   if (means.empty()) {
-    const Phrase answer = phrase("Analysis",
-                                 "It could not be estimated: no participant has a point of "
-                                 "subjective equality within the presented levels.");
+    const Phrase answer = with_left_out_thresholds(
+        has_no_bound(results, "mean.pse")
+            ? phrase("Analysis", "No mean point of subjective equality is reported.")
+            : phrase("Analysis",
+                     "It could not be estimated: no participant has a point of subjective equality "
+                     "within the presented levels."),
+        results, "pse");
     add_question(outcome, name.c_str(), question,
                  with_unfinished_tracks(answer, results, "pse", means), method, kThresholds,
                  nullptr);
@@ -150,6 +205,7 @@ void ask_equality(const DiscriminationResults& results, const StudyTests& tests,
   const std::string standard = stated_quantity(task.standard(), task.varied.unit);
   Phrase answer = phrase("Analysis", "Mean point of subjective equality: %1; standard: %2.")
                       .with(means, standard);
+  answer = with_left_out_thresholds(answer, results, "pse");
   answer = with_unfinished_tracks(answer, results, "pse", means);
   for (std::size_t condition = 0; condition < results.conditions.size(); ++condition) {
     const StudyTest* const test =
@@ -185,17 +241,28 @@ void ask_conditions(const DiscriminationResults& results, const StudyTests& test
   const Phrase question = phrase("Analysis", "Do the thresholds differ between the conditions?");
   const Phrase method =
       results.conditions.size() == 2
-          ? phrase("Analysis", "Wilcoxon signed-rank test of the participants' thresholds.")
-          : phrase("Analysis", "Friedman test of the participants' thresholds.");
+          ? phrase("Analysis",
+                   "Wilcoxon signed-rank test of the thresholds of the participants with a threshold "
+                   "in both conditions. Ratio: geometric mean of the same participants' ratios, with "
+                   "a t-based CI on the logarithmic scale.")
+          : phrase("Analysis",
+                   "Friedman test of the thresholds of the participants with a threshold in every "
+                   "condition.");
   const std::string name = results.name_of_question("conditions");
-  const FoundNumbers found(results.means);
-  const std::string quantity = "geomean." + results.quantity_of_threshold();
+  const FoundNumbers found(results.compared);
+  const std::vector<const Finding*> ratios = found.all("ratio." + results.quantity_of_threshold());
+  const Finding* const mean =
+      first_mean(results, "geomean." + results.quantity_of_threshold(), found);
+  const Finding* const shown = ratios.empty() ? mean : ratios.front();
+  const std::size_t complete = mean == nullptr ? 0 : mean->n;
   if (test != nullptr && has_too_few_differences(*test)) {
     add_question(outcome, name.c_str(), question,
-                 phrase("Analysis", "Not tested: %1. Geometric mean thresholds: %2.")
-                     .with(words_of_cell("status", test->status),
-                           mean_thresholds_text(results, quantity, "")),
-                 method, kMeanThresholds, first_mean(results, quantity, found));
+                 with_left_out_participants(
+                     phrase("Analysis", "Not tested: %1. Geometric mean thresholds: %2.")
+                         .with(words_of_cell("status", test->status),
+                               compared_thresholds_text(results)),
+                     results, complete),
+                 method, kMeanThresholds, shown);
     return;
   }
   if (test == nullptr || !test->p) {
@@ -210,15 +277,21 @@ void ask_conditions(const DiscriminationResults& results, const StudyTests& test
                  method, kThresholds, nullptr);
     return;
   }
-  const Phrase means = mean_thresholds_text(results, quantity, "");
-  const auto with_numbers = [&](const Phrase& words) { return words.with(means, p_text(*test)); };
-  const Sayings sayings{with_numbers(phrase("Analysis", "Yes: geometric mean thresholds %1 (%2).")),
-                        with_numbers(phrase("Analysis",
-                                            "Not significantly: geometric mean thresholds %1 (%2). "
-                                            "This does not show that they are equal.")),
-                        with_numbers(phrase("Analysis", "Geometric mean thresholds: %1 (%2)."))};
+  const Phrase means = compared_thresholds_text(results);
+  const auto with_numbers = [&](const Phrase& words) {
+    return with_left_out_participants(words.with(std::to_string(complete), means, p_text(*test)),
+                                      results, complete);
+  };
+  const Sayings sayings{
+      with_numbers(phrase("Analysis",
+                          "Yes: geometric mean thresholds of %1 participants: %2 (%3).")),
+      with_numbers(phrase("Analysis",
+                          "Not significantly: geometric mean thresholds of %1 participants: %2 "
+                          "(%3). This does not show that they are equal.")),
+      with_numbers(
+          phrase("Analysis", "Geometric mean thresholds of %1 participants: %2 (%3)."))};
   add_question(outcome, name.c_str(), question, said_of(*test, sayings), method, kMeanThresholds,
-               first_mean(results, quantity, found));
+               shown);
 }
 
 }  // namespace

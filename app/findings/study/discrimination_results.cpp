@@ -7,6 +7,7 @@
 #include "analysis/geometric_mean.h"
 #include "app/findings/found_numbers.h"
 #include "app/findings/study/cell_words.h"
+#include "app/findings/study/left_out_thresholds.h"
 #include "app/findings/tidy/finding_list.h"
 
 namespace asperity {
@@ -49,6 +50,84 @@ void add_geometric(const char* quantity, const std::string& key, const std::vect
   list.number(quantity, key, mean.mean, basis);
 }
 
+/// A word in place of a mean that would not be a bound.
+void add_no_mean(const char* quantity, const std::string& key, std::size_t n, FindingList& list) {
+  list.word(quantity, key, code_of(MeanOfThresholds::no_bound),
+            "thresholds are missing that do not all lie on the same side of the presented levels, so "
+            "that the mean of the others is neither an upper nor a lower bound: present levels on "
+            "both sides of every threshold",
+            {.n = n});
+}
+
+/// Why a mean has no interval; nothing where no threshold is left out.
+std::optional<std::string> bound_text(const LeftOutThresholds& left_out) {
+  const std::string missing = std::to_string(left_out.missing()) + " of " +
+                              std::to_string(left_out.of) + " thresholds are left out";
+  switch (left_out.mean()) {
+    case MeanOfThresholds::upper_bound:
+      return "an upper bound without an interval: " + missing + ", below the presented levels";
+    case MeanOfThresholds::lower_bound:
+      return "a lower bound without an interval: " + missing + ", above the presented levels";
+    case MeanOfThresholds::complete:
+    case MeanOfThresholds::no_bound:
+      break;
+  }
+  return std::nullopt;
+}
+
+/// The numbers of a threshold by participant, in the order of the conditions, of those with a number in every condition.
+std::vector<std::vector<double>> complete_thresholds(const DiscriminationResults& results,
+                                                     const std::string& quantity) {
+  const FoundNumbers found(results.fit.thresholds);
+  std::map<std::uint32_t, std::map<std::size_t, double>> by_person{};
+  for (const auto& function : results.functions) {
+    if (const auto value = found.value(quantity, function.data.key)) {
+      by_person[function.person][function.condition] = *value;
+    }
+  }
+  std::vector<std::vector<double>> complete{};
+  for (const auto& [person, numbers] : by_person) {
+    if (numbers.size() < results.conditions.size()) continue;
+    std::vector<double>& own = complete.emplace_back();
+    for (const auto& [condition, number] : numbers) own.push_back(number);
+  }
+  return complete;
+}
+
+std::vector<Finding> compared_thresholds(const DiscriminationResults& results) {
+  if (results.conditions.size() < 2) return {};
+  const std::string quantity = results.quantity_of_threshold();
+  const std::vector<std::vector<double>> complete = complete_thresholds(results, quantity);
+  if (complete.empty()) return {};
+  FindingList list{};
+  const std::string& unit = results.study.task.varied.unit;
+  for (std::size_t condition = 0; condition < results.conditions.size(); ++condition) {
+    std::vector<double> numbers{};
+    for (const auto& own : complete) numbers.push_back(own[condition]);
+    list.number("geomean." + quantity, results.conditions[condition],
+                geometric_mean(numbers).mean,
+                {.n = complete.size(),
+                 .method = "geometric mean over the participants with a threshold in every condition",
+                 .unit = unit.empty() ? "1" : unit});
+  }
+  if (results.conditions.size() == 2) {
+    std::vector<double> ratios{};
+    for (const auto& own : complete) ratios.push_back(own[1] / own[0]);
+    constexpr double kConfidenceOfRatio = 0.95;
+    const GeometricMean ratio = geometric_mean(ratios, kConfidenceOfRatio);
+    Basis basis{.n = ratio.n,
+                .method = "geometric mean of the ratios of the participants with a threshold in both "
+                          "conditions; t interval on the log scale",
+                .interval = ratio.interval};
+    if (ratio.interval) basis.confidence = kConfidenceOfRatio;
+    list.number("ratio." + quantity, both(results.conditions[1], results.conditions[0]), ratio.mean,
+                basis);
+  }
+  std::vector<Finding> findings = list.take();
+  for (Finding& finding : findings) finding.analysis = kComparedThresholds;
+  return findings;
+}
+
 std::vector<Finding> means_of(const DiscriminationResults& results) {
   const FoundNumbers found(results.fit.thresholds);
   std::vector<Finding> means{};
@@ -64,13 +143,25 @@ std::vector<Finding> means_of(const DiscriminationResults& results) {
         unit = own->unit;
       }
       if (numbers.empty()) continue;
+      const std::string& name = results.conditions[condition];
+      const LeftOutThresholds left_out =
+          left_out_thresholds(results.fit.thresholds, column.quantity, name);
       FindingList list{};
-      add_mean_of_group(column.mean, results.conditions[condition], numbers,
-                        {.of = "mean over the participants with such a threshold"}, list);
-      if (column.geometric_mean != nullptr) {
-        add_geometric(column.geometric_mean, results.conditions[condition], numbers, list);
+      if (left_out.mean() == MeanOfThresholds::no_bound) {
+        add_no_mean(column.mean, name, numbers.size(), list);
+        if (column.geometric_mean != nullptr) {
+          add_no_mean(column.geometric_mean, name, numbers.size(), list);
+        }
+      } else {
+        add_mean_of_group(column.mean, name, numbers,
+                          {.of = "mean over the participants with such a threshold"}, list);
+        if (column.geometric_mean != nullptr) {
+          add_geometric(column.geometric_mean, name, numbers, list);
+        }
       }
-      for (Finding& finding : list.take()) {
+      std::vector<Finding> of_condition = list.take();
+      drop_intervals(of_condition, [&left_out](const Finding&) { return bound_text(left_out); });
+      for (Finding& finding : of_condition) {
         finding.unit = unit;
         finding.analysis = kMeanThresholds;
         means.push_back(std::move(finding));
@@ -149,6 +240,7 @@ DiscriminationResults::DiscriminationResults(const GatheredAnswers& gathered,
   for (const Function& function : functions) data.push_back(function.data);
   fit = fit_discrimination(of.task, data);
   means = means_of(*this);
+  compared = compared_thresholds(*this);
   if (of.task.design == &two_alternatives()) orders = orders_of(of);
   if (of.task.design->is_choice_of_three()) places = places_of(of);
   order = places.empty() ? order_findings(orders, name) : place_findings(places, name);

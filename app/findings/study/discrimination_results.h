@@ -18,6 +18,7 @@ namespace asperity {
 /// The tables, and the analyses of their findings.
 inline constexpr const char* kThresholds = "thresholds";
 inline constexpr const char* kMeanThresholds = "mean_thresholds";
+inline constexpr const char* kComparedThresholds = "compared_thresholds";
 inline constexpr const char* kPsychometric = "psychometric";
 inline constexpr const char* kOrderEffect = "order";
 /// The table of `PlacesOfPerson`; absent without a choice of three surfaces.
@@ -81,8 +82,14 @@ struct DiscriminationResults {
   DiscriminationFit fit{};
   /// By condition, analysis `mean_thresholds`, over the participants with such a number: mean.pse, mean.jnd,
   /// mean.jnd.dprime1, mean.jnd.posterior, mean.weber; and geomean.… of all but the PSE with intervals on the logarithmic
-  /// scale, which contain no negative numbers.
+  /// scale, which contain no negative numbers. Without an interval where it is a bound, and a word in place of the number
+  /// where it is none (`MeanOfThresholds`).
   std::vector<Finding> means{};
+  /// Of two or more conditions, analysis `compared_thresholds`, over the participants with the threshold in every condition:
+  /// geomean.Q by condition, Q being `quantity_of_threshold`, without intervals, because participants are left out; and of
+  /// two conditions ratio.Q, key "SECOND|FIRST", the geometric mean of the participants' ratios with a t-based interval on the
+  /// logarithmic scale.
+  std::vector<Finding> compared{};
   /// Of the participants with trials; only of two alternatives.
   std::vector<OrderOfPerson> orders{};
   std::vector<PlacesOfPerson> places{};  ///< the same of a choice of three surfaces

@@ -110,12 +110,15 @@ void add_mean_rows(const DiscriminationResults& results, Table& table) {
       const Finding* const mean = means.find(column.mean, condition);
       if (mean == nullptr) continue;
       const auto [low, high] = means.interval(column.mean, condition);
+      const LeftOutThresholds left_out = left_out_of_mean(results.fit.thresholds, *mean);
+      const std::string status = code_of(left_out.mean());
       const std::string geometric = column.geometric_mean == nullptr ? "" : column.geometric_mean;
       const auto [geometric_low, geometric_high] = means.interval(geometric, condition);
       table.rows.push_back({condition, std::string(column.column),
                             static_cast<std::int64_t>(mean->n), cell_of(mean->value), low, high,
                             mean->unit, means.cell(geometric, condition), geometric_low,
-                            geometric_high});
+                            geometric_high, left_out.missing() == 0 ? Cell{} : Cell{static_cast<std::int64_t>(left_out.missing())},
+                            status.empty() ? Cell{} : Cell{status}});
     }
   }
 }
@@ -445,15 +448,29 @@ Phrase note_on_means(const std::vector<DiscriminationResults>& all) {
   const Phrase means = phrase("Analysis",
                               "Means over the participants whose threshold could be estimated, "
                               "with t-based 95 % CIs.");
-  if (!has_geometric) return with_left_out_means(means, all);
-  const Phrase note =
-      phrase("Analysis", "%1 %2")
-          .with(means,
-                phrase("Analysis",
-                       "The CIs of geometric means are computed on the logarithmic scale and "
-                       "contain no negative numbers; the CIs of arithmetic means can contain "
-                       "them if the participants differ greatly."));
-  return with_left_out_means(note, all);
+  Phrase note = means;
+  if (has_geometric) {
+    note = phrase("Analysis", "%1 %2")
+               .with(means,
+                     phrase("Analysis",
+                            "The CIs of geometric means are computed on the logarithmic scale and "
+                            "contain no negative numbers; the CIs of arithmetic means can contain "
+                            "them if the participants differ greatly."));
+  }
+  const bool leaves_out = std::any_of(all.begin(), all.end(), [](const auto& results) {
+    return std::any_of(results.means.begin(), results.means.end(), [&results](const Finding& mean) {
+      return left_out_of_mean(results.fit.thresholds, mean).missing() > 0;
+    });
+  });
+  if (!leaves_out) return note;
+  return phrase("Analysis", "%1 %2")
+      .with(note,
+            phrase("Analysis",
+                   "A mean that leaves out thresholds is an upper bound if all of these lie below the "
+                   "presented levels, a lower bound if all lie above, and otherwise neither and not "
+                   "reported. It has no CI: in simulations in which 27 and 34 % of the thresholds "
+                   "were left out, the t-based CI of the others contained the true mean in 75 and "
+                   "48 % of the studies."));
 }
 
 Phrase note_on_hits_of(const DiscriminationStudy& study) {
@@ -527,7 +544,8 @@ void add_discrimination_tables(const GatheredAnswers& gathered,
   NamedTable means{kMeanThresholds,
                    phrase("Analysis", "Mean thresholds"),
                    {{"condition", "measure", "persons", "mean", "mean_low", "mean_high", "unit",
-                     "geometric_mean", "geometric_mean_low", "geometric_mean_high"},
+                     "geometric_mean", "geometric_mean_low", "geometric_mean_high", "left_out",
+                     "status"},
                     {}},
                    note_on_means(all)};
   NamedTable thresholds{kThresholds,

@@ -1,56 +1,104 @@
 #include "app/findings/study/left_out_thresholds.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <map>
-#include <string>
-#include <string_view>
 
 #include "app/findings/reading_number.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/missing_threshold.h"
+#include "app/findings/study/study_findings.h"
+#include "app/words/text_parts.h"
 
 namespace asperity {
 
 namespace {
 
-/// Estimates of a threshold that means leave out, by the side of the presented levels on which they lie.
-struct LeftOutThresholds {
-  std::size_t of = 0;
-  std::size_t below = 0;
-  std::size_t above = 0;
-  std::map<std::string, std::size_t> others{};  ///< by the code of the reason
+std::string condition_of_key(const std::string& key) {
+  const std::size_t bar = key.find('|');
+  return bar == std::string::npos ? "all" : key.substr(bar + 1);
+}
 
-  LeftOutThresholds& operator+=(const LeftOutThresholds& own) {
-    of += own.of;
-    below += own.below;
-    above += own.above;
-    for (const auto& [reason, count] : own.others) others[reason] += count;
-    return *this;
+Phrase reasons_of(const LeftOutThresholds& left_out) {
+  Phrase all{};
+  for (const auto& [reason, count] : left_out.others) {
+    const Phrase words = words_of_cell("status", reason);
+    const Phrase one = left_out.others.size() == 1
+                           ? words
+                           : phrase("Analysis", "%1: %2").with(std::to_string(count), words);
+    all = all.empty() ? one : phrase("Analysis", "%1; %2").with(all, one);
   }
-  std::size_t other() const {
-    std::size_t sum = 0;
-    for (const auto& [reason, count] : others) sum += count;
-    return sum;
-  }
-  Phrase reasons() const {
-    Phrase all{};
-    for (const auto& [reason, count] : others) {
-      const Phrase words = words_of_cell("status", reason);
-      const Phrase one = others.size() == 1
-                             ? words
-                             : phrase("Analysis", "%1: %2").with(std::to_string(count), words);
-      all = all.empty() ? one : phrase("Analysis", "%1; %2").with(all, one);
-    }
-    return all;
-  }
-};
+  return all;
+}
 
-LeftOutThresholds left_out_thresholds(const std::vector<Finding>& thresholds,
-                                      std::string_view quantity) {
+/// "2 below the presented levels, 1 not estimated (slope at a limit)"
+Phrase sides_text(const LeftOutThresholds& left_out) {
+  Phrase all{};
+  const auto add = [&all](const Phrase& one) {
+    all = all.empty() ? one : phrase("Analysis", "%1, %2").with(all, one);
+  };
+  if (left_out.below > 0) {
+    add(phrase("Analysis", "%1 below the presented levels").with(std::to_string(left_out.below)));
+  }
+  if (left_out.above > 0) {
+    add(phrase("Analysis", "%1 above the presented levels").with(std::to_string(left_out.above)));
+  }
+  if (const std::size_t others = left_out.other(); others > 0) {
+    add(phrase("Analysis", "%1 not estimated (%2)")
+            .with(std::to_string(others), reasons_of(left_out)));
+  }
+  return all;
+}
+
+Phrase meaning_of(const LeftOutThresholds& left_out) {
+  switch (left_out.mean()) {
+    case MeanOfThresholds::complete:
+      return {};
+    case MeanOfThresholds::upper_bound:
+      return phrase("Analysis", "the mean of the others is an upper bound and has no CI");
+    case MeanOfThresholds::lower_bound:
+      return phrase("Analysis", "the mean of the others is a lower bound and has no CI");
+    case MeanOfThresholds::no_bound:
+      break;
+  }
+  return phrase("Analysis",
+                "the mean of the others is neither an upper nor a lower bound and is not reported");
+}
+
+}  // namespace
+
+std::string code_of(MeanOfThresholds mean) {
+  switch (mean) {
+    case MeanOfThresholds::complete:
+      return {};
+    case MeanOfThresholds::upper_bound:
+      return "upper_bound";
+    case MeanOfThresholds::lower_bound:
+      return "lower_bound";
+    case MeanOfThresholds::no_bound:
+      break;
+  }
+  return "no_bound";
+}
+
+std::size_t LeftOutThresholds::other() const {
+  std::size_t sum = 0;
+  for (const auto& [reason, count] : others) sum += count;
+  return sum;
+}
+
+MeanOfThresholds LeftOutThresholds::mean() const {
+  if (missing() == 0) return MeanOfThresholds::complete;
+  if (below == missing()) return MeanOfThresholds::upper_bound;
+  return above == missing() ? MeanOfThresholds::lower_bound : MeanOfThresholds::no_bound;
+}
+
+LeftOutThresholds left_out_thresholds(std::span<const Finding> thresholds,
+                                      std::string_view quantity, std::string_view condition) {
   LeftOutThresholds left_out{};
   for (const Finding& finding : thresholds) {
-    if (finding.analysis != kThresholds || finding.quantity != quantity) continue;
+    if (finding.analysis != kThresholds || finding.quantity != quantity ||
+        condition_of_key(finding.key) != condition) {
+      continue;
+    }
     ++left_out.of;
     if (finding.value) continue;
     const SideOfThreshold side = side_of_threshold(finding);
@@ -61,88 +109,65 @@ LeftOutThresholds left_out_thresholds(const std::vector<Finding>& thresholds,
   return left_out;
 }
 
-/// "2 below the presented levels; a mean without such thresholds is too high": empty where none is on a side.
-Phrase bias_text(const LeftOutThresholds& left_out) {
-  const std::string below = std::to_string(left_out.below);
-  const std::string above = std::to_string(left_out.above);
-  if (left_out.below > 0 && left_out.above > 0) {
-    return phrase("Analysis",
-                  "%1 below and %2 above the presented levels; the direction of the bias of a mean "
-                  "without such thresholds is unknown")
-        .with(below, above);
-  }
-  if (left_out.below > 0) {
-    return phrase("Analysis",
-                  "%1 below the presented levels; a mean without such thresholds is too high")
-        .with(below);
-  }
-  if (left_out.above > 0) {
-    return phrase("Analysis",
-                  "%1 above the presented levels; a mean without such thresholds is too low")
-        .with(above);
-  }
-  return {};
+LeftOutThresholds left_out_of_mean(std::span<const Finding> thresholds, const Finding& mean) {
+  return left_out_thresholds(
+      thresholds, std::string_view(mean.quantity).substr(mean.quantity.find('.') + 1), mean.key);
 }
 
-}  // namespace
-
-Phrase with_left_out_thresholds(Phrase answer, const DiscriminationResults& results) {
-  const LeftOutThresholds left_out =
-      left_out_thresholds(results.fit.thresholds, results.quantity_of_threshold());
-  const std::string all = std::to_string(left_out.of);
-  const bool has_conditions = results.conditions.size() > 1;
-  if (const Phrase bias = bias_text(left_out); !bias.empty()) {
-    answer =
-        (has_conditions
-             ? phrase("Analysis", "%1 Left out of %2 thresholds (participants by conditions): %3.")
-             : phrase("Analysis", "%1 Left out of %2 thresholds: %3."))
-            .with(answer, all, bias);
+Phrase mean_with_bound(const Finding& mean, const LeftOutThresholds& left_out) {
+  const Phrase number = quantity_with_interval(mean);
+  switch (left_out.mean()) {
+    case MeanOfThresholds::upper_bound:
+      return phrase("Analysis", "at most %1").with(number);
+    case MeanOfThresholds::lower_bound:
+      return phrase("Analysis", "at least %1").with(number);
+    case MeanOfThresholds::complete:
+    case MeanOfThresholds::no_bound:
+      break;
   }
-  if (const std::size_t others = left_out.other(); others > 0) {
+  return number;
+}
+
+Phrase with_left_out_thresholds(Phrase answer, const DiscriminationResults& results,
+                                const std::string& quantity) {
+  for (const std::string& condition : results.conditions) {
+    const LeftOutThresholds left_out =
+        left_out_thresholds(results.fit.thresholds, quantity, condition);
+    if (left_out.missing() == 0) continue;
+    const Phrase sides = sides_text(left_out);
+    const Phrase what = left_out.missing() == left_out.of
+                            ? sides
+                            : phrase("Analysis", "%1; %2").with(sides, meaning_of(left_out));
+    const std::string of = std::to_string(left_out.of);
     answer =
-        (has_conditions
-             ? phrase("Analysis",
-                      "%1 Not estimated: %2 of %3 thresholds (participants by conditions; %4).")
-             : phrase("Analysis", "%1 Not estimated: %2 of %3 participants (%4)."))
-            .with(answer, std::to_string(others), all, left_out.reasons());
+        results.conditions.size() > 1
+            ? phrase("Analysis", "%1 Left out of %2 thresholds in the condition %3: %4.")
+                  .with(answer, of, words_of_condition(condition), what)
+            : phrase("Analysis", "%1 Left out of %2 thresholds: %3.").with(answer, of, what);
   }
   return answer;
 }
 
-Phrase with_left_out_means(Phrase note, const std::vector<DiscriminationResults>& all) {
-  for (const char* const quantity : {"pse", "jnd", "jnd.dprime1"}) {
-    LeftOutThresholds left_out{};
-    for (const DiscriminationResults& results : all) {
-      left_out += left_out_thresholds(results.fit.thresholds, quantity);
-    }
-    const std::size_t missing = left_out.below + left_out.above + left_out.other();
-    if (missing == 0 || missing == left_out.of) continue;
-    std::string code(quantity);
-    std::replace(code.begin(), code.end(), '.', '_');
-    const Phrase measure = words_of_cell("measure", code);
-    const std::string thresholds = std::to_string(left_out.of);
-    if (const Phrase bias = bias_text(left_out); !bias.empty()) {
-      note = phrase("Analysis", "%1 %2: left out of %3 thresholds: %4.")
-                 .with(note, measure, thresholds, bias);
-    }
-    if (left_out.other() > 0) {
-      note = phrase("Analysis", "%1 %2: %3 of %4 thresholds could not be estimated (%5).")
-                 .with(note, measure, std::to_string(left_out.other()), thresholds,
-                       left_out.reasons());
+std::string bound_sentences(const std::vector<Finding>& findings, const std::string& quantity,
+                            const std::string& measure) {
+  std::vector<std::string> conditions{};
+  for (const Finding& finding : findings) {
+    if (finding.analysis != kThresholds || finding.quantity != quantity) continue;
+    const std::string condition = condition_of_key(finding.key);
+    if (std::find(conditions.begin(), conditions.end(), condition) == conditions.end()) {
+      conditions.push_back(condition);
     }
   }
-  return note;
-}
-
-std::string bias_sentence(const std::vector<Finding>& findings, const std::string& quantity,
-                          const std::string& measure) {
-  const LeftOutThresholds left_out = left_out_thresholds(findings, quantity);
-  if (left_out.below + left_out.above + left_out.other() == left_out.of)
-    return {};  // there is no mean
-  const Phrase bias = bias_text(left_out);
-  if (bias.empty()) return {};
-  return " Of the " + reading_count(left_out.of) + ' ' + measure + "s, the mean does not include " +
-         bias.english() + '.';
+  std::string text{};
+  for (const std::string& condition : conditions) {
+    const LeftOutThresholds left_out = left_out_thresholds(findings, quantity, condition);
+    if (left_out.missing() == 0 || left_out.missing() == left_out.of) continue;
+    text += " Of the " + reading_count(left_out.of) + ' ' + measure + 's' +
+            (condition == "all" ? "" : " in the condition " + words_of_condition(condition)) +
+            ", the mean does not include " + sides_text(left_out).english() + "; " +
+            meaning_of(left_out).english() + '.';
+  }
+  return text;
 }
 
 }  // namespace asperity

@@ -58,7 +58,9 @@ SideOfThreshold side_of_threshold(const Finding& threshold) {
   const auto is_for = [&threshold](const WhyNoThreshold& why) {
     return threshold.word == why.word && threshold.status == why.sentence.english();
   };
-  if (is_for(every_response_correct()) || is_for(threshold_below_levels())) {
+  // The slope at its bound is the steepest that is fitted, and its JND smaller than every other estimate.
+  if (is_for(every_response_correct()) || is_for(threshold_below_levels()) ||
+      is_for(slope_at_bound())) {
     return SideOfThreshold::below;
   }
   return is_for(threshold_above_levels()) ? SideOfThreshold::above : SideOfThreshold::unknown;

@@ -23,9 +23,28 @@ namespace asperity {
 
 namespace {
 
-/// "JND 12.3 µm (95 % CI …)" of a mean.
-std::string mean_of_paper(const char* measure, const Finding& mean) {
-  return std::string(measure) + ' ' + quantity_with_interval(mean).english();
+/// "JND 12.3 µm (95 % CI …)" of a mean, "JND at most 12.3 µm" of an upper bound.
+std::string mean_of_paper(const char* measure, const Finding& mean,
+                          const std::vector<Finding>& findings) {
+  return std::string(measure) + ' ' +
+         mean_with_bound(mean, left_out_of_mean(findings, mean)).english();
+}
+
+/// " The ratio of the JNDs (metal / wood) was 1.20 (95 % CI …), N = 5 participants with both."
+std::string ratio_sentences(const std::vector<Finding>& findings, const std::string& measure) {
+  std::string text{};
+  for (const Finding& ratio : findings) {
+    if (ratio.analysis != kComparedThresholds || !ratio.value ||
+        !ratio.quantity.starts_with("ratio.")) {
+      continue;
+    }
+    const std::size_t bar = ratio.key.find('|');
+    text += " The ratio of the " + measure + "s (" + words_of_condition(ratio.key.substr(0, bar)) +
+            " / " + words_of_condition(ratio.key.substr(bar + 1)) + ") was " +
+            quantity_with_interval(ratio).english() + ", N = " + reading_count(ratio.n) +
+            " participants with both.";
+  }
+  return text;
 }
 
 /// The conditions in which the standard is 0 and responses are correct or incorrect (`DiscriminationTask::is_detection`):
@@ -135,7 +154,7 @@ EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {
       const Finding* const mean = found.find(quantity, condition);
       if (mean == nullptr) return;
       shown.push_back(mean);
-      parts.push_back(mean_of_paper(measure, *mean));
+      parts.push_back(mean_of_paper(measure, *mean, outcome.findings));
     };
     add("mean.pse", "PSE");
     const char* const measure = detections.contains(condition) ? "detection threshold" : "JND";
@@ -165,8 +184,10 @@ EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {
   text += missing_sentences(outcome.findings, "pse", "PSE") +
           missing_sentences(outcome.findings, "jnd", of_difference) +
           missing_sentences(at_unit_sensitivity, "jnd.dprime1", of_difference) +
-          bias_sentence(outcome.findings, "jnd", of_difference) +
-          bias_sentence(at_unit_sensitivity, "jnd.dprime1", of_difference) +
+          bound_sentences(outcome.findings, "pse", "PSE") +
+          bound_sentences(outcome.findings, "jnd", of_difference) +
+          bound_sentences(at_unit_sensitivity, "jnd.dprime1", of_difference) +
+          ratio_sentences(outcome.findings, of_difference) +
           unfinished_sentence(outcome.findings) + sensitivity_sentences(outcome) +
           catch_trials_sentence(outcome) + exclusions_sentence(outcome);
   if (text.starts_with(' ')) text.erase(0, 1);
