@@ -108,11 +108,14 @@ Figure power_figure(const TidyInput& input, const FoundNumbers& found);
 
 /// What the note of psychometric functions states.
 struct FunctionsNote {
-  enum class Intervals { delta, resamples, delta_and_resamples, repeated_procedure };
+  enum class Intervals { none, delta, resamples, delta_and_resamples, repeated_procedure };
+  enum class Thresholds { none, drawn };
   std::string percent_correct{};  ///< at the threshold; empty: points of subjective equality
   std::string confidence = "95";  ///< in percent
-  Intervals intervals = Intervals::delta;
+  Thresholds thresholds = Thresholds::drawn;
+  Intervals intervals = Intervals::delta;  ///< of the drawn thresholds
 };
+/// Explains only the marks that are drawn.
 Phrase note_on_functions(const FunctionsNote& note);
 
 /// Proportions correct by level, the fitted function and its threshold. `unit`: of the levels. `levels`: the range of the

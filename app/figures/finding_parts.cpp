@@ -1,5 +1,6 @@
 #include "app/figures/finding_parts.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/number_text.h"
@@ -12,6 +13,14 @@ std::optional<FigureSpan> interval_of(const Finding& finding) {
     return {};
   }
   return FigureSpan{.low = *finding.low, .high = *finding.high};
+}
+
+bool draws_intervals(std::span<const FigureSeries> series) {
+  return std::any_of(series.begin(), series.end(), [](const FigureSeries& one) {
+    return std::any_of(one.points.begin(), one.points.end(), [](const FigurePoint& point) {
+      return point.x_interval.has_value() || point.y_interval.has_value();
+    });
+  });
 }
 
 std::string percent_of(const std::vector<const Finding*>& findings) {

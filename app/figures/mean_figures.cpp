@@ -49,6 +49,19 @@ Phrase name_of_line(const std::vector<std::string>& parts, const Factors& within
   return name;
 }
 
+/// Explains only the marks that are drawn.
+Phrase note_on_cell_means(bool is_within, bool has_intervals, const std::string& percent) {
+  const Phrase points = phrase(
+      "Figures", "Points are means over the participants, shifted where several coincide.");
+  if (!has_intervals) return phrase("Figures", "%1 Lines guide the eye.").with(points);
+  return (is_within
+              ? phrase("Figures",
+                       "%1 Error bars: within-participant %2 % CIs (Cousineau and Morey), which do "
+                       "not include the differences between participants. Lines guide the eye.")
+              : phrase("Figures", "%1 Error bars: t-based %2 % CIs. Lines guide the eye."))
+      .with(points, percent);
+}
+
 }  // namespace
 
 Figure rating_figure(const FoundNumbers& found) {
@@ -56,12 +69,6 @@ Figure rating_figure(const FoundNumbers& found) {
   Figure figure{
       .name = "ratings",
       .title = phrase("Figures", "Ratings by item"),
-      .note =
-          phrase(
-              "Figures",
-              "Points are means over the participants who rated every item; error bars show their "
-              "t-based %1 % CIs. The accompanying tests use only the ranks of the ratings.")
-              .with(percent_of(means)),
       .shape = FigureShape::rows};
   bool is_first = true;
   FigureSeries points{};
@@ -82,8 +89,21 @@ Figure rating_figure(const FoundNumbers& found) {
     return figure;
   }
   widen(figure.x);
-  figure.x.name = phrase("Figures", "rating, mean with its %1 % CI").with(percent_of(means));
   figure.series.push_back(std::move(points));
+  if (draws_intervals(figure.series)) {
+    figure.x.name = phrase("Figures", "rating, mean with its %1 % CI").with(percent_of(means));
+    figure.note =
+        phrase("Figures",
+               "Points are means over the participants who rated every item; error bars show their "
+               "t-based %1 % CIs. The accompanying tests use only the ranks of the ratings.")
+            .with(percent_of(means));
+  } else {
+    figure.x.name = phrase("Figures", "rating, mean");
+    figure.note =
+        phrase("Figures",
+               "Points are means over the participants who rated every item; there are no CIs. The "
+               "accompanying tests use only the ranks of the ratings.");
+  }
   return figure;
 }
 
@@ -94,18 +114,7 @@ Figure interaction_figure(const TidyInput& input, const FoundNumbers& found,
       !means.empty() && found.value("cell.ci.half.morey", means.front()->key).has_value();
   Figure figure{
       .name = "means",
-      .title = phrase("Figures", "Means by condition"),
-      .note =
-          has_within_intervals
-              ? phrase("Figures",
-                       "Points are means over the participants, shifted where several coincide. "
-                       "Error bars: within-participant %1 % CIs (Cousineau and Morey), which do "
-                       "not include the differences between participants. Lines guide the eye.")
-                    .with(percent_of(means))
-              : phrase("Figures",
-                       "Points are means over the participants, shifted where several coincide. "
-                       "Error bars: t-based %1 % CIs. Lines guide the eye.")
-                    .with(percent_of(means))};
+      .title = phrase("Figures", "Means by condition")};
   if (means.empty()) {
     const Finding* status = found.find("status");
     figure.instead = status != nullptr
@@ -134,10 +143,12 @@ Figure interaction_figure(const TidyInput& input, const FoundNumbers& found,
     FigurePoint point{.x = static_cast<double>(level), .y = *mean->value};
     const auto half = found.value("cell.ci.half.morey", mean->key);
     point.y_interval = half ? FigureSpan{.low = *mean->value - *half, .high = *mean->value + *half}
-                            : interval_of(*mean).value_or(FigureSpan{*mean->value, *mean->value});
-    hold(*point.y_interval, is_first, figure.y);
+                            : interval_of(*mean);
+    hold(point.y_interval.value_or(FigureSpan{*mean->value, *mean->value}), is_first, figure.y);
     series->points.push_back(point);
   }
+  figure.note = note_on_cell_means(has_within_intervals, draws_intervals(figure.series),
+                                   percent_of(means));
   const auto lines = static_cast<double>(figure.series.size());
   const double aside = std::min(kAside, 2.0 * kFarthestAside / std::max(1.0, lines - 1.0));
   for (std::size_t i = 0; i < figure.series.size(); ++i) {

@@ -6,6 +6,7 @@
 #include "analysis/number_text.h"
 #include "analysis/psychometric_fit.h"
 #include "app/figures/figure_kinds.h"
+#include "app/figures/finding_parts.h"
 #include "app/findings/study/cell_words.h"
 
 namespace asperity {
@@ -48,6 +49,7 @@ Phrase words_of_intervals(FunctionsNote::Intervals intervals) {
                     "by the delta method or, with responses “cannot tell”, by percentiles of a "
                     "bootstrap of the three outcomes");
     case FunctionsNote::Intervals::repeated_procedure:
+    case FunctionsNote::Intervals::none:
       break;
   }
   return phrase("Figures", "by running the procedure again");
@@ -56,28 +58,32 @@ Phrase words_of_intervals(FunctionsNote::Intervals intervals) {
 }  // namespace
 
 Phrase note_on_functions(const FunctionsNote& note) {
-  const Phrase intervals = words_of_intervals(note.intervals);
-  if (note.percent_correct.empty()) {
-    return phrase("Figures",
-                  "Filled symbols: proportions of choices, larger for more trials. Curves: "
-                  "maximum-likelihood psychometric functions. Open symbols: points of "
-                  "subjective equality, with %1 % CIs %2.")
-        .with(note.confidence, intervals);
+  const bool is_correct = !note.percent_correct.empty();
+  const Phrase functions =
+      is_correct ? phrase("Figures",
+                          "Filled symbols: proportions correct, larger for more trials. Curves: "
+                          "maximum-likelihood psychometric functions.")
+                 : phrase("Figures",
+                          "Filled symbols: proportions of choices, larger for more trials. Curves: "
+                          "maximum-likelihood psychometric functions.");
+  if (note.thresholds == FunctionsNote::Thresholds::none) return functions;
+  const Phrase marks =
+      is_correct ? phrase("Figures", "%1 Open symbols: thresholds, the level of %2 % correct")
+                       .with(functions, note.percent_correct)
+                 : phrase("Figures", "%1 Open symbols: points of subjective equality")
+                       .with(functions);
+  if (note.intervals == FunctionsNote::Intervals::none) {
+    return phrase("Figures", "%1, without CIs.").with(marks);
   }
-  return phrase("Figures",
-                "Filled symbols: proportions correct, larger for more trials. Curves: "
-                "maximum-likelihood psychometric functions. Open symbols: thresholds, the "
-                "level of %1 % correct, with %2 % CIs %3.")
-      .with(note.percent_correct, note.confidence, intervals);
+  return phrase("Figures", "%1, with %2 % CIs %3.")
+      .with(marks, note.confidence, words_of_intervals(note.intervals));
 }
 
 Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
                            const std::string& unit, const std::optional<FigureSpan>& levels) {
   const double performance = input.options.number("pt");
   Figure figure{.name = "psychometric",
-                .title = phrase("Figures", "Proportion correct by level"),
-                .note = note_on_functions({.percent_correct = number_text(100.0 * performance),
-                                           .confidence = percent_of(found.all("threshold"))})};
+                .title = phrase("Figures", "Proportion correct by level")};
   const TidyTable& table = input.table();
   const LabelColumn conditions = table.all_labels("condition");
   const std::vector<double> x = table.all_numbers("x");
@@ -141,6 +147,13 @@ Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
                           .points = {mark},
                           .lines = {{{.x = at, .y = performance}, {.x = at, .y = 0.0}}}});
   }
+  figure.note = note_on_functions(
+      {.percent_correct = number_text(100.0 * performance),
+       .confidence = percent_of(found.all("threshold")),
+       .thresholds = thresholds.empty() ? FunctionsNote::Thresholds::none
+                                        : FunctionsNote::Thresholds::drawn,
+       .intervals = draws_intervals(thresholds) ? FunctionsNote::Intervals::delta
+                                                : FunctionsNote::Intervals::none});
   figure.series.insert(figure.series.end(), thresholds.begin(), thresholds.end());
   if (conditions.names.size() == 1) figure.series.front().name = {};
   if (input.options.text("gamma") != "free" && input.options.number("gamma") > 0.0) {

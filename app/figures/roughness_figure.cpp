@@ -10,6 +10,7 @@
 #include "app/figures/axis_ticks.h"
 #include "app/figures/drawn_table.h"
 #include "app/figures/figure_kinds.h"
+#include "app/figures/finding_parts.h"
 #include "app/figures/single_participants.h"
 #include "results_schema/table.h"
 
@@ -34,15 +35,6 @@ bool has_curves(const std::vector<FigureSeries>& series) {
                      [](const FigureSeries& one) { return !one.lines.empty(); });
 }
 
-/// Whether any of these points has an interval along either axis.
-bool has_any_interval(const std::vector<FigureSeries>& series) {
-  return std::any_of(series.begin(), series.end(), [](const FigureSeries& one) {
-    return std::any_of(one.points.begin(), one.points.end(), [](const FigurePoint& point) {
-      return point.x_interval.has_value() || point.y_interval.has_value();
-    });
-  });
-}
-
 /// Whether the intervals are those of normalised estimates; otherwise they are between participants.
 bool has_within_intervals(const FoundNumbers& found) {
   return !found.all("geomean.ci.lower.morey").empty();
@@ -53,12 +45,12 @@ Phrase roughness_note(const FoundNumbers& found, const std::vector<FigureSeries>
                       const std::vector<FigureSeries>& peaks) {
   const std::string percent = percent_of(found.all("geomean"));
   Phrase note =
-      has_any_interval(means) && !has_within_intervals(found)
+      draws_intervals(means) && !has_within_intervals(found)
           ? phrase("Figures",
                    "Filled symbols: geometric means of the estimates with t-based %1 % CIs over "
                    "the participants.")
                 .with(percent)
-      : has_any_interval(means)
+      : draws_intervals(means)
           ? phrase("Figures",
                    "Filled symbols: geometric means of normalised estimates with "
                    "within-participant %1 % CIs (Cousineau and Morey), which serve to compare "
@@ -69,7 +61,7 @@ Phrase roughness_note(const FoundNumbers& found, const std::vector<FigureSeries>
     note = phrase("Figures", "%1 Curves: mean parabolas of the log estimates.").with(note);
   }
   if (peaks.empty()) return note;
-  return (has_any_interval(peaks)
+  return (draws_intervals(peaks)
               ? phrase(
                     "Figures",
                     "%1 Open symbols: significant interior maxima of the curves, with CIs by the "

@@ -38,11 +38,14 @@ FigureSeries& series_of(const std::string& condition, Figure& figure,
   return figure.series[static_cast<std::size_t>(at)];
 }
 
-Phrase note_of(const FoundNumbers& found) {
+/// Explains only the marks that are drawn.
+Phrase note_of(const FoundNumbers& found, const Figure& figure) {
   const std::string percent = percent_of(found.all("geomean"));
   const bool is_within = !found.all("geomean.ci.lower.morey").empty();
   const Phrase means =
-      is_within
+      !draws_intervals(figure.series)
+          ? phrase("Figures", "Filled symbols: geometric means of the estimates.")
+      : is_within
           ? phrase("Figures",
                    "Filled symbols: geometric means of normalised estimates with "
                    "within-participant %1 % CIs (Cousineau and Morey), which serve to compare "
@@ -81,8 +84,7 @@ Figure stimulus_estimates_figure(const FoundNumbers& found, const Phrase& predic
   const DrawnUnit drawn = drawn_unit(unit, greatest);
   const double scale = 1.0 / drawn.size;
   Figure figure{.name = "stimulus_estimates",
-                .title = phrase("Figures", "Magnitude estimates by stimulus"),
-                .note = note_of(found)};
+                .title = phrase("Figures", "Magnitude estimates by stimulus")};
   const bool has_predictor = !found.all("predictor").empty();
   std::vector<std::string> conditions{};
   std::vector<std::string> stimuli{};
@@ -124,6 +126,7 @@ Figure stimulus_estimates_figure(const FoundNumbers& found, const Phrase& predic
   for (std::size_t i = 0; has_predictor && i < conditions.size(); ++i) {
     add_line(found, conditions[i], across, scale, estimates, figure.series[i]);
   }
+  figure.note = note_of(found, figure);
   if (conditions.size() == 1) figure.series.front().name = {};
   const bool is_within = !found.all("geomean.ci.lower.morey").empty();
   FigureAxis axis{

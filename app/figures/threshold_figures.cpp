@@ -6,10 +6,12 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <span>
 
 #include "analysis/number_text.h"
 #include "app/figures/drawn_table.h"
 #include "app/figures/figure_kinds.h"
+#include "app/figures/finding_parts.h"
 #include "app/figures/single_participants.h"
 #include "app/findings/study/answer_columns.h"
 #include "app/findings/study/cell_words.h"
@@ -165,6 +167,8 @@ void add_detections(const DrawnFunctions& drawn, const std::vector<std::string>&
                      .points = {mark},
                      .lines = {{{.x = mark.x, .y = mark.y}, {.x = mark.x, .y = 0.0}}}});
   }
+  const bool has_intervals = draws_intervals(marks);
+  const bool has_marks = !marks.empty();
   figure.series.insert(figure.series.end(), marks.begin(), marks.end());
   figure.references.clear();
   const std::string yes(drawn.design->yes);
@@ -172,14 +176,25 @@ void add_detections(const DrawnFunctions& drawn, const std::vector<std::string>&
   figure.note = phrase("Figures",
                        "Filled symbols: proportions of responses “%1”, larger for more trials; "
                        "those at a difference of 0 are false alarms. Curves: maximum-likelihood "
-                       "functions of signal detection. Open symbols: differences with d′ = 1, with "
-                       "95 % CIs.")
+                       "functions of signal detection.")
                     .with(yes);
+  if (!has_marks) return;
+  figure.note =
+      (has_intervals
+           ? phrase("Figures", "%1 Open symbols: differences with d′ = 1, with 95 % CIs.")
+           : phrase("Figures", "%1 Open symbols: differences with d′ = 1, without CIs."))
+          .with(figure.note);
 }
 
-/// How the intervals of the drawn thresholds were estimated.
-FunctionsNote::Intervals method_of_intervals(const DrawnFunctions& drawn,
+bool draws_thresholds(const Figure& figure) {
+  return std::any_of(figure.series.begin(), figure.series.end(),
+                     [](const FigureSeries& one) { return one.hollow && !one.points.empty(); });
+}
+
+/// How the intervals of the drawn thresholds were estimated, where there are any.
+FunctionsNote::Intervals method_of_intervals(const DrawnFunctions& drawn, const Figure& figure,
                                              const FoundNumbers& thresholds) {
+  if (!draws_intervals(figure.series)) return FunctionsNote::Intervals::none;
   const bool is_repeated =
       std::any_of(drawn.names.begin(), drawn.names.end(), [&](const std::string& condition) {
         return thresholds.find("without", drawn.participant + '|' + condition) != nullptr;
@@ -216,6 +231,8 @@ Figure figure_of_functions(DrawnFunctions drawn, const FoundNumbers& functions,
                    figure);
     return figure;
   }
+  const auto marks = draws_thresholds(figure) ? FunctionsNote::Thresholds::drawn
+                                              : FunctionsNote::Thresholds::none;
   if (drawn.is_performance) {
     figure.x.name = phrase("Figures", "difference of the %1 from the standard").with(parameter);
     if (drawn.design->is_choice_of_three()) {
@@ -225,10 +242,12 @@ Figure figure_of_functions(DrawnFunctions drawn, const FoundNumbers& functions,
     figure.note =
         note_on_functions({.percent_correct = number_text(
                                std::round(1000.0 * proportion_at_threshold(*drawn.design)) / 10.0),
-                           .intervals = method_of_intervals(drawn, thresholds)});
+                           .thresholds = marks,
+                           .intervals = method_of_intervals(drawn, figure, thresholds)});
     return figure;
   }
-  figure.note = note_on_functions({.intervals = method_of_intervals(drawn, thresholds)});
+  figure.note = note_on_functions(
+      {.thresholds = marks, .intervals = method_of_intervals(drawn, figure, thresholds)});
   figure.x.name = phrase("Figures", "%1 of the comparison").with(parameter);
   figure.y.name = phrase("Figures", "proportion of choices");
   figure.references.clear();
@@ -250,6 +269,23 @@ struct DrawnThreshold {
   Phrase axis{};
   std::string mean = "mean";  ///< column of the table of means
 };
+
+/// Explains only the marks that are drawn. A point of subjective equality has an arithmetic mean.
+Phrase note_on_mean_thresholds(bool is_arithmetic, bool has_intervals) {
+  const Phrase points =
+      is_arithmetic
+          ? phrase("Figures",
+                   "Points are means over the participants whose threshold could be estimated")
+          : phrase("Figures",
+                   "Points are geometric means over the participants whose threshold could be "
+                   "estimated");
+  if (!has_intervals) return phrase("Figures", "%1; there are no CIs.").with(points);
+  return (is_arithmetic
+              ? phrase("Figures", "%1; error bars show their t-based 95 % CIs.")
+              : phrase("Figures",
+                       "%1; error bars show their t-based 95 % CIs on the logarithmic scale."))
+      .with(points);
+}
 
 /// Means with their intervals, a row per condition, and the participants behind them; nothing without a mean.
 std::optional<Figure> figure_of_thresholds(const DrawnThreshold& drawn, const Table& means,
@@ -284,20 +320,10 @@ std::optional<Figure> figure_of_thresholds(const DrawnThreshold& drawn, const Ta
       .name = drawn.figure,
       .table = kMeanThresholds,
       .title = drawn.title,
-      .note =
-          drawn.mean == "mean"
-              ? phrase("Figures",
-                       "Points are means over the participants whose threshold could "
-                       "be estimated; error bars show their t-based 95 % CIs.")
-              : phrase(
-                    "Figures",
-                    "Points are geometric means over the participants whose threshold could be "
-                    "estimated; error bars show their t-based 95 % CIs on the logarithmic scale."),
       .shape = FigureShape::rows};
   const bool is_pse = std::string(drawn.column) == "pse";
   const double room = 0.06 * (greatest - (is_pse ? lowest : std::min(0.0, lowest)));
-  figure.x = {.name = drawn.axis,
-              .unit = shown.text,
+  figure.x = {.unit = shown.text,
               .low = (is_pse ? lowest - room : std::min(0.0, lowest)) / shown.size,
               .high = (greatest + (room > 0.0 ? room : 1e-9)) / shown.size};
   FigureSeries points{};
@@ -323,6 +349,10 @@ std::optional<Figure> figure_of_thresholds(const DrawnThreshold& drawn, const Ta
     behind.push_back({.place = place, .values = std::move(own)});
     figure.y.places.push_back(words_of_cell("condition", condition));
   }
+  const bool has_intervals = draws_intervals(std::span(&points, 1));
+  figure.x.name =
+      has_intervals ? phrase("Figures", "%1 with its 95 % CI").with(drawn.axis) : drawn.axis;
+  figure.note = note_on_mean_thresholds(is_pse, has_intervals);
   figure.series.push_back(singles_in_rows(behind, figure.x, 0));
   figure.series.push_back(std::move(points));
   if (has_bound) {
@@ -346,9 +376,9 @@ std::vector<Figure> threshold_figures(const AnalysisOutcome& outcome) {
     const std::array kDrawn{
         DrawnThreshold{"pse", "points_of_subjective_equality",
                        phrase("Figures", "Points of subjective equality"),
-                       phrase("Figures", "point of subjective equality, mean with its 95 % CI")},
+                       phrase("Figures", "point of subjective equality, mean")},
         DrawnThreshold{"jnd", "thresholds", phrase("Figures", "Thresholds"),
-                       phrase("Figures", "threshold, geometric mean with its 95 % CI"),
+                       phrase("Figures", "threshold, geometric mean"),
                        "geometric_mean"}};
     bool has_proportion = false;  // a threshold at a proportion correct
     for (const DrawnThreshold& drawn : kDrawn) {
@@ -358,7 +388,7 @@ std::vector<Figure> threshold_figures(const AnalysisOutcome& outcome) {
     }
     const DrawnThreshold at_unit{
         "jnd_dprime1", "thresholds", phrase("Figures", "Thresholds"),
-        phrase("Figures", "difference with d′ = 1, geometric mean with its 95 % CI"),
+        phrase("Figures", "difference with d′ = 1, geometric mean"),
         "geometric_mean"};
     if (!has_proportion) {
       auto figure = figure_of_thresholds(at_unit, means->table, thresholds->table);

@@ -21,6 +21,7 @@ namespace asperity {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const Figure& figure_named(const std::vector<Figure>& figures, const std::string& name) {
   const auto found = std::find_if(figures.begin(), figures.end(),
@@ -110,6 +111,25 @@ TEST(ThresholdFigures, DrawHitsThatAreNotWholeWithTheirBootstrapIntervals) {
       figures_of_discrimination("comparison", {35e-6, 45e-6, 55e-6, 65e-6}, {1, 6, 14, 19}, 0, 1);
   EXPECT_THAT(figure_named(choices, "psychometric_p1_comparison").note.english(),
               HasSubstr("bootstrap of the three outcomes"));
+}
+
+// The second participant has no level above 75 % correct: no threshold, and no open symbol.
+TEST(ThresholdFigures, ExplainOnlyTheThresholdsThatAreDrawn) {
+  const std::vector<Figure> figures = figures_of_discrimination(
+      "performance", {52.5e-6, 55e-6, 60e-6, 65e-6, 75e-6}, {10, 11, 12, 18, 20}, 2);
+  EXPECT_THAT(figure_named(figures, "psychometric_p1").note.english(),
+              HasSubstr("Open symbols: thresholds, the level of 75 % correct, with 95 % CIs by the "
+                        "delta method."));
+  EXPECT_THAT(figure_named(figures, "psychometric_p2").note.english(),
+              Not(HasSubstr("Open symbols")));
+  EXPECT_THAT(figure_named(figures, "thresholds").note.english(),
+              HasSubstr("there are no CIs"));
+  EXPECT_EQ(note_on_functions({.percent_correct = "75",
+                               .intervals = FunctionsNote::Intervals::none})
+                .english(),
+            "Filled symbols: proportions correct, larger for more trials. Curves: "
+            "maximum-likelihood psychometric functions. Open symbols: thresholds, the level of 75 % "
+            "correct, without CIs.");
 }
 
 TEST(ThresholdFigures, HaveTheSameAxisForAllParticipants) {
