@@ -433,6 +433,19 @@ TEST(TidyFamilies, GiveTheAreaOfRatingsAnIntervalOverParticipants) {
 }
 
 // The responses and numbers of crossed_binomial_test.cpp.
+// Ten trials of each kind that the ratings separate are also compatible with a smaller area: an interval [1, 1] is not one.
+TEST(TidyFamilies, GiveNoIntervalOfAnAreaAtItsEndOrWithoutVariance) {
+  for (const char* const rows : {"a,1,10,0\na,2,0,10\n", "a,1,10,3\na,2,0,7\n"}) {
+    const auto found =
+        roc_findings(input_of(std::string("condition,rating,noise,signal\n") + rows, "{}"));
+    for (const Finding& finding : found) {
+      if (finding.quantity != "auc" && !finding.quantity.starts_with("auc.")) continue;
+      EXPECT_FALSE(finding.low || finding.high) << rows;
+      EXPECT_FALSE(finding.quantity.ends_with("lower") || finding.quantity.ends_with("upper"));
+    }
+  }
+}
+
 TEST(TidyFamilies, FitParticipantsAndItemsAsCrossed) {
   const std::string hits = "1233231122333221121213113332332323333322232323223333333322112332";
   std::string table = "subject,item,condition,correct,trials\n";

@@ -124,46 +124,6 @@ std::vector<Finding> roc_of(const GatheredAnswers& gathered, const Discriminatio
   return findings;
 }
 
-/// Whether all trials of one kind have the same rating.
-bool has_single_category(const std::map<double, RatingCount>& ratings) {
-  std::size_t of_signal = 0;
-  std::size_t of_noise = 0;
-  for (const auto& [rating, count] : ratings) {
-    of_signal += count.signal > 0 ? 1 : 0;
-    of_noise += count.noise > 0 ? 1 : 0;
-  }
-  return of_signal < 2 || of_noise < 2;
-}
-
-/// DeLong's standard error is 0, or lacks one of its two parts.
-void drop_degenerate_intervals(const GatheredAnswers& gathered,
-                               const DiscriminationResults& results, const RatedLevels& levels,
-                               std::vector<Finding>& findings) {
-  std::set<std::string> degenerate{};
-  for (const auto& [place, level] : levels) {
-    const std::string id = id_of_rated(results, place);
-    std::map<double, RatingCount> together{};
-    for (const auto& [person, ratings] : level) {
-      for (const auto& [rating, count] : ratings) {
-        together[rating].signal += count.signal;
-        together[rating].noise += count.noise;
-      }
-      if (has_single_category(ratings)) {
-        degenerate.insert(both(id, gathered.people[person].label));
-      }
-    }
-    if (has_single_category(together)) degenerate.insert(id);
-  }
-  drop_intervals(findings, [&degenerate](const Finding& finding) -> std::optional<std::string> {
-    if (finding.quantity != "auc" || !finding.low) return std::nullopt;
-    constexpr double kRounding = 1e-9;  // of the sum of the trapezoids
-    const double area = finding.value.value_or(0.0);
-    const bool is_at_end = area < kRounding || area > 1.0 - kRounding;
-    if (!is_at_end && !degenerate.contains(finding.key)) return std::nullopt;
-    return "without an interval, because DeLong's standard error is 0 or too small";
-  });
-}
-
 void add_row(const DiscriminationResults& results, const std::pair<std::size_t, double>& place,
              const std::string& participant, const std::string& key, const FoundNumbers& found,
              Table& table) {
@@ -290,8 +250,7 @@ void add_confidence_roc(const GatheredAnswers& gathered,
     }
     const RatedLevels levels = rated_levels(results.study);
     if (levels.empty()) continue;
-    std::vector<Finding> findings = roc_of(gathered, results, levels);
-    drop_degenerate_intervals(gathered, results, levels, findings);
+    const std::vector<Finding> findings = roc_of(gathered, results, levels);
     keep_findings(findings, outcome);
     const FoundNumbers found(findings);
     for (const auto& [place, level] : levels) {

@@ -147,24 +147,40 @@ class RocList final {
     }
   }
 
+  /// DeLong's standard error is 0 for an area of 0 or 1, and lacks one of its two parts where all trials of a kind have the
+  /// same rating.
+  bool has_interval(const RocArea& area) const {
+    constexpr double kRounding = 1e-9;  // of the sum of the trapezoids
+    const auto categories = [this](std::uint64_t RatingCount::*of) {
+      return std::count_if(condition_.counts.begin(), condition_.counts.end(),
+                           [of](const RatingCount& count) { return count.*of > 0; });
+    };
+    return area.standard_error && area.area > kRounding && area.area < 1.0 - kRounding &&
+           categories(&RatingCount::noise) > 1 && categories(&RatingCount::signal) > 1;
+  }
+
   void add_area() {
     const RocArea area = roc_area(condition_.counts);
     Basis trapezoids = basis("area under the ROC by trapezoids, equal to Mann and Whitney's U/nm");
-    ConfidenceInterval ends{.low = kUndefined, .high = kUndefined};
-    if (area.standard_error) {
+    if (has_interval(area)) {
       const double reach = normal_limit(confidence_) * *area.standard_error;
-      ends = {.low = std::max(0.0, area.area - reach), .high = std::min(1.0, area.area + reach)};
       trapezoids.method += "; normal interval with DeLong's standard error, truncated to 0 to 1";
-      trapezoids.interval = ends;
+      trapezoids.interval = ConfidenceInterval{.low = std::max(0.0, area.area - reach),
+                                               .high = std::min(1.0, area.area + reach)};
       trapezoids.confidence = confidence_;
+    } else {
+      trapezoids.method +=
+          "; without an interval, because DeLong's standard error is 0 or too small";
     }
     list_.number("auc", condition_.name, area.area, trapezoids);
     list_.number("auc.se.delong", condition_.name, area.standard_error.value_or(kUndefined),
                  basis("standard error of DeLong, DeLong and Clarke-Pearson"));
-    list_.number("auc.lower", condition_.name, ends.low,
-                 basis("normal interval, DeLong, at least 0"));
-    list_.number("auc.upper", condition_.name, ends.high,
-                 basis("normal interval, DeLong, at most 1"));
+    if (trapezoids.interval) {
+      list_.number("auc.lower", condition_.name, trapezoids.interval->low,
+                   basis("normal interval, DeLong, at least 0"));
+      list_.number("auc.upper", condition_.name, trapezoids.interval->high,
+                   basis("normal interval, DeLong, at most 1"));
+    }
     list_.number("auc.se.hanley", condition_.name, area.hanley_error,
                  basis("standard error of Hanley and McNeil"));
   }
