@@ -31,7 +31,8 @@ CochranTest cochran_test(const CountMatrix& answers) {
   }
   test.q = test.df * static_cast<double>(conditions * of_columns - total * total) /
            static_cast<double>(denominator);
-  test.p = *upper_tail(ChiSquaredStatistic{.value = test.q, .df = test.df});
+  test.p = upper_tail(ChiSquaredStatistic{.value = test.q, .df = test.df})
+               .value_or(std::numeric_limits<double>::quiet_NaN());
   const RelabellingTest exact = relabelling_test(answers);
   test.exact_p = exact.p;
   test.counted = exact.exact;

@@ -107,7 +107,9 @@ ParametricBootstrap parametric_bootstrap(std::span<const PsychometricBlock> bloc
     add(refit, answer.thresholds);
   }
   summarise(question.confidence, answer.thresholds);
-  answer.deviance_p = static_cast<double>(as_large) / static_cast<double>(draws + 1);
+  if (fit.deviance_df > 0.0) {
+    answer.deviance_p = static_cast<double>(as_large) / static_cast<double>(draws + 1);
+  }
   return answer;
 }
 

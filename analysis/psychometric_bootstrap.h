@@ -32,7 +32,7 @@ ThresholdBootstrap bootstrap_threshold(std::span<const PsychometricBlock> blocks
 /// does not require many trials per level. Both assume that the hits of a level are binomial.
 struct ParametricBootstrap {
   ThresholdBootstrap thresholds{};
-  double deviance_p = 1.0;
+  std::optional<double> deviance_p{};  ///< nothing without degrees of freedom of the deviance
 };
 ParametricBootstrap parametric_bootstrap(std::span<const PsychometricBlock> blocks,
                                          const PsychometricFit& fit,

@@ -70,6 +70,12 @@ std::optional<double> profile_end(const PsychometricLikelihood& data, const Curv
   return std::nullopt;
 }
 
+ConfidenceInterval around_threshold(const PsychometricFunction& f, double threshold, double half) {
+  const double low = threshold - half;
+  return {.low = f.shape == PsychometricShape::weibull ? std::max(0.0, low) : low,
+          .high = threshold + half};
+}
+
 }  // namespace
 
 std::optional<PsychometricPrecision> delta_method_precision(const PsychometricLikelihood& data,
@@ -90,7 +96,7 @@ std::optional<PsychometricPrecision> delta_method_precision(const PsychometricLi
   answer.threshold_se = std::sqrt(gradient.dot(covariance * gradient));
   const double half = normal_limit(question.confidence) * answer.threshold_se;
   const double threshold = f.inverse(question.performance);
-  answer.threshold = {.low = threshold - half, .high = threshold + half};
+  answer.threshold = around_threshold(f, threshold, half);
   return answer;
 }
 
@@ -108,7 +114,7 @@ std::optional<PsychometricPrecision> overdispersed_precision(const PsychometricP
                                .threshold_se = factor * binomial.threshold_se};
   const double half = *limit * answer.threshold_se;
   const double threshold = f.inverse(question.performance);
-  answer.threshold = {.low = threshold - half, .high = threshold + half};
+  answer.threshold = around_threshold(f, threshold, half);
   return answer;
 }
 

@@ -22,7 +22,8 @@ struct PsychometricPrecision {
   double alpha_se = 0.0;
   double beta_se = 0.0;
   double threshold_se = 0.0;
-  ConfidenceInterval threshold{};  ///< threshold ± limit·threshold_se
+  /// threshold ± limit·threshold_se; of a Weibull function, whose levels are above 0, truncated at 0
+  ConfidenceInterval threshold{};
 };
 
 /// From the observed information I = −∂²ln L/∂θ∂θᵀ of the parameters that are not at a bound: the

@@ -42,9 +42,6 @@ std::optional<double> upper_tail(const ChiSquaredStatistic& statistic) {
   if (std::isnan(statistic.value)) {
     return std::nullopt;
   }
-  if (statistic.df == 0.0) {
-    return 1.0;
-  }
   if (!usable(statistic.df)) {
     return std::nullopt;
   }

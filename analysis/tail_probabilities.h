@@ -25,7 +25,7 @@ struct TStatistic {
 /// P(X ≥ value), computed as itself and not as 1 − P(X < value), so that small tails keep their
 /// digits. A statistic that grew beyond all bounds (an effect without any error) has the tail that
 /// its limit has. Nothing where there is no answer: for a statistic that is no number and for
-/// degrees of freedom that are not positive. With 0 degrees of freedom X² is 0: its tail is 1.
+/// degrees of freedom that are not positive: with none of them nothing is tested.
 std::optional<double> upper_tail(const ChiSquaredStatistic& statistic);
 std::optional<double> upper_tail(const FStatistic& statistic);
 std::optional<double> upper_tail(const TStatistic& statistic);

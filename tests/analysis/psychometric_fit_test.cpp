@@ -189,7 +189,7 @@ TEST(ParametricBootstrap, AgreesWithLargeSamplesAndTestsTheFit) {
   EXPECT_EQ(boot.thresholds.valid, 400U);
   EXPECT_NEAR(*boot.thresholds.standard_error, fit->precision->threshold_se,
               0.15 * fit->precision->threshold_se);
-  EXPECT_NEAR(boot.deviance_p, *fit->deviance_p, 0.08);
+  EXPECT_NEAR(boot.deviance_p.value(), *fit->deviance_p, 0.08);
   EXPECT_EQ(boot.deviance_p, parametric_bootstrap(good, *fit, question, 400).deviance_p);
   const Blocks bad{{1, 200, 24}, {2, 200, 104}, {3, 200, 60}, {4, 200, 156}, {5, 200, 176}};
   const auto wrong = fit_psychometric(bad, question);

@@ -28,11 +28,11 @@ TEST(TailProbabilities, HaveTheLimitsOfStatisticsWithoutBounds) {
   EXPECT_EQ(two_sided_tail(TStatistic{.value = -kInfinite, .df = 3.0}), 0.0);
   EXPECT_EQ(upper_tail(TStatistic{.value = -kInfinite, .df = 3.0}), 1.0);
   EXPECT_EQ(upper_tail(ChiSquaredStatistic{.value = -1e-17, .df = 1.0}), 1.0);
-  EXPECT_EQ(upper_tail(ChiSquaredStatistic{.value = 0.0, .df = 0.0}), 1.0);
 }
 
 TEST(TailProbabilities, AreNothingWhereNothingIsDefined) {
   EXPECT_FALSE(upper_tail(FStatistic{.value = 1.0, .df1 = 1.0, .df2 = 0.0}));
+  EXPECT_FALSE(upper_tail(ChiSquaredStatistic{.value = 0.0, .df = 0.0}));
   EXPECT_FALSE(upper_tail(FStatistic{.value = kNoNumber, .df1 = 1.0, .df2 = 1.0}));
   EXPECT_FALSE(upper_tail(ChiSquaredStatistic{.value = kNoNumber, .df = 1.0}));
   EXPECT_FALSE(two_sided_tail(TStatistic{.value = 1.0, .df = -1.0}));

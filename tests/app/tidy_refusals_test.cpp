@@ -485,6 +485,36 @@ TEST(TidyRefusals, NeedTheNumberOfAlternativesOfUnforcedChoices) {
       HasSubstr("t.csv:2:5: k and unsure together exceed n"));
 }
 
+// Two levels and two parameters: the function passes through both proportions.
+TEST(TidyRefusals, TestNoFitWithoutDegreesOfFreedom) {
+  const auto findings = findings_of("psyfit", "condition,x,n,k\na,1,20,11\na,2,20,16\n",
+                                    R"({"shape": "logistic", "gamma": 0.5, "lambda": 0.02, "pt": 0.75})");
+  for (const char* const p : {"deviance.p.chisq", "deviance.p.montecarlo"}) {
+    EXPECT_EQ(word_of(findings, p), "NA") << p;
+  }
+}
+
+// A Weibull function of levels above 0: no limit is below them, and a threshold outside them has none.
+TEST(TidyRefusals, GiveNoImpossibleLimitsOfAThreshold) {
+  const char* options = R"({"shape": "weibull", "gamma": 0.5, "lambda": 0.02, "pt": 0.75})";
+  const auto inside =
+      findings_of("psyfit", "condition,x,n,k\nc,1,8,5\nc,2,8,4\nc,3,8,6\nc,4,8,7\n", options);
+  for (const Finding& finding : inside) {
+    if (finding.quantity.find("threshold") == std::string::npos) continue;
+    if (finding.quantity.ends_with("lower") && finding.value) {
+      EXPECT_GE(*finding.value, 0.0) << finding.quantity;
+    }
+  }
+  const auto outside =
+      findings_of("psyfit", "condition,x,n,k\nc,1,20,11\nc,2,20,9\nc,3,20,11\nc,4,20,12\n", options);
+  EXPECT_EQ(word_of(outside, "threshold.status"), "outside_range");
+  for (const char* const absent :
+       {"threshold.se", "threshold.delta.lower", "threshold.overdispersed.lower",
+        "bootstrap.threshold.se", "bootstrap.threshold.upper"}) {
+    EXPECT_EQ(word_of(outside, absent), "(absent)") << absent;
+  }
+}
+
 // A threshold outside the levels rests on the form of the function alone.
 TEST(TidyRefusals, SayWhereAThresholdIsNotAmongTheLevels) {
   const char* options = R"({"shape": "logistic", "gamma": 0.5, "lambda": 0.02, "pt": 0.75})";

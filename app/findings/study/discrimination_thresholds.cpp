@@ -218,7 +218,7 @@ void add_performance(const DiscriminationTask& task, const DiscriminationData& d
   } else {
     estimate.method += "; delta interval, truncated at 0";
     if (threshold->low && threshold->high) {
-      estimate = with_interval(estimate, std::max(0.0, *threshold->low), *threshold->high);
+      estimate = with_interval(estimate, *threshold->low, *threshold->high);
     }
   }
   list.difference(quantity, *threshold->value, estimate);

@@ -109,6 +109,22 @@ std::size_t draws_of(const FamilyOptions& options) {
                            "; it must be a whole number of draws from 0 (none) to 1000000");
 }
 
+constexpr const char* kNoDegreesOfFreedom =
+    "the function has as many parameters as there are levels, so that the goodness of fit cannot be "
+    "tested: present more levels";
+
+/// Whether a threshold lies beyond all levels with trials.
+bool is_outside_levels(double threshold, const Blocks& blocks) {
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -lowest;
+  for (const PsychometricBlock& block : blocks) {
+    if (block.trials == 0) continue;
+    lowest = std::min(lowest, block.x);
+    highest = std::max(highest, block.x);
+  }
+  return threshold < lowest || threshold > highest;
+}
+
 class PsychometricList final {
  public:
   PsychometricList(PsychometricQuestion question, std::size_t draws)
@@ -154,9 +170,9 @@ class PsychometricList final {
     }
     if (!fit) return std::nullopt;
     parameters(*fit);
-    threshold(*fit);
+    threshold(*fit, condition.blocks);
     say_where_outside(fit->threshold, condition.blocks);
-    overdispersion(*fit);
+    overdispersion(*fit, condition.blocks);
     if (fit->free_lapses) lapses(*fit);
     if (draws_ > 0) drawn(condition.blocks, *fit);
     return fit;
@@ -229,12 +245,14 @@ class PsychometricList final {
     number("deviance", fit.deviance, "against one proportion per block");
     number("deviance.df", fit.deviance_df, "number of blocks minus number of parameters");
     number("pearson", fit.pearson.value_or(kUndefined), "Pearson's X²");
-    number("deviance.p.chisq", fit.deviance_p.value_or(kUndefined),
-           "χ² test of the deviance; indicative only: in simulations of the fitted function the "
-           "Type I error rate at α = .05 was up to 8 %");
+    Basis test = basis(
+        "χ² test of the deviance; indicative only: in simulations of the fitted function the "
+        "Type I error rate at α = .05 was up to 8 %");
+    test.undefined = kNoDegreesOfFreedom;
+    list_.number("deviance.p.chisq", key_, fit.deviance_p.value_or(kUndefined), std::move(test));
   }
 
-  void overdispersion(const PsychometricFit& fit) {
+  void overdispersion(const PsychometricFit& fit, const Blocks& blocks) {
     number("dispersion", fit.dispersion.value_or(kUndefined),
            "Pearson's X² over its degrees of freedom; near 1 for binomial hits");
     if (!fit.overdispersed) return;
@@ -242,6 +260,7 @@ class PsychometricList final {
         "standard error times √max(1, dispersion), for hits that vary more than binomially";
     number("se.alpha.overdispersed", fit.overdispersed->alpha_se, method);
     number("se.beta.overdispersed", fit.overdispersed->beta_se, method);
+    if (is_outside_levels(fit.threshold, blocks)) return;
     number("threshold.se.overdispersed", fit.overdispersed->threshold_se, method);
     const std::string interval =
         method + "; t interval with the degrees of freedom of the deviance";
@@ -276,8 +295,11 @@ class PsychometricList final {
     const ParametricBootstrap boot = parametric_bootstrap(blocks, fit, question_, draws_);
     const std::string method = "parametric bootstrap, " + way_of_counting(draws_);
     const ThresholdBootstrap& thresholds = boot.thresholds;
-    number("deviance.p.montecarlo", boot.deviance_p,
-           "Monte Carlo test of the deviance, " + way_of_counting(draws_));
+    Basis test = basis("Monte Carlo test of the deviance, " + way_of_counting(draws_));
+    test.undefined = kNoDegreesOfFreedom;
+    list_.number("deviance.p.montecarlo", key_, boot.deviance_p.value_or(kUndefined),
+                 std::move(test));
+    if (is_outside_levels(fit.threshold, blocks)) return;
     number("bootstrap.valid", static_cast<double>(thresholds.valid), method + ", with a threshold");
     number("bootstrap.slope.at.bound", static_cast<double>(thresholds.slopes_at_bound),
            method + ", slope at its bound (included)");
@@ -292,16 +314,19 @@ class PsychometricList final {
     number("bootstrap.threshold.upper", ends.high, percentile);
   }
 
-  void threshold(const PsychometricFit& fit) {
+  /// A threshold outside the levels has no interval and no standard error: it depends on the form of the function.
+  void threshold(const PsychometricFit& fit, const Blocks& blocks) {
+    const bool is_outside = is_outside_levels(fit.threshold, blocks);
     if (fit.beta_at_bound) {
       number("threshold", fit.threshold, "x at the requested performance; slope at its bound");
       return;
     }
-    Basis estimate = basis("x at the requested performance; delta interval");
+    Basis estimate = basis(is_outside ? "x at the requested performance; outside the tested levels"
+                                      : "x at the requested performance; delta interval");
     estimate.undefined =
         "the fitted function does not take the value pt: its gamma or lambda is too large; choose "
         "another pt, or fix gamma and lambda";
-    if (fit.precision) {
+    if (fit.precision && !is_outside) {
       estimate.interval = fit.precision->threshold;
       estimate.confidence = question_.confidence;
     }
@@ -309,9 +334,11 @@ class PsychometricList final {
     if (fit.precision) {
       number("se.alpha", fit.precision->alpha_se, "observed information");
       number("se.beta", fit.precision->beta_se, "observed information");
-      number("threshold.se", fit.precision->threshold_se, "delta method");
-      number("threshold.delta.lower", fit.precision->threshold.low, "delta interval");
-      number("threshold.delta.upper", fit.precision->threshold.high, "delta interval");
+      if (!is_outside) {
+        number("threshold.se", fit.precision->threshold_se, "delta method");
+        number("threshold.delta.lower", fit.precision->threshold.low, "delta interval");
+        number("threshold.delta.upper", fit.precision->threshold.high, "delta interval");
+      }
       profile_end("alpha.profile.lower", fit.profile_low, "smaller");
       profile_end("alpha.profile.upper", fit.profile_high, "larger");
     } else {
@@ -345,14 +372,7 @@ class PsychometricList final {
 
   /// A threshold beyond all tested levels depends on the form of the function alone.
   void say_where_outside(double threshold, const Blocks& blocks) {
-    double lowest = std::numeric_limits<double>::infinity();
-    double highest = -lowest;
-    for (const PsychometricBlock& block : blocks) {
-      if (block.trials == 0) continue;
-      lowest = std::min(lowest, block.x);
-      highest = std::max(highest, block.x);
-    }
-    if (std::isnan(threshold) || (threshold >= lowest && threshold <= highest)) return;
+    if (!is_outside_levels(threshold, blocks)) return;
     list_.word("threshold.status", key_, "outside_range",
                "the threshold is outside the tested levels and depends on the form of the function "
                "alone: present levels around it",
