@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct DrawnCount {
   double trials = 0.0;  ///< of each participant
   double effect = 0.0;
   std::string key{};
+  std::optional<double> truth{};  ///< of an interval
   double tables = 0.0;
   double given = 0.0;
   double failed = 0.0;
@@ -37,6 +39,7 @@ inline std::vector<DrawnCount> coverage_counts(const std::string& part,
   const auto participants = table.all_numbers("participants");
   const auto trials = table.all_numbers("trials");
   const auto effects = table.all_numbers("effect");
+  const auto truths = table.numbers("truth");
   const auto tables = table.all_numbers("tables");
   const auto given = table.all_numbers("given");
   const auto below = table.numbers("below");
@@ -51,6 +54,7 @@ inline std::vector<DrawnCount> coverage_counts(const std::string& part,
          .trials = trials[row],
          .effect = effects[row],
          .key = std::string(keys[row]),
+         .truth = truths[row],
          .tables = tables[row],
          .given = given[row],
          .failed = is_test ? rejected[row].value() : below[row].value() + above[row].value()});

@@ -264,7 +264,7 @@ void ask_reliability_of_estimates(const GatheredAnswers& gathered,
              "Each participant's own intraclass correlation (consistency) of the logarithms of the "
              "estimates, with the surfaces in each condition as targets and the repetitions as "
              "raters; mean over the participants with a t-based CI. In simulations with 2 to 20 "
-             "participants and seven surfaces, the coverage of the CI was at least 88 %."),
+             "participants and seven surfaces, the coverage of the CI was at least 90 %."),
       "", &own->mean);
 }
 

@@ -18,7 +18,7 @@ Phrase generalised_eta_name() { return phrase("TestMethods", "generalised η²")
 Phrase coverage_of_d() {
   return phrase("TestMethods",
                 "The CIs of d for choices are approximate: in simulations, their coverage was at "
-                "least 92 % with a true d of at most 0.8, and at least 59 % with a larger one.");
+                "least 92 % with a true d of at most 0.8, and at least 57 % with a larger one.");
 }
 Phrase coverage_of_w() {
   return phrase("TestMethods",
