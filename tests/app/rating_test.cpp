@@ -10,6 +10,7 @@
 
 #include "app/findings/found_numbers.h"
 #include "app/findings/study/analyze_study.h"
+#include "results_schema/table.h"
 #include "tests/app/analysed_study.h"
 
 namespace asperity {
@@ -523,26 +524,54 @@ std::vector<std::vector<MadeUpTrial>> four_on_a_line() {
   return people;
 }
 
-TEST(RatingModel, IsLinearOnAContinuousScale) {
+TEST(RatingModel, IsTheAnalysisOfVarianceOfTheParticipantsMeans) {
   const AnalysisOutcome outcome =
       analysed_ratings(one_scale(R"({"minimum": 0, "maximum": 100})"), four_on_a_line());
   EXPECT_EQ(find_table(outcome, "ordinal"), nullptr);
-  const NamedTable* const table = find_table(outcome, "mixed_model");
+  const NamedTable* const table = find_table(outcome, "rated_differences");
   ASSERT_NE(table, nullptr);
   ASSERT_EQ(table->table.rows.size(), 1U);  // the reference is the first item, stone
+  const auto cell = [table](const char* column) {
+    return number_of(table->table.rows[0][*column_of(table->table, column)]).value();
+  };
+  // The differences −20, −22, −18, −24: mean −21, s² = 20/3; t of 3 degrees of freedom at 97.5 %: 3.182446.
+  const double half = 3.182446305284263 * std::sqrt(20.0 / 3.0 / 4.0);
+  EXPECT_NEAR(cell("difference"), -21.0, 1e-9);
+  EXPECT_NEAR(cell("difference_low"), -21.0 - half, 1e-9);
+  EXPECT_NEAR(cell("difference_high"), -21.0 + half, 1e-9);
   const FoundNumbers found(outcome.findings);
-  // Complete data: the mean difference, and F = t² of the paired t test, 21²/(s²/4) with s² = 20/3.
-  EXPECT_NEAR(found.value("lmm.beta", "rough|item|wood").value(), -21.0, 1e-9);
-  EXPECT_NEAR(found.value("lmm.F", "rough|item").value(), 441.0 / (20.0 / 3.0 / 4.0), 1e-3);
+  EXPECT_NEAR(found.value("F", "rough|item").value(), 441.0 / (20.0 / 3.0 / 4.0), 1e-6);
+  EXPECT_EQ(found.value("df2", "rough|item"), 3.0);
   const auto sentence =
       std::find_if(outcome.test_sentences.begin(), outcome.test_sentences.end(),
                    [](const TestSentence& each) { return each.test == "rating_model"; });
   ASSERT_NE(sentence, outcome.test_sentences.end());
-  EXPECT_THAT(sentence->text, HasSubstr("in the mixed model"));
+  EXPECT_THAT(sentence->text, HasSubstr("in the analysis of variance"));
+  EXPECT_THAT(sentence->text, HasSubstr("F(1, 3)"));
 }
 
-TEST(RatingModel, IsOrdinalUpToElevenPoints) {
-  const auto tables = [](const std::string& points) {
+// Two participants rate wood higher and two stone, each in four trials without any variation: no difference of the means, which
+// a model without the variation of the effects over participants would take for sixteen independent differences.
+TEST(RatingModel, CountsParticipantsAndNotResponses) {
+  std::vector<std::vector<MadeUpTrial>> people{};
+  for (const auto& [wood, stone] : {std::pair{10, 50}, {12, 40}, {52, 20}, {40, 12}}) {
+    std::vector<MadeUpTrial>& trials = people.emplace_back();
+    for (int repetition = 1; repetition <= 4; ++repetition) {
+      trials.push_back(rated_on("wood", std::to_string(wood), {}, repetition));
+      trials.push_back(rated_on("stone", std::to_string(stone), {}, repetition));
+    }
+  }
+  const AnalysisOutcome outcome =
+      analysed_ratings(one_scale(R"({"minimum": 0, "maximum": 100})"), people);
+  const FoundNumbers found(outcome.findings);
+  // Differences 40, 28, −32, −28: mean 2, s² = 4/3·(38² + 26² + 34² + 30²)/4.
+  const double variance = (38.0 * 38.0 + 26.0 * 26.0 + 34.0 * 34.0 + 30.0 * 30.0) / 3.0;
+  EXPECT_NEAR(found.value("F", "rough|item").value(), 4.0 / (variance / 4.0), 1e-9);
+  EXPECT_EQ(found.value("df2", "rough|item"), 3.0);
+}
+
+TEST(RatingModel, HasLogOddsWithoutTestsUpToElevenPoints) {
+  const auto outcome_of = [](const std::string& points) {
     std::vector<std::vector<MadeUpTrial>> people{};
     for (const auto& [wood, stone] : {std::pair{1, 3}, {3, 2}, {2, 4}, {4, 5}, {1, 2}}) {
       people.push_back(
@@ -551,10 +580,15 @@ TEST(RatingModel, IsOrdinalUpToElevenPoints) {
     return analysed_ratings(one_scale(R"({"minimum": 0, "maximum": 11, "points": )" + points + "}"),
                             people);
   };
-  EXPECT_NE(FoundNumbers(tables("11").findings).find("n.categories", "rough"), nullptr);
-  EXPECT_EQ(FoundNumbers(tables("11").findings).find("lmm.status", "rough"), nullptr);
-  EXPECT_EQ(FoundNumbers(tables("12").findings).find("n.categories", "rough"), nullptr);
-  EXPECT_NE(FoundNumbers(tables("12").findings).find("lmm.status", "rough"), nullptr);
+  const AnalysisOutcome eleven = outcome_of("11");
+  const FoundNumbers found(eleven.findings);
+  EXPECT_NE(found.find("n.categories", "rough"), nullptr);
+  EXPECT_EQ(found.find("lr.p", "rough"), nullptr);
+  for (const Finding* const odds : found.all("logodds")) EXPECT_FALSE(odds->low) << odds->key;
+  EXPECT_THAT(find_table(eleven, "ordinal")->note.english(), HasSubstr("Type I error rate of 21 %"));
+  const AnalysisOutcome twelve = outcome_of("12");
+  EXPECT_EQ(FoundNumbers(twelve.findings).find("n.categories", "rough"), nullptr);
+  EXPECT_NE(find_table(twelve, "rated_differences"), nullptr);
 }
 
 /// Five participants rate so many items on both scales.

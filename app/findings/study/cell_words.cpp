@@ -106,7 +106,7 @@ const CellWords& words_of_tests() {
       {"preference", phrase("CellWords", "preference")},
       {"properties", phrase("CellWords", "measured properties")},
       {"rated_pairs", phrase("CellWords", "pairs of items")},
-      {"rating_model", phrase("CellWords", "mixed model of the ratings")},
+      {"rating_model", phrase("CellWords", "analysis of variance of the ratings")},
       {"ratings", phrase("CellWords", "ratings of the items")},
       {"right", phrase("CellWords", "proportion correct")},
       {"sexes", phrase("CellWords", "women and men")},

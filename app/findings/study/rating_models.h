@@ -1,4 +1,4 @@
-// Fits the mixed model of the single ratings on each scale.
+// The effects of the items on the ratings of each scale.
 
 #pragma once
 
@@ -9,21 +9,24 @@
 
 namespace asperity {
 
-/// The models of all scales: a cumulative link mixed model where the ratings are ordered categories
-/// (RatedScale::has_categories), and otherwise a linear mixed model. Items are fixed effects, and participants random
-/// intercepts. Every response counts.
+/// Of each scale the repeated-measures analysis of variance of the participants' mean ratings: its error term contains the
+/// variation of the items' effects over participants. A mixed model of the single responses with random intercepts alone does
+/// not: in simulations of 12 participants who rated four items four times each (residual SD 1), and whose effects varied with SDs
+/// of 0.5 and 1, the F test of the linear model rejected a true null hypothesis in 17 and 33 % of the studies.
+/// Where the ratings are ordered categories (RatedScale::has_categories) also the log odds ratios of a cumulative link mixed
+/// model, without intervals and tests for the same reason.
 class RatingModels final {
  public:
   RatingModels();
-  /// Fits the model of a scale with at least two items; adds its findings and the test `rating_model`.
+  /// Of a scale with at least two items; adds the findings and the test `rating_model`.
   void add(const GatheredAnswers& gathered, const RatedScale& scale, StudyTests& tests,
            AnalysisOutcome& outcome);
-  /// Appends the tables `ordinal` and `mixed_model`, each if it has a row.
+  /// Appends the tables `rated_differences` and `ordinal`, each if it has a row.
   void report(AnalysisOutcome& outcome) &&;
 
  private:
   NamedTable ordinal_{};
-  NamedTable linear_{};
+  NamedTable differences_{};
 };
 
 }  // namespace asperity

@@ -440,7 +440,6 @@ Phrase StudyTests::note_on_columns(std::string_view left_out) const {
     if (!test.p || test.made_by == nullptr || test.name == left_out) continue;
     if (test.statistic) add_symbol(test.made_by->symbol, test.made_by->symbol_name);
     has_epsilon = has_epsilon || test.epsilon;
-    add_simulated(test.made_by->size);
     if (!test.effect) continue;
     const std::string_view symbol = test.made_by->effect_symbol;
     add_symbol(symbol, test.made_by->effect_name);

@@ -25,17 +25,6 @@ Phrase coverage_of_w() {
                 "The CIs of W for choices are approximate: in simulations with 12 and 20 "
                 "participants, their coverage was 77 to 100 %.");
 }
-Phrase size_of_linear_model() {
-  return phrase("TestMethods",
-                "The F test of the linear mixed model is slightly liberal: in simulations without "
-                "differences, its Type I error rate at α = .05 was up to 7 %.");
-}
-Phrase size_of_cumulative_model() {
-  return phrase("TestMethods",
-                "The likelihood-ratio test of the cumulative link mixed model is slightly liberal: "
-                "in simulations without differences, its Type I error rate at α = .05 was up to "
-                "7 %, and up to 8 % with two participants.");
-}
 Phrase permuted_groups() { return phrase("TestMethods", "permutation test of group labels"); }
 
 }  // namespace
@@ -89,31 +78,6 @@ std::span<const TestMethod> test_methods() {
                  .effect_name = hedges_g_name(),
                  .effect = "group.hedges.g",
                  .sources = {"Ernst 2004", "Hedges 1981"}},
-      TestMethod{
-          .p = "lmm.F.p",
-          .code = "linear_mixed",
-          .name = phrase("TestMethods",
-                         "F test of a linear mixed model, Satterthwaite’s degrees of freedom"),
-          .unit = kUnitOfParticipants,
-          .symbol = "F",
-          .statistic = "lmm.F",
-          .degrees = {"lmm.F.df1", "lmm.F.df2"},
-          .sources = {"Laird 1982", ""},
-          .size = size_of_linear_model()},
-      TestMethod{
-          .p = "lr.p",
-          .code = "likelihood_ratio",
-          .name = phrase("TestMethods", "likelihood-ratio test of a cumulative link mixed model"),
-          .unit = kUnitOfParticipants,
-          .symbol = "χ²",
-          .statistic = "lr.chisq",
-          .degrees = {"lr.df", ""},
-          .effect_symbol = "R²",
-          .effect_name = phrase("TestMethods", "McFadden’s R²"),
-          .effect = "mcfadden.r2",
-          .effect_is_bounded = true,
-          .sources = {"McCullagh 1980", ""},
-          .size = size_of_cumulative_model()},
       TestMethod{.p = "p",
                  .code = "rm_anova",
                  .name = phrase("TestMethods", "repeated-measures ANOVA"),

@@ -50,9 +50,6 @@ struct TestMethod {
   /// The coverage of such intervals in simulations (docs/analysis.md), where it is less than 93 %
   /// or more than 97 %; otherwise empty.
   Phrase coverage{};
-  /// The Type I error rate at α = .05 in simulations of a mixed model (docs/data/coverage.tsv), where it exceeds 6.5 %; otherwise
-  /// empty.
-  Phrase size{};
 };
 
 /// All methods, by `p`.

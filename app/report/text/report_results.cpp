@@ -351,12 +351,10 @@ std::string words_of_analysis_without_numbers(const std::string& analysis) {
   return analysis == "roughness" ? "the roughness curves" : "a part of the analysis";
 }
 
-/// Contact times, response times and ratings have the same quantities: "the linear mixed model of times" becomes that of
-/// contact times.
+/// Contact times and response times have the same quantities: "the linear mixed model of times" becomes that of contact times.
 std::string with_modelled_times(std::string words, const std::string& analysis) {
   const std::string_view times = analysis == kContactTimeModel    ? " contact times"
                                  : analysis == kResponseTimeModel ? " response times"
-                                 : analysis == "mixed_model"      ? " ratings"
                                                                   : "";
   constexpr std::string_view kTimes = " times";
   if (!times.empty() && words.ends_with(kTimes)) {
