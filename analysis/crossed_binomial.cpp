@@ -79,6 +79,11 @@ class CrossedLikelihood final {
           "model: neither participants nor items have random intercepts; give at least one of them "
           "random intercepts");
     }
+    if (integrates() && model.participants_vary && model.items_vary) {
+      throw std::invalid_argument(
+          "model: quadrature requires that either participants or items have random intercepts; "
+          "take Laplace's approximation for both");
+    }
     if (model.design.colPivHouseholderQr().rank() < model.design.cols()) {
       throw std::invalid_argument(
           "design: the columns are linearly dependent; omit those that follow from others");
@@ -124,6 +129,7 @@ class CrossedLikelihood final {
     }
     at.log_likelihood =
         constant_ + value - 0.5 * newton_step(fixed, sigma_p, sigma_i, at).log_determinant;
+    if (integrates()) at.log_likelihood += beyond_laplace(fixed, sigma_p, sigma_i, at);
     return at;
   }
 
@@ -141,6 +147,55 @@ class CrossedLikelihood final {
   }
 
  private:
+  bool integrates() const { return model_.likelihood == MarginalLikelihood::quadrature; }
+
+  /// What Laplace's approximation lacks: with h the logarithm of an intercept's integrand, û its mode and a = −h''(û), the sum
+  /// over the intercepts of ln(√(a/2π)·∫exp(h(u) − h(û))du), by the trapezoidal rule in t = √a·(u − û).
+  double beyond_laplace(const Eigen::VectorXd& fixed, double sigma_p, double sigma_i,
+                        const Mode& at) const {
+    const bool of_participants = model_.participants_vary;
+    const double sigma = of_participants ? sigma_p : sigma_i;
+    const Eigen::VectorXd& modes = of_participants ? at.u : at.v;
+    std::vector<std::vector<std::size_t>> rows(static_cast<std::size_t>(modes.size()));
+    for (std::size_t i = 0; i < responses_.size(); ++i) {
+      rows[of_participants ? responses_[i].participant : responses_[i].item].push_back(i);
+    }
+    double sum = 0.0;
+    for (std::size_t group = 0; group < rows.size(); ++group) {
+      const double mode = modes(static_cast<Eigen::Index>(group));
+      const auto log_integrand = [&](double u) {
+        double value = -0.5 * u * u;
+        for (const std::size_t row : rows[group]) {
+          value += response_term(responses_[row].count,
+                                 fixed(static_cast<Eigen::Index>(row)) + sigma * u, model_.link)
+                       .value;
+        }
+        return value;
+      };
+      double curvature = 1.0;
+      for (const std::size_t row : rows[group]) {
+        curvature += sigma * sigma *
+                     response_term(responses_[row].count,
+                                   fixed(static_cast<Eigen::Index>(row)) + sigma * mode, model_.link)
+                         .weight;
+      }
+      constexpr double kStep = 0.25;
+      constexpr double kNegligible = -30.0;
+      const double highest = log_integrand(mode);
+      double ordinates = 1.0;
+      for (const double side : {-1.0, 1.0}) {
+        for (int step = 1;; ++step) {
+          const double u = mode + side * kStep * step / std::sqrt(curvature);
+          const double fall = log_integrand(u) - highest;
+          if (!(fall > kNegligible)) break;
+          ordinates += std::exp(fall);
+        }
+      }
+      sum += std::log(kStep * ordinates / std::sqrt(2.0 * std::numbers::pi));
+    }
+    return sum;
+  }
+
   struct NewtonStep {
     Eigen::VectorXd u{};
     Eigen::VectorXd v{};
@@ -439,7 +494,7 @@ SampledError intercept_error(const CrossedFit& fit, std::size_t participants, st
   double variance = fit.standard_error(0) * fit.standard_error(0);
   double df = std::numeric_limits<double>::infinity();
   const auto add = [&](const char* argument, double sigma, std::size_t intercepts) {
-    if (sigma == 0.0) return;
+    if (sigma == 0.0 && intercepts < 2) return;
     if (intercepts < 2) {
       throw std::invalid_argument(std::string(argument) + ": there are " +
                                   std::to_string(intercepts) +

@@ -16,6 +16,12 @@ namespace asperity {
 /// Which function of the probability is linear: ln(p/(1 − p)), or the normal quantile Φ⁻¹(p).
 enum class BinomialLink { logit, probit };
 
+/// How the intercepts are integrated out. Laplace's approximation overestimates σ and β₀ by more than a factor of 2 where nearly
+/// all responses are hits (236 of 240 of twenty participants: σ 6.46 instead of 2.6). `quadrature` is the trapezoidal rule about
+/// the mode of each intercept, in steps of a quarter of its standard deviation until the integrand is below e⁻³⁰ of its value at
+/// the mode: its error is below 10⁻¹⁰. It requires that one factor alone varies.
+enum class MarginalLikelihood { laplace, quadrature };
+
 /// The responses of one participant to one item under one condition.
 struct CrossedHits {
   HitCount count{};
@@ -30,6 +36,7 @@ struct CrossedModel {
       design{};  ///< a row of fixed effects x' for each CrossedHits; its first column is 1
   bool participants_vary = true;  ///< without: σ_p = 0
   bool items_vary = true;         ///< without: σ_i = 0
+  MarginalLikelihood likelihood = MarginalLikelihood::laplace;
 };
 
 /// The maximum of Laplace's approximation of the marginal likelihood: with f the joint density of
@@ -57,12 +64,15 @@ struct CrossedFit {
 /// likelihood estimates σ² too small by (k − 1)/k of k intercepts, so that what is missing,
 /// σ̂_p²/(P(P − 1)) + σ̂_i²/(I(I − 1)), is added to the square of Wald's standard error. The degrees of
 /// freedom are those of the smaller sample, k − 1 (the containment method): Satterthwaite's, from
-/// estimated variances, rejected in up to 7.5 % of simulated tables with four textures at .05.
+/// estimated variances, rejected in up to 7.5 % of simulated tables with four textures at .05. They are the same where σ of the
+/// smaller sample is estimated as 0, which does not make the sample larger: with four textures whose σ was 0.5 and estimated as
+/// 0, tests with the degrees of freedom of 20 participants rejected a true null hypothesis in 11 of 38 tables.
 struct SampledError {
   double standard_error = 0.0;
   double df = 0.0;
 };
-/// Throws std::invalid_argument where a factor that varies has fewer than two intercepts.
+/// `participants`, `items`: the samples; fewer than two of a factor that does not vary: it is not sampled. Throws
+/// std::invalid_argument where a factor that varies has fewer than two intercepts.
 SampledError intercept_error(const CrossedFit& fit, std::size_t participants, std::size_t items);
 
 /// Why there is no fit.
@@ -81,11 +91,11 @@ struct CrossedAnswer {
 /// Separated are responses where the intercepts of participants and items, or either alone, or the
 /// fixed effects, predict every response without an error: of all participants (or items) each has
 /// only hits or only misses, or a level of a condition has. Throws std::invalid_argument for a design
-/// that does not fit the responses or is not of full rank, for impossible counts, and where neither
-/// varies.
+/// that does not fit the responses or is not of full rank, for impossible counts, where neither
+/// varies, and for quadrature where both do.
 CrossedAnswer crossed_fit(std::span<const CrossedHits> responses, const CrossedModel& model);
 
-/// Laplace's ln L at given β, σ_p and σ_i. Throws as `crossed_fit` does.
+/// ln L of the model at given β, σ_p and σ_i. Throws as `crossed_fit` does.
 double crossed_log_likelihood(std::span<const CrossedHits> responses, const CrossedModel& model,
                               const CrossedFit& at);
 

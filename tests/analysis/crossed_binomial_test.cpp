@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -225,9 +226,62 @@ TEST(CrossedFit, ErrsByParticipantsAndByItems) {
   EXPECT_EQ(both.df, 3.0);
   EXPECT_THROW(intercept_error(fit, 10, 1), std::invalid_argument);
   fit.sigma_items = 0.0;
+  EXPECT_EQ(intercept_error(fit, 10, 4).df, 3.0) << "an estimate of 0 makes no sample larger";
   const SampledError participants = intercept_error(fit, 10, 1);
   EXPECT_NEAR(participants.standard_error * participants.standard_error, 0.254, 1e-12);
   EXPECT_EQ(participants.df, 9.0);
+}
+
+/// Twelve trials of each of twenty participants, two of whom miss two.
+std::vector<CrossedHits> near_ceiling() {
+  std::vector<CrossedHits> responses{};
+  for (std::size_t i = 0; i < 20; ++i) {
+    responses.push_back({.count = {.hits = i < 2 ? 10U : 12U, .trials = 12}, .participant = i});
+  }
+  return responses;
+}
+
+CrossedModel integrated_intercept(std::size_t rows) {
+  return {.design = Eigen::MatrixXd::Ones(static_cast<Eigen::Index>(rows), 1),
+          .items_vary = false,
+          .likelihood = MarginalLikelihood::quadrature};
+}
+
+// Simpson's rule over z from −9 to 9 in 4000 steps: ∫ C(12, k)·p^k·(1 − p)^(12 − k)·φ(z)dz, p = 1/(1 + exp(−β − σz)).
+TEST(CrossedFit, IntegratesOneInterceptExactly) {
+  const std::vector<CrossedHits> responses = near_ceiling();
+  for (const auto& [beta, sigma] : {std::pair{6.6, 2.6}, {9.0, 6.0}, {1.0, 0.3}}) {
+    double expected = 0.0;
+    for (const double hits : {10.0, 12.0}) {
+      constexpr int kSteps = 4000;
+      double integral = 0.0;
+      for (int step = 0; step <= kSteps; ++step) {
+        const double z = -9.0 + 18.0 * step / kSteps;
+        const double p = 1.0 / (1.0 + std::exp(-beta - sigma * z));
+        const double ways = hits == 10.0 ? 66.0 : 1.0;
+        const double weight = step == 0 || step == kSteps ? 1.0 : (step % 2 == 1 ? 4.0 : 2.0);
+        integral += weight * ways * std::pow(p, hits) * std::pow(1.0 - p, 12.0 - hits) *
+                    0.3989422804014327 * std::exp(-0.5 * z * z);
+      }
+      expected += (hits == 10.0 ? 2.0 : 18.0) * std::log(integral * 18.0 / kSteps / 3.0);
+    }
+    const CrossedFit at{.beta = Eigen::VectorXd::Constant(1, beta), .sigma_participants = sigma};
+    EXPECT_NEAR(crossed_log_likelihood(responses, integrated_intercept(responses.size()), at),
+                expected, 1e-8)
+        << beta << ' ' << sigma;
+  }
+}
+
+// By adaptive quadrature with 25 points, R's lme4 finds β = 6.6 and σ = 2.6; Laplace's approximation is at 9.4 and 6.5.
+TEST(CrossedFit, IsNotInflatedNearTheCeilingWithQuadrature) {
+  const std::vector<CrossedHits> responses = near_ceiling();
+  const CrossedAnswer exact = crossed_fit(responses, integrated_intercept(responses.size()));
+  ASSERT_TRUE(exact.fit);
+  EXPECT_NEAR(exact.fit->beta(0), 6.6, 0.1);
+  EXPECT_NEAR(exact.fit->sigma_participants, 2.6, 0.1);
+  CrossedModel both = integrated_intercept(responses.size());
+  both.items_vary = true;
+  EXPECT_THROW(crossed_fit(responses, both), std::invalid_argument);
 }
 
 TEST(CrossedFit, RefusesWhatIsNoModel) {

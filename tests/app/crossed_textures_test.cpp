@@ -116,13 +116,29 @@ TEST(OtherTextures, HaveTheMixedModelOfTheCounts) {
 TEST(OtherTextures, ThatDoNotDifferHaveADeviationOfNothing) {
   const auto alike = [](int participant, int /*texture*/) { return participant % 4; };
   const AnalysisOutcome outcome = outcome_of("selection", selected_model, 8, 4, alike);
-  const std::vector<Finding> family = of_family(R"({"chance": 0.5, "random": ["subject"]})", alike);
+  const std::vector<Finding> family = of_family(
+      R"({"chance": 0.5, "random": ["subject"], "likelihood": "quadrature"})", alike);
   EXPECT_EQ(found_in(outcome.findings, "glmm.sigma", "item").value, 0.0);
   EXPECT_EQ(found_in(outcome.findings, "glmm.sigma", "subject").value,
             found_in(family, "glmm.sigma", "subject").value);
+  // Four textures remain a sample of four: 3 degrees of freedom, not those of eight participants.
+  EXPECT_EQ(found_in(family, "glmm.t.df", "intercept").value, 7.0);
+  EXPECT_EQ(found_in(outcome.findings, "glmm.t.df", "intercept").value, 3.0);
+  EXPECT_GT(found_in(outcome.findings, "glmm.t.p", "intercept").value,
+            found_in(family, "glmm.t.p", "intercept").value);
   ASSERT_NE(asked_of_textures(outcome), nullptr);
   EXPECT_THAT(asked_of_textures(outcome)->answer.english(),
               HasSubstr("the proportion of choices of a is estimated as "));
+}
+
+// Nine incorrect responses: three participants with one miss for each of three textures.
+TEST(OtherTextures, AreNotAskedAboutNearTheCeiling) {
+  const auto nearly_all = [](int participant, int texture) {
+    return participant < 3 && texture < 3 ? kTrials - 1 : kTrials;
+  };
+  const AnalysisOutcome outcome = outcome_of("recognition", recognised_picture, 8, 4, nearly_all);
+  EXPECT_EQ(asked_of_textures(outcome), nullptr);
+  EXPECT_EQ(found_in(outcome.findings, "glmm.status", "").word, "near_ceiling");
 }
 
 TEST(OtherTextures, AreNotAskedAboutWithFewOrWithoutAMaximum) {

@@ -1,5 +1,6 @@
 #include "app/findings/study/crossed_textures.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -24,6 +25,8 @@ constexpr const char* kItem = "item";
 // With fewer, a standard deviation is not reliably estimated.
 constexpr std::size_t kFewestParticipants = 5;
 constexpr std::size_t kFewestTextures = 3;
+// Of the responses of the rarer kind: events per parameter of a logistic regression [Peduzzi 1996].
+constexpr std::size_t kFewestOfEach = 10;
 
 /// A row per participant and texture. Numbers replace names, which no finding contains.
 std::vector<TidyTable::Column> rows_of(std::span<const TextureResponse> responses) {
@@ -57,7 +60,12 @@ std::vector<Finding> fitted(const CrossedResponses& crossed, const char* random)
   TidyInput input{};
   input.tables.emplace_back(rows_of(crossed.responses), "the responses");
   input.options.set("chance", crossed.chance);
-  if (random != nullptr) input.options.set("random", std::vector<std::string>{random});
+  if (random != nullptr) {
+    input.options.set("random", std::vector<std::string>{random});
+    input.options.set("likelihood", std::string("quadrature"));
+    // A deviation that is estimated as 0 does not make the sample of its factor larger.
+    input.options.set("sampled", std::vector<std::string>{kSubject, kItem});
+  }
   return analysis_of(kCrossed, "glmm", std::move(input));
 }
 
@@ -121,6 +129,22 @@ void ask_other_textures(const CrossedResponses& crossed, AnalysisOutcome& outcom
     add_no_crossed_model("too_few", reason, outcome);
     return;
   }
+  const auto hits = static_cast<std::size_t>(
+      std::count_if(crossed.responses.begin(), crossed.responses.end(),
+                    [](const TextureResponse& one) { return one.is_hit; }));
+  const std::size_t rarer = std::min(hits, crossed.responses.size() - hits);
+  if (rarer > 0 && rarer < kFewestOfEach) {
+    add_no_crossed_model(hits == rarer ? "near_floor" : "near_ceiling",
+                         "it needs at least " + std::to_string(kFewestOfEach) +
+                             " responses of either kind (correct or of the target, and the others), "
+                             "which determine how much participants and textures differ; there "
+                             "are " +
+                             std::to_string(hits) + " and " +
+                             std::to_string(crossed.responses.size() - hits) +
+                             "; add participants or trials",
+                         outcome);
+    return;
+  }
   std::vector<Finding> findings = fitted(crossed, nullptr);
   if (const char* varies = lone_random(FoundNumbers(findings))) {
     findings = fitted(crossed, varies);
@@ -135,9 +159,10 @@ void ask_other_textures(const CrossedResponses& crossed, AnalysisOutcome& outcom
   const Phrase method =
       phrase("Analysis",
              "Generalised linear mixed model (logit) with crossed random intercepts of "
-             "participants and textures, by maximum likelihood with the Laplace approximation; t "
-             "test and CI of the fixed intercept, with the degrees of freedom of the smaller "
-             "sample (participants or textures). In simulations with 5 to 20 participants and SDs "
+             "participants and textures, by maximum likelihood with the Laplace approximation, "
+             "or by numerical integration where one SD is estimated as 0; t test and CI of the "
+             "fixed intercept, with the degrees of freedom of the smaller sample (participants or "
+             "textures), also where its SD is estimated as 0. In simulations with 5 to 20 participants and SDs "
              "of 0.5 and 1, among the studies with an estimate, the coverage of the 95 % CI was 95 "
              "to 100 % with four textures and 90 to 100 % with ten.");
   add_question(outcome, kCrossed,

@@ -27,8 +27,9 @@ struct CrossedResponses {
 
 /// Mixed logistic regression (family `glmm`) with participants and textures as crossed random intercepts.
 /// Where one of their standard deviations is estimated as 0, a boundary estimate without standard errors, the model
-/// without these intercepts has the same maximum, and its numbers are reported. With fewer than five participants or
-/// three textures, and for data without a maximum, a status is reported instead of a number.
+/// without these intercepts has the same maximum; it is integrated numerically, and its test keeps the degrees of freedom of
+/// the smaller sample. With fewer than five participants or three textures, fewer than ten responses of a kind, and for data
+/// without a maximum, a status is reported instead of a number.
 void ask_other_textures(const CrossedResponses& crossed, AnalysisOutcome& outcome);
 
 /// Adds the finding that there is no such model, and why.

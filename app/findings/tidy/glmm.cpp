@@ -34,6 +34,8 @@ struct CrossedTable {
   std::vector<FixedEffect> effects{};
   std::size_t participants = 0;
   std::size_t items = 0;
+  bool participants_are_sampled = true;  ///< to generalise to others
+  bool items_are_sampled = true;
 };
 
 BinomialLink link_of(const FamilyOptions& options) {
@@ -59,6 +61,35 @@ void read_random(const FamilyOptions& options, CrossedModel& model) {
   if (random.empty()) {
     throw std::runtime_error("the option \"random\" is empty; it must be subject, item, or both");
   }
+}
+
+/// The factors to whose other levels the intercept generalises: those with random intercepts, or those of the option.
+void read_sampled(const FamilyOptions& options, CrossedTable& read) {
+  read.participants_are_sampled = read.model.participants_vary;
+  read.items_are_sampled = read.model.items_vary;
+  if (!options.has("sampled")) return;
+  for (const std::string& one : options.texts("sampled")) {
+    if (one != "subject" && one != "item") {
+      throw std::runtime_error("the option \"sampled\" names \"" + one +
+                               "\"; it must be subject, item, or both");
+    }
+    (one == "subject" ? read.participants_are_sampled : read.items_are_sampled) = true;
+  }
+}
+
+MarginalLikelihood likelihood_of(const FamilyOptions& options, const CrossedModel& model) {
+  const std::string likelihood = options.text_or("likelihood", "laplace");
+  if (likelihood == "laplace") return MarginalLikelihood::laplace;
+  if (likelihood != "quadrature") {
+    throw std::runtime_error("the option \"likelihood\" is \"" + likelihood +
+                             "\"; it must be laplace or quadrature");
+  }
+  if (model.participants_vary && model.items_vary) {
+    throw std::runtime_error(
+        "the option \"likelihood\" is quadrature, which requires that \"random\" names one of "
+        "subject and item");
+  }
+  return MarginalLikelihood::quadrature;
 }
 
 /// Counts of a row. Throws for counts that are not of trials.
@@ -141,8 +172,10 @@ CrossedTable crossed_table(const TidyInput& input) {
   const TidyTable& table = input.table();
   CrossedTable read{.model = {.link = link_of(input.options)}};
   read_random(input.options, read.model);
+  read_sampled(input.options, read);
+  read.model.likelihood = likelihood_of(input.options, read.model);
   const LabelColumn participants = table.all_labels("subject");
-  const LabelColumn items = read.model.items_vary || table.has("item")
+  const LabelColumn items = read.items_are_sampled || table.has("item")
                                 ? table.all_labels("item")
                                 : LabelColumn{.codes = std::vector<std::size_t>(table.rows())};
   const std::vector<std::uint64_t> hits = table.counts("correct");
@@ -211,7 +244,9 @@ class CrossedFindings final {
       : table_(table),
         confidence_(input.options.confidence()),
         method_(std::string(table.model.link == BinomialLink::logit ? "logit" : "probit") +
-                " mixed model, maximum likelihood with the Laplace approximation") {
+                (table.model.likelihood == MarginalLikelihood::laplace
+                     ? " mixed model, maximum likelihood with the Laplace approximation"
+                     : " mixed model, maximum likelihood by numerical integration")) {
     if (const std::optional<double> chance = input.options.number_if("chance")) {
       if (!(*chance > 0.0 && *chance < 1.0)) {
         throw std::runtime_error("the option \"chance\" is " + number_text(*chance) +
@@ -294,7 +329,8 @@ class CrossedFindings final {
       proportion(fit, normal_limit(confidence_) * fit.standard_error(0), "Wald's");
       return;
     }
-    const SampledError error = intercept_error(fit, table_.participants, table_.items);
+    const SampledError error = intercept_error(fit, table_.participants_are_sampled ? table_.participants : 0,
+                                               table_.items_are_sampled ? table_.items : 0);
     const std::string method =
         "t with the degrees of freedom of the smaller sample (participants or items); standard "
         "error corrected for the bias of the variances";
