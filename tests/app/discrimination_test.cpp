@@ -96,6 +96,18 @@ TEST(Discrimination, HasGeometricMeansWithoutNegativeLimits) {
   }
 }
 
+// Without lapses the fixed rate of 2 % makes the function steeper than it is.
+TEST(Discrimination, ByComparisonStatesThatTheLapseRateIsAssumed) {
+  EXPECT_THAT(answer_to(outcome_of_comparers(), "threshold"),
+              HasSubstr("take the lapse rates of 2 % as known"));
+  EXPECT_THAT(table_of(outcome_of_comparers(), "mean_thresholds").note.english(),
+              HasSubstr("in 41 to 66 % of the studies"));
+  EXPECT_THAT(estimate_sentence(outcome_of_comparers()).text,
+              HasSubstr("The JNDs assume lapse rates of 2 %"));
+  EXPECT_THAT(answer_to(outcome_of_performers(), "threshold"), Not(HasSubstr("lapse rates")));
+  EXPECT_THAT(estimate_sentence(outcome_of_performers()).text, Not(HasSubstr("lapse rates")));
+}
+
 TEST(Discrimination, ByPerformanceHasNoPointOfSubjectiveEquality) {
   const AnalysisOutcome& outcome = outcome_of_performers();
   for (const Finding& finding : outcome.findings)

@@ -457,6 +457,18 @@ Phrase note_on_means(const std::vector<DiscriminationResults>& all) {
                             "contain no negative numbers; the CIs of arithmetic means can contain "
                             "them if the participants differ greatly."));
   }
+  const bool has_fixed_lapses = std::any_of(all.begin(), all.end(), [](const auto& results) {
+    return !results.study.task.is_performance || detection_task(*results.study.task.design);
+  });
+  if (has_fixed_lapses) {
+    note = phrase("Analysis", "%1 %2")
+               .with(note,
+                     phrase("Analysis",
+                            "The CIs of means take lapse rates that are fixed at 2 % as known: in "
+                            "simulations of comparisons by participants who never lapse they "
+                            "contained the true JND in 41 to 66 % of the studies, and in 94 % with "
+                            "lapse rates of 2 %."));
+  }
   const bool leaves_out = std::any_of(all.begin(), all.end(), [](const auto& results) {
     return std::any_of(results.means.begin(), results.means.end(), [&results](const Finding& mean) {
       return left_out_of_mean(results.fit.thresholds, mean).missing() > 0;

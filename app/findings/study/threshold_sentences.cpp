@@ -30,6 +30,18 @@ std::string mean_of_paper(const char* measure, const Finding& mean,
          mean_with_bound(mean, left_out_of_mean(findings, mean)).english();
 }
 
+/// " JNDs and CIs of comparisons take the lapse rates of 2 % as known.", where there is the mean of such a JND.
+std::string lapses_sentence(const FoundNumbers& means) {
+  const std::vector<const Finding*> equalities = means.all("mean.pse");
+  const bool has_jnd =
+      std::any_of(equalities.begin(), equalities.end(), [&means](const Finding* equality) {
+        return means.find("geomean.jnd", equality->key) != nullptr;
+      });
+  return has_jnd ? " The JNDs assume lapse rates of 2 %, and their CIs do not include the error of "
+                   "this assumption (too small by 11 to 13 % without lapses)."
+                 : "";
+}
+
 /// " The ratio of the JNDs (metal / wood) was 1.20 (95 % CI …), N = 5 participants with both."
 std::string ratio_sentences(const std::vector<Finding>& findings, const std::string& measure) {
   std::string text{};
@@ -187,7 +199,7 @@ EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {
           bound_sentences(outcome.findings, "pse", "PSE") +
           bound_sentences(outcome.findings, "jnd", of_difference) +
           bound_sentences(at_unit_sensitivity, "jnd.dprime1", of_difference) +
-          ratio_sentences(outcome.findings, of_difference) +
+          ratio_sentences(outcome.findings, of_difference) + lapses_sentence(found) +
           unfinished_sentence(outcome.findings) + sensitivity_sentences(outcome) +
           catch_trials_sentence(outcome) + exclusions_sentence(outcome);
   if (text.starts_with(' ')) text.erase(0, 1);
