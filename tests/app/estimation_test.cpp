@@ -204,6 +204,20 @@ TEST(StimulusEstimates, StateThatTheStandardWasNotEstimated) {
   EXPECT_THAT(outcome.transformation, HasSubstr("They were not normalised"));
 }
 
+// With free modulus the participants choose their numbers: no effect size depends on which.
+TEST(Estimation, HasEffectSizesThatDoNotDependOnTheModulus) {
+  const auto generalised_eta = [](const std::array<double, 3>& scales) {
+    const AnalysisOutcome outcome =
+        outcome_of(protocol_with(kByValues), scales);
+    return FoundNumbers(outcome.findings).value("ges", "stimulus").value();
+  };
+  const double same = generalised_eta(kSameScale);
+  EXPECT_NEAR(generalised_eta(kFreeScales), same, 1e-6);
+  // log₁₀ 2·i·n of stimulus i = 0 … 3 and exponent n: within participants around i = 1.5 the squares of the means are
+  // 5·(log₁₀ 2·0.5)² for each of three participants, and those of the rest 5·(log₁₀ 2·0.1)² twice.
+  EXPECT_NEAR(same, 3.0 * 0.25 / (3.0 * 0.25 + 2.0 * 0.01), 1e-3);
+}
+
 TEST(MagnitudeFamily, AsksForValuesOfThePredictorOfItems) {
   TidyInput input{};
   input.tables.emplace_back(

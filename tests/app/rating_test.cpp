@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "app/findings/found_numbers.h"
+#include "app/findings/reading_table.h"
 #include "app/findings/study/analyze_study.h"
-#include "results_schema/table.h"
 #include "tests/app/analysed_study.h"
 
 namespace asperity {

@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "analysis/number_text.h"
 #include "app/findings/study/answer_columns.h"
@@ -237,12 +241,52 @@ Phrase normalisation_note(const EstimationDeclaration& estimation,
       .with(number_text(estimation.modulus->value), estimation.modulus->standard);
 }
 
+namespace {
+
+/// Each participant's constant on the logarithmic scale, which the normalisation removes: the mean over the participant's cells
+/// with free modulus, and over the estimates of the standard where the estimates are divided by these.
+std::map<std::uint32_t, double> log_scales(const EstimationDeclaration& estimation,
+                                           const std::vector<Estimated>& estimates) {
+  struct Sum {
+    double total = 0.0;
+    double n = 0.0;
+    void add(double value) {
+      total += value;
+      n += 1.0;
+    }
+  };
+  const EstimateNormalisation normalisation = used_normalisation(estimation, estimates);
+  std::map<std::uint32_t, double> scales{};
+  if (normalisation == EstimateNormalisation::none) return scales;
+  const bool by_standard = normalisation == EstimateNormalisation::standard;
+  const std::string standard = by_standard ? stimulus_of_standard(estimation) : std::string();
+  std::map<std::uint32_t, std::map<std::pair<std::string, std::string>, Sum>> cells{};
+  for (const Estimated& one : estimates) {
+    if (by_standard && one.spacing != standard) continue;
+    cells[one.person][{one.condition, one.spacing}].add(std::log10(one.estimate));
+  }
+  for (const auto& [person, of_person] : cells) {
+    Sum mean{};
+    for (const auto& [cell, sum] : of_person) mean.add(sum.total / sum.n);
+    scales[person] = mean.total / mean.n;
+  }
+  return scales;
+}
+
+}  // namespace
+
 TidyInput anova_table(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates,
                       const std::vector<std::string>& conditions,
                       const std::vector<std::string>& spacings, const std::string& factor) {
   TidyInput input{};
-  input.tables.push_back(estimates_table(gathered, estimates, {"condition", factor.c_str(), "y"},
-                                         [](double estimate) { return std::log10(estimate); }));
+  const std::map<std::uint32_t, double> scales = log_scales(gathered.estimation, estimates);
+  std::vector<Estimated> logs = estimates;
+  for (Estimated& one : logs) {
+    const auto scale = scales.find(one.person);
+    one.estimate = std::log10(one.estimate) - (scale == scales.end() ? 0.0 : scale->second);
+  }
+  input.tables.push_back(estimates_table(gathered, logs, {"condition", factor.c_str(), "y"},
+                                         [](double estimate) { return estimate; }));
   std::vector<std::pair<std::string, std::vector<std::string>>> within{};
   if (conditions.size() > 1) within.emplace_back("condition", conditions);
   within.emplace_back(factor, spacings);

@@ -45,7 +45,8 @@ TidyInput items_table(const GatheredAnswers& gathered, const std::vector<Estimat
 /// What was removed from the estimates, as a sentence for the note of a table.
 Phrase normalisation_note(const EstimationDeclaration& estimation,
                           const std::vector<Estimated>& estimates);
-/// For the family `rmanova`: raw logarithms, because a participant's scale is a constant and part of no effect.
+/// For the family `rmanova`: logarithms with `used_normalisation`. A participant's scale is a constant and part of no F, but with
+/// free modulus its variance would be in the denominator of generalised η², which would then measure the choice of numbers.
 TidyInput anova_table(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates,
                       const std::vector<std::string>& conditions,
                       const std::vector<std::string>& spacings,
