@@ -16,6 +16,7 @@
 #include "app/cli/analysis_output.h"
 #include "app/findings/reading_number.h"
 #include "app/findings/study/analyze_study.h"
+#include "app/findings/study/estimate_sentences.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/analysed_study.h"
 #include "tests/support/refusal.h"
@@ -1192,6 +1193,11 @@ TEST(Magnitudes, PeakWhereTheyWereMadeToPeak) {
   EXPECT_THAT(asked->answer, says("Peaks of the curves: small at 1 mm (95 % CI "));
   EXPECT_THAT(asked->answer,
               says("test for an interior maximum p < .001; R² of the mean parabola 1.00"));
+  const std::string text = estimate_sentence(outcome).text;
+  EXPECT_THAT(text, HasSubstr("at 1 mm, 95 % CI ["));
+  EXPECT_THAT(text, HasSubstr("(small)"));
+  EXPECT_THAT(text, HasSubstr("these curves are not power functions."));
+  EXPECT_THAT(text, testing::Not(HasSubstr("exponent")));
 }
 
 TEST(Magnitudes, LoseEachParticipantsScaleAndKeepTheRawNumbersBeside) {

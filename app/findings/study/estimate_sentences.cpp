@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
+#include <optional>
+#include <variant>
 
 #include "app/findings/reading_number.h"
+#include "app/findings/reading_table.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/study_analysis.h"
 #include "app/findings/study/test_sentences.h"
@@ -45,6 +49,49 @@ std::string all_estimates(const std::vector<const Finding*>& estimates, const st
   return text + ", N = " + reading_count(estimates.front()->n);
 }
 
+/// Of the conditions with a reported peak: "1.23 mm, 95 % CI [1.17 mm, 1.29 mm], p < .001".
+std::map<std::string, std::string> reported_peaks(const AnalysisOutcome& outcome) {
+  std::map<std::string, std::string> peaks{};
+  const auto found = std::find_if(outcome.tables.begin(), outcome.tables.end(),
+                                  [](const NamedTable& table) { return table.name == "peaks"; });
+  if (found == outcome.tables.end()) return peaks;
+  const Table& table = found->table;
+  for (const std::vector<Cell>& row : table.rows) {
+    const auto number = [&](const char* column) -> std::optional<double> {
+      const auto at = column_of(table, column);
+      return at ? number_of(row[*at]) : std::nullopt;
+    };
+    const auto peak = number("peak_m");
+    const auto* const condition = std::get_if<std::string>(&row.front());
+    if (condition == nullptr || !peak) continue;
+    std::string text = reading_quantity(*peak, "m");
+    const auto low = number("peak_m_low");
+    const auto high = number("peak_m_high");
+    if (low && high) {
+      text += ", 95 % CI [" + reading_quantity(*low, "m") + ", " + reading_quantity(*high, "m") + ']';
+    }
+    if (const auto p = number("p_interior")) text += ", " + reading_p(*p);
+    peaks[*condition] = text;
+  }
+  return peaks;
+}
+
+/// "Estimates had a significant interior maximum at 1.23 mm (…) for small and at … for large; no power function is stated for
+/// these conditions."
+std::string peaks_text(const std::map<std::string, std::string>& peaks) {
+  std::vector<std::string> parts{};
+  for (const auto& [condition, text] : peaks) {
+    parts.push_back("at " + text +
+                    (condition == "all" ? "" : " (" + words_of_condition(condition) + ")"));
+  }
+  if (parts.empty()) return {};
+  return "The spacings of maximum roughness (significant interior maxima, test of Lind and Mehlum) "
+         "were " +
+         listed(parts) + "; " +
+         (parts.size() == 1 ? "this curve is not a power function."
+                            : "these curves are not power functions.");
+}
+
 }  // namespace
 
 std::vector<const Finding*> numbers_among(const AnalysisOutcome& outcome, std::string_view analysis,
@@ -73,9 +120,14 @@ EstimateSentence exponents_sentence(const AnalysisOutcome& outcome) {
   std::vector<const Finding*> means = estimates_among(outcome, kRoughness, "exponent.mean");
   const bool is_of_spacings = !means.empty();
   if (!is_of_spacings) means = estimates_among(outcome, kStimulusEstimates, "exponent.mean");
-  if (means.empty()) return {};
+  // A curve with a maximum among the tested spacings is not a power function.
+  const std::map<std::string, std::string> peaks = reported_peaks(outcome);
+  std::erase_if(means, [&peaks](const Finding* one) { return peaks.contains(one->key); });
+  std::string text = peaks_text(peaks);
+  if (means.empty()) return {.text = text};
+  if (!text.empty()) text += ' ';
   constexpr int kDecimals = 2;
-  return {.text = (means.size() == 1 ? std::string("The mean slope") : std::string("Mean slopes")) +
+  return {.text = text + (means.size() == 1 ? std::string("The mean slope") : std::string("Mean slopes")) +
                   " of log estimate on " + (is_of_spacings ? "log spacing" : "log predictor") +
                   " (exponent of a power function) " + (means.size() == 1 ? "was " : "were ") +
                   all_estimates(means, "all",

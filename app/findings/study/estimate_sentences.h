@@ -24,7 +24,7 @@ struct EstimateSentence {
 /// and 17 % (…) for sinusoid, N = 6; the chance level was 50 %.", where every trial presented every
 /// item.
 EstimateSentence choices_sentence(const AnalysisOutcome& outcome);
-/// For a magnitude: the mean exponents.
+/// For a magnitude: the spacings of maximum roughness, and the mean exponents of the conditions without one.
 EstimateSentence exponents_sentence(const AnalysisOutcome& outcome);
 
 /// For a similarity: the number of dimensions and the stress of the configuration, what qualifies it, and its relation to all
