@@ -645,7 +645,9 @@ TEST(Matching, HasItsNumbersFromTheFamily) {
             "brickwood");
   EXPECT_EQ(std::get<std::int64_t>(pairs.rows[0][2]), 6);
   EXPECT_THAT(question_of(outcome, "items").answer.english(),
-              testing::StartsWith("Yes: on average 95 % of a participant's items were matched"));
+              testing::StartsWith("On average 95 % of a participant's items were matched"));
+  EXPECT_THAT(question_of(outcome, "items").answer.english(),
+              HasSubstr("This test is exploratory."));
   EXPECT_THAT(question_of(outcome, "sexes").answer.english(),
               testing::MatchesRegex(
                   "For these participants, the mean proportion of correctly matched items is .* % "
@@ -927,8 +929,31 @@ TEST(Matching, ClaimsNothingWhereTheIntervalContainsChance) {
   const std::string answer =
       question_of(analyze_study(made.study()).front(), "items").answer.english();
   EXPECT_THAT(answer, HasSubstr(", uncorrected"));
-  EXPECT_THAT(answer, testing::StartsWith("Not established: on average 88 %"));
-  EXPECT_THAT(answer, HasSubstr("the CI contains the chance level"));
+  EXPECT_THAT(answer, testing::StartsWith("On average 88 %"));
+  EXPECT_THAT(answer, HasSubstr("Nothing is established: p is below .05, but the CI contains the "
+                                "chance level"));
+}
+
+// Two participants, every item of whom is correct: p is small, and the intervals leave everything open. The answers and the text
+// for a paper state the same.
+TEST(Matching, ClaimsTheSameInAnswersAndInTheTextForAPaper) {
+  MadeUpStudy made;
+  const std::int64_t protocol =
+      made.add_protocol("matching", "matching", R"({"analysis": {"family": ["items", "whole"]}})");
+  for (const char* const label : {"a", "b"}) {
+    made.add_person(label, "F");
+    made.add_session(label, protocol, std::vector<MadeUpTrial>(3, made_up_matching(kTextures)));
+  }
+  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  EXPECT_THAT(question_of(outcome, "items").answer.english(),
+              testing::StartsWith("Not established: on average 100 %"));
+  EXPECT_THAT(question_of(outcome, "whole").answer.english(), HasSubstr("Nothing is established"));
+  for (const TestSentence& sentence : outcome.test_sentences) {
+    if (sentence.test != "items" && sentence.test != "whole") continue;
+    EXPECT_THAT(sentence.text, testing::StartsWith("It was not established that the ")) << sentence.test;
+    EXPECT_THAT(sentence.text, HasSubstr("the 95 % CI of the mean contains the chance level."));
+    EXPECT_FALSE(sentence.is_significant);
+  }
 }
 
 // 5 and 6 of 6 are significant by t, and on the logit scale anything between 0 and 100 %.
@@ -946,8 +971,9 @@ TEST(Recognition, ClaimsNothingWhereTheIntervalContainsChance) {
   const std::string answer =
       question_of(analyze_study(made.study()).front(), "right").answer.english();
   EXPECT_THAT(answer, HasSubstr(", uncorrected"));
-  EXPECT_THAT(answer, testing::StartsWith("Not established: "));
-  EXPECT_THAT(answer, HasSubstr("the CI contains the chance level"));
+  EXPECT_THAT(answer, testing::StartsWith("On average "));
+  EXPECT_THAT(answer, HasSubstr("Nothing is established: p is below .05, but the CI contains the "
+                                "chance level"));
 }
 
 TEST(Recognition, StatesThatResponsesAreCorrectLessOftenThanByChance) {

@@ -98,7 +98,8 @@ TEST(PairedSelection, TestsEachPairOnTheTrialsThatPresentedBoth) {
 // Five models in a fixed order of preference: ten pairs, all of them significant.
 TEST(PairedSelection, CountsTheSignificantPairsWhereTheyAreMany) {
   const std::vector<std::string> models{"a", "b", "c", "d", "e"};
-  const AnalysisOutcome outcome = analysed_selection(12, "{}", [&models](int person) {
+  const char* const declared = R"({"analysis": {"family": ["pairs"]}})";
+  const AnalysisOutcome outcome = analysed_selection(12, declared, [&models](int person) {
     std::vector<MadeUpTrial> trials{};
     for (std::size_t i = 0; i < models.size(); ++i) {
       for (std::size_t j = i + 1; j < models.size(); ++j) {

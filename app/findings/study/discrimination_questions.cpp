@@ -235,7 +235,7 @@ void ask_equality(const DiscriminationResults& results, const StudyTests& tests,
     }
     if (!test->p) continue;
     // An exploratory test is stated without a conclusion.
-    answer = (!test->adjusted
+    answer = (test->role != TestRole::confirmatory
                   ? phrase("Analysis",
                            "%1 Exploratory test of the difference from the standard, %2: %3.")
               : test->shows()

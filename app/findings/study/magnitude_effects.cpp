@@ -139,7 +139,7 @@ void ask_effect(const EffectQuestion& asked, const FoundNumbers& found, const St
   const std::string effect = named->second;
   Phrase numbers = effect_in_numbers(effect, found, *test);
   if (numbers.empty()) return;
-  const Phrase roughest = roughest_of(name, levels, test->shows(), found);
+  const Phrase roughest = roughest_of(name, levels, test->is_significant(), found);
   if (!roughest.empty()) numbers = phrase("Analysis", "%1; %2").with(numbers, roughest);
   const Sayings sayings{phrase("Analysis", "Yes: %1.").with(numbers),
                         phrase("Analysis", "Not significantly: %1.").with(numbers),

@@ -27,16 +27,18 @@ void ask_items(std::size_t fewest, bool equal_size, const FoundNumbers& found,
             : phrase("Analysis", "1 divided by the number of items, which differs between trials"),
         p_text(*test));
   };
-  if (test->is_significant() && holds_in_interval(*mean, chance)) {
-    qualify_test_sentence(outcome, test->name, kChanceInInterval);
-  }
+  const bool contains_chance = holds_in_interval(*mean, chance);
+  const Phrase of_one = with_numbers(phrase(
+      "Analysis",
+      "For this participant only: %1 of the items were matched correctly (%2), compared with a "
+      "chance level of %3; permutation test, %4. More participants are needed."));
+  const Phrase plain = with_numbers(
+      phrase("Analysis",
+             "On average %1 of a participant's items were matched correctly (%2), compared with a "
+             "chance level of %3; permutation test over participants, %4."));
   const Sayings sayings{
-      mean->n == 1
-          ? with_numbers(phrase(
-                "Analysis",
-                "For this participant only: %1 of the items were matched correctly (%2), compared "
-                "with a chance level of %3; permutation test, %4. More participants are needed."))
-      : holds_in_interval(*mean, chance)
+      mean->n == 1 ? of_one
+      : contains_chance
           ? with_numbers(
                 phrase("Analysis",
                        "Not established: on average %1 of a participant's items were matched "
@@ -51,10 +53,9 @@ void ask_items(std::size_t fewest, bool equal_size, const FoundNumbers& found,
                           "Not significantly above chance: on average %1 of a participant's items "
                           "were matched correctly (%2), compared with a chance level of %3; "
                           "permutation test over participants, %4.")),
-      with_numbers(
-          phrase("Analysis",
-                 "On average %1 of a participant's items were matched correctly (%2), compared "
-                 "with a chance level of %3; permutation test over participants, %4."))};
+      mean->n == 1 ? of_one
+      : test->is_significant() && contains_chance ? with_contradiction(plain)
+                                                  : plain};
   add_question(
       outcome, "items", phrase("Analysis", "Are textures matched to their pictures above chance?"),
       said_of(*test, sayings),
@@ -76,13 +77,15 @@ void ask_whole(const FoundNumbers& found, const StudyTests& tests, AnalysisOutco
   if (test == nullptr || !test->p || hits == nullptr || mean == nullptr || !mean->value) return;
   Finding share = *mean;
   share.quantity = "perfect.share";
-  add_question(
-      outcome, "whole", phrase("Analysis", "How often are all items of a trial correct?"),
+  const Phrase answer =
       phrase("Analysis",
              "Trials with all items correct: %1 of %2, on average %3 of a participant's trials "
              "(%4); permutation test over participants, %5.")
           .with(std::to_string(static_cast<std::size_t>(*hits->value)), std::to_string(hits->n),
-                percent(*share.value), interval_text(share), p_text(*test)),
+                percent(*share.value), interval_text(share), p_text(*test));
+  add_question(
+      outcome, "whole", phrase("Analysis", "How often are all items of a trial correct?"),
+      test->contradicts_interval() ? with_contradiction(answer) : answer,
       phrase("Analysis",
              "%1 Exact permutation test: the pictures are relabelled once per participant, in all "
              "trials alike.")

@@ -113,14 +113,16 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
     return words.with(percent(*mean->value), interval_text(*mean), chance, p_text(*test));
   };
   const double level = 1.0 / static_cast<double>(pictures);
-  if (test->is_significant() && holds_in_interval(*mean, level)) {
-    qualify_test_sentence(outcome, test->name, kChanceInInterval);
-  }
+  const Phrase of_one = with_numbers(
+      phrase("Analysis",
+             "For this participant only: %1 of the responses were correct (%2), compared with a "
+             "chance level of %3; %4. More participants are needed."));
+  const Phrase plain = with_numbers(
+      phrase("Analysis",
+             "On average %1 of a participant's responses were correct (%2), compared with a chance "
+             "level of %3; %4."));
   const Sayings sayings{
-      mean->n == 1 ? with_numbers(phrase(
-                         "Analysis",
-                         "For this participant only: %1 of the responses were correct (%2), "
-                         "compared with a chance level of %3; %4. More participants are needed."))
+      mean->n == 1 ? of_one
       : *mean->value < level
           ? with_numbers(
                 phrase("Analysis",
@@ -139,9 +141,9 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
           phrase("Analysis",
                  "Not significantly above chance: on average %1 of a participant's responses were "
                  "correct (%2), compared with a chance level of %3; %4.")),
-      with_numbers(phrase("Analysis",
-                          "On average %1 of a participant's responses were correct (%2), compared "
-                          "with a chance level of %3; %4."))};
+      mean->n == 1 ? of_one
+      : test->is_significant() && holds_in_interval(*mean, level) ? with_contradiction(plain)
+                                                                  : plain};
   add_question(outcome, "right", question, said_of(*test, sayings), method, "shares", mean);
 }
 

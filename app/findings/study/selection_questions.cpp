@@ -288,9 +288,8 @@ void ask_preference(const Selection& selection, const FoundNumbers& choice,
       is_of_one_participant(*test)
           ? phrase("Analysis", "%1. This cannot be tested with one participant.")
       : !test->p        ? phrase("Analysis", "%1.")
-      : !test->adjusted ? phrase("Analysis",
-                                 "%1. Test of equal proportions, which does not belong to the "
-                                 "study's family of tests: %2.")
+      : test->role != TestRole::confirmatory
+          ? phrase("Analysis", "%1. Exploratory test of equal proportions: %2.")
       : test->shows()
           ? phrase("Analysis", "%1. The choices differ significantly from equal proportions (%2).")
           : phrase("Analysis",

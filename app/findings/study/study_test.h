@@ -64,10 +64,16 @@ struct StudyTest {
   std::size_t zero_differences() const noexcept {
     return ties + (differing && *differing < n ? n - *differing : 0);
   }
-  /// Only a test of the family can be significant here; adjusted within it.
-  bool shows() const noexcept { return adjusted && *adjusted < kLevel; }
+  /// Whether it allows a conclusion: only a test of a family that the protocol declares does.
+  bool shows() const noexcept { return role == TestRole::confirmatory && is_significant(); }
   /// For tests outside the family without correction.
-  bool is_significant() const noexcept { return adjusted ? shows() : p && *p < kLevel; }
+  bool is_significant() const noexcept { return adjusted ? *adjusted < kLevel : p && *p < kLevel; }
+  /// Significant, although the interval of the tested proportion, which comes from a different method, contains the chance
+  /// level: nothing is established.
+  bool contradicts_interval() const noexcept {
+    return is_significant() && chance && estimate && estimate->low && estimate->high &&
+           *estimate->low <= *chance && *chance <= *estimate->high;
+  }
   /// The smallest attainable p, if it exceeds the level.
   std::optional<double> unattainable_p() const noexcept {
     return smallest_p && *smallest_p > kLevel ? smallest_p : std::nullopt;

@@ -13,15 +13,26 @@ namespace asperity {
 
 namespace {
 
-/// "In an exploratory test, the ratings differed between the items", from "The ratings differed significantly …".
-std::string exploratory_claim(std::string claim, bool is_significant) {
+/// "the ratings differed between the items", from "The ratings differed significantly …".
+std::string plain_claim(std::string claim, bool is_significant) {
   constexpr std::string_view kSignificantly = "significantly ";
   const std::size_t at = is_significant ? claim.find(kSignificantly) : std::string::npos;
   if (at != std::string::npos) claim.erase(at, kSignificantly.size());
   if (!claim.empty() && claim.front() >= 'A' && claim.front() <= 'Z') {
     claim.front() = static_cast<char>(claim.front() - 'A' + 'a');
   }
-  return "In an exploratory test, " + claim;
+  return claim;
+}
+
+/// The claim as it is, "In an exploratory test, the ratings differed …", or "It was not established that …".
+std::string qualified_claim(const StudyTest& test, const std::string& claim) {
+  const bool is_confirmatory = test.role == TestRole::confirmatory;
+  if (test.contradicts_interval()) {
+    return std::string(is_confirmatory ? "It" : "In an exploratory test, it") +
+           " was not established that " + plain_claim(claim, true);
+  }
+  if (is_confirmatory) return claim;
+  return "In an exploratory test, " + plain_claim(claim, test.is_significant());
 }
 
 std::string claim_of(const StudyTest& test, std::string_view kind) {
@@ -52,9 +63,7 @@ std::string claim_of(const StudyTest& test, std::string_view kind) {
   const std::string first(about.substr(0, bar));
   const std::string second(bar == std::string_view::npos ? "" : about.substr(bar + 1));
   const std::string chance = test.chance ? " of " + reading_percent(*test.chance) : "";
-  const std::string chosen = test.role == TestRole::confirmatory
-                                 ? std::string(words)
-                                 : exploratory_claim(std::string(words), test.is_significant());
+  const std::string chosen = qualified_claim(test, std::string(words));
   std::string named =
       test.name == "properties" ? words_of_cell("property", first).english() : first;
   // The predictor: a parameter, or a property, whose unit follows a comma.
@@ -160,8 +169,11 @@ TestSentence sentence_of_test(const StudyTest& test, std::string_view kind) {
   if (test.pools_participants) {
     sentence.text += " (responses of all participants pooled as independent)";
   }
+  if (test.contradicts_interval()) {
+    sentence.text += "; the 95 % CI of the mean contains the chance level";
+  }
   sentence.text += '.';
-  sentence.is_significant = test.is_significant();
+  sentence.is_significant = test.is_significant() && !test.contradicts_interval();
   sentence.p = test.adjusted ? test.adjusted : test.p;
   sentence.made_by = test.made_by;
   sentence.has_effect = test.effect.has_value();
@@ -235,9 +247,16 @@ Phrase with_zero_differences(const Phrase& answer, const StudyTest& test) {
       .with(answer, std::to_string(test.ties), compared);
 }
 
+Phrase with_contradiction(const Phrase& answer) {
+  return phrase("Analysis",
+                "%1 Nothing is established: p is below .05, but the CI contains the chance level; "
+                "more participants are needed.")
+      .with(answer);
+}
+
 Phrase said_of(const StudyTest& test, const Sayings& sayings) {
   const Phrase answer = test.shows() ? sayings.claim
-                        : test.adjusted
+                        : test.adjusted && !test.is_significant()
                             ? sayings.nothing
                             : phrase("Analysis", "%1 This test is exploratory.").with(sayings.told);
   // The answer can concern several sign-flip tests, each with its own differences of zero.

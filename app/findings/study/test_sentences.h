@@ -32,12 +32,9 @@ std::string effect_text(std::string_view symbol, double value, const EffectInter
 /// N = 6; one-sample t test, t(5) = 10.28, p < .001, Holm-corrected; Cohen’s d = 4.20, 95 % CI
 /// [1.56, 6.83]." One that is not confirmatory claims no significance: "In an exploratory test, the
 /// mean proportion correct was above the chance level: …". For a test that could not be made, that
-/// fact and the reason.
+/// fact and the reason. Where the interval of the tested proportion contains the chance level: "It was not established that the
+/// mean proportion correct was above the chance level: …".
 TestSentence sentence_of_test(const StudyTest& test, std::string_view kind);
-
-/// For a mean proportion, whose CI comes from a different method than the test.
-inline constexpr std::string_view kChanceInInterval =
-    "; the 95 % CI of the mean contains the chance level";
 
 /// Adds a clause before the full stop of the sentences of a test; with `about`, only of that
 /// comparison.
@@ -56,8 +53,11 @@ Phrase p_text(const StudyTest& test);
 /// An answer, and after it the participants with a difference of zero: a signed-rank test leaves them out, so that its n is
 /// smaller than the number of participants; they do not affect the p of a sign-flip test.
 Phrase with_zero_differences(const Phrase& answer, const StudyTest& test);
-/// The answers that a test that was made may give: `claim` if it is significant, `nothing` if it is not, and `told` for a
-/// test outside the family, to which the sentence that it is exploratory is added. `with_zero_differences` holds for all
+/// An answer about a mean proportion, and after it that its test is significant and its interval contains the chance level.
+Phrase with_contradiction(const Phrase& answer);
+/// The answers that a test that was made may give: `claim` if it is confirmatory and significant, `nothing` if it belongs
+/// to a family and is not significant, and `told` for a test from which nothing is concluded, because it is exploratory, as the
+/// sentence that is added to it states. `with_zero_differences` holds for all
 /// of a signed-rank test.
 struct Sayings {
   Phrase claim{};
