@@ -12,6 +12,7 @@
 #include "analysis/pooled_share.h"
 #include "app/findings/found_numbers.h"
 #include "app/findings/study/analyze_study.h"
+#include "app/findings/study/estimate_sentences.h"
 #include "tests/app/analysed_study.h"
 
 namespace asperity {
@@ -70,6 +71,14 @@ TEST_F(Pairs, HaveTheProportionOfComparisonsThatEachItemWins) {
   const AnsweredQuestion& asked = question_of(outcome, "preference");
   EXPECT_THAT(asked.answer.english(), HasSubstr("a was chosen most often, in 92 %"));
   EXPECT_THAT(asked.answer.english(), HasSubstr("c least often, in 8 %"));
+}
+
+// ζ is 1 for the five participants without a circular triad and 0 for the last: 5/6.
+TEST_F(Pairs, AreSummarisedInTheTextForAPaper) {
+  const std::string text = estimate_sentence(outcome_of_pairs(made_)).text;
+  EXPECT_THAT(text, HasSubstr("Log-worths of the Bradley–Terry model (mean 0) were "));
+  EXPECT_THAT(text, HasSubstr("Mean proportions of comparisons in which an item was chosen were 92 %"));
+  EXPECT_THAT(text, HasSubstr("The mean coefficient of consistence was ζ = .83"));
 }
 
 TEST_F(Pairs, AreTestedByTheParticipants) {

@@ -265,6 +265,35 @@ TEST(PaperText, StatesWhoTookPartAndWhatWasAnalysed) {
   EXPECT_THAT(methods, Not(HasSubstr("Consent")));  // of which nothing is stored
 }
 
+// Fifteen pairs of six items, and six participants: 15·2^(1 − 6) = .469, and 15·2^(1 − n) is below it from n = 10 on.
+TEST(PaperText, StatesThatNoneOfManyTestsCouldBeSignificant) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol(
+      "rougher", "paired_comparison",
+      R"({"kind": "paired_comparison", "blocks": {"only": {
+          "question": {"name": "rougher", "prompt": "Which is rougher?"}}},
+          "analysis": {"family": ["pairs"]}})");
+  const std::vector<std::string> items{"a", "b", "c", "d", "e", "f"};
+  for (const char* const label : {"p1", "p2", "p3", "p4", "p5", "p6"}) {
+    std::vector<MadeUpTrial> trials{};
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      for (std::size_t j = i + 1; j < items.size(); ++j) {
+        MadeUpTrial& trial = trials.emplace_back();
+        trial.surfaces = {surface_of(items[i], "height_map", items[i]),
+                          surface_of(items[j], "height_map", items[j])};
+        trial.options = {items[i], items[j]};
+        trial.answers = {items[i]};
+      }
+    }
+    made.add_person(label, "");
+    made.add_session(label, protocol, trials);
+  }
+  EXPECT_THAT(paragraph(study_report(made.study(), {}), "Results"),
+              HasSubstr("; with these participants none of them could be significant: the smallest "
+                        "attainable p is .469, and at least 10 participants whose difference is "
+                        "not zero are required"));
+}
+
 TEST(PaperText, StatesThatNothingWasAnalysed) {
   MadeUpStudy made;
   made.add_person("p1", "F");

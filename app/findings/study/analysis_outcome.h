@@ -70,6 +70,10 @@ struct TestSentence {
   bool has_effect = false;
   bool is_significant = false;
   std::optional<double> p{};            ///< corrected, where the test belongs to a family
+  /// The smallest attainable p, corrected, where it exceeds 5 %; and the number of participants with a difference other than
+  /// zero with which significance would be possible, where it is known.
+  std::optional<double> unattainable_p{};
+  std::optional<std::size_t> required_n{};
   const TestMethod* made_by = nullptr;  ///< null where the test could not be made
   std::string text{};
 };

@@ -135,6 +135,31 @@ EstimateSentence exponents_sentence(const AnalysisOutcome& outcome) {
                   '.'};
 }
 
+EstimateSentence pairs_sentence(const AnalysisOutcome& outcome) {
+  constexpr int kDecimals = 2;
+  std::vector<std::string> sentences{};
+  const auto state = [&](const char* start, std::string_view analysis, std::string_view quantity,
+                         const EstimateText& shown) {
+    const std::vector<const Finding*> found = estimates_among(outcome, analysis, quantity);
+    if (!found.empty()) sentences.push_back(start + all_estimates(found, "", shown) + '.');
+  };
+  state("Log-worths of the Bradley–Terry model (mean 0) were ", "scale",
+        "bt.ability.sumzero.cluster",
+        [](double value) { return reading_signed(value, kDecimals); });
+  state("Mean proportions of comparisons in which an item was chosen were ", "scores", "mean.score",
+        reading_percent);
+  const std::vector<const Finding*> zetas = numbers_among(outcome, "consistency", "mean.zeta");
+  if (!zetas.empty()) {
+    sentences.push_back("The mean coefficient of consistence was ζ = " +
+                        one_estimate(*zetas.front(), "",
+                                     [](double value) { return reading_bounded(value); }) +
+                        ", N = " + reading_count(zetas.front()->n) + '.');
+  }
+  std::string text{};
+  for (const std::string& sentence : sentences) text += (text.empty() ? "" : " ") + sentence;
+  return {.text = text};
+}
+
 void state_means_of_items(AnalysisOutcome& outcome, const MeansOfItems& means) {
   const auto text_of = [&](const std::vector<std::string>& items, bool is_pair) {
     std::vector<std::string> parts{};

@@ -27,6 +27,10 @@ EstimateSentence choices_sentence(const AnalysisOutcome& outcome);
 /// For a magnitude: the spacings of maximum roughness, and the mean exponents of the conditions without one.
 EstimateSentence exponents_sentence(const AnalysisOutcome& outcome);
 
+/// For a paired comparison: the log-worths of the scale, the mean proportions of comparisons in which an item was chosen, and the
+/// mean coefficient of consistence.
+EstimateSentence pairs_sentence(const AnalysisOutcome& outcome);
+
 /// For a similarity: the number of dimensions and the stress of the configuration, what qualifies it, and its relation to all
 /// measured properties together.
 EstimateSentence configuration_sentence(const AnalysisOutcome& outcome);

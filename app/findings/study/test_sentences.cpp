@@ -175,6 +175,8 @@ TestSentence sentence_of_test(const StudyTest& test, std::string_view kind) {
   sentence.text += '.';
   sentence.is_significant = test.is_significant() && !test.contradicts_interval();
   sentence.p = test.adjusted ? test.adjusted : test.p;
+  sentence.unattainable_p = test.unattainable_p();
+  sentence.required_n = test.required_n;
   sentence.made_by = test.made_by;
   sentence.has_effect = test.effect.has_value();
   sentence.has_mean_interval = test.estimate && test.estimate->low;

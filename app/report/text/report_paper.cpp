@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <utility>
@@ -220,6 +221,28 @@ std::string paper_statistics(const ReportFacts& facts, const AnalysisOutcome& ou
   return with_sentences(sentences);
 }
 
+/// "; with these participants none of them could be significant: the smallest attainable p is .352, and at least 11 participants
+/// whose difference is not zero are required" of tests none of which could be; empty otherwise.
+std::string unattainable_text(std::span<const TestSentence* const> alike) {
+  std::optional<double> smallest{};
+  std::size_t required = 0;
+  for (const TestSentence* each : alike) {
+    if (each->is_untested || !each->p) continue;
+    if (!each->unattainable_p) return {};
+    smallest = std::min(smallest.value_or(1.0), *each->unattainable_p);
+    required = std::max(required, each->required_n.value_or(0));
+  }
+  if (!smallest) return {};
+  std::string text =
+      "; with these participants none of them could be significant: the smallest attainable p is " +
+      reading_p_cell(*smallest);
+  if (required > 0) {
+    text += ", and at least " + reading_count(required) +
+            " participants whose difference is not zero are required";
+  }
+  return text;
+}
+
 /// "38 of the 45 tests of pairs were significant (largest of these p values, Holm-corrected: .034). …"
 std::string counted_sentence(std::span<const TestSentence* const> alike) {
   const TestSentence& first = *alike.front();
@@ -249,6 +272,7 @@ std::string counted_sentence(std::span<const TestSentence* const> alike) {
                                             (significant == 1 ? " was" : " were") + size +
                                             " (largest of these p values, " + corrected + ": " +
                                             reading_p_cell(largest) + ')';
+  text += unattainable_text(alike);
   if (untested > 0) {
     text += "; " + count_in_words(untested) + " could not be computed";
   }

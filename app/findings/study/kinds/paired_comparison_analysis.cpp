@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/findings/study/estimate_sentences.h"
 #include "app/findings/study/task_words.h"
 #include "app/words/text_parts.h"
 #include "protocols/kinds/paired_comparison.h"
@@ -73,7 +74,8 @@ const StudyAnalysis& paired_comparison_analysis() {
                                        .claims = kPairedClaims,
                                        .task = task_of_pairs,
                                        .task_for_paper = paper_task_of_pairs,
-                                       .analyze = analyze_paired_comparison};
+                                       .analyze = analyze_paired_comparison,
+                                       .estimates = pairs_sentence};
   return kAnalysis;
 }
 
