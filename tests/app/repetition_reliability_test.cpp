@@ -84,6 +84,27 @@ TEST(ReliabilityOfPlannedRepetitions, IsNotAskedWhereOnlySomeTrialsHaveAColumn) 
   EXPECT_EQ(asked(outcome), nullptr);
 }
 
+// Metal in the first repetition and stone in the second, for all participants: an effect of the texture would count as unreliability.
+TEST(ReliabilityOfPlannedRepetitions, IsNotThatOfTextures) {
+  const AnalysisOutcome outcome = analysed("recognition", "{}", {.number = 4}, [](int i) {
+    std::vector<MadeUpTrial> trials{};
+    for (const int repetition : {1, 2}) {
+      for (int k = 0; k < 4; ++k) {
+        trials.push_back(recognised(repetition, k < i));
+        if (repetition == 1) continue;
+        trials.back().surfaces = {surface_of("stone", "height_map", "stone")};
+        trials.back().right = {"stone"};
+      }
+    }
+    return trials;
+  });
+  EXPECT_EQ(asked(outcome), nullptr);
+  EXPECT_EQ(reliability_in(outcome, "icc", "").word, "repetitions_are_textures");
+  EXPECT_THAT(outcome.remarks,
+              testing::Contains(testing::Property(
+                  &Phrase::english, HasSubstr("repetitions and textures cannot be distinguished"))));
+}
+
 MadeUpTrial selected(int repetition, const std::string& chosen) {
   MadeUpTrial trial{};
   trial.repetition = repetition;

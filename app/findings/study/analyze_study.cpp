@@ -11,6 +11,7 @@
 #include "app/findings/study/exploration.h"
 #include "app/findings/study/gathered_answers.h"
 #include "app/findings/study/learning.h"
+#include "app/findings/study/repetition_reliability.h"
 #include "app/findings/study/response_times.h"
 #include "app/findings/study/study_analysis.h"
 #include "app/study_files/study_condition.h"
@@ -229,6 +230,14 @@ std::vector<AnalysisOutcome> outcomes_of(const Study& study,
       analysis->analyze(gathered, outcome);
       // Only next to results.
       if (!outcome.tables.empty()) {
+        if (repetitions_are_textures(gathered)) {
+          outcome.remarks.push_back(phrase(
+              "Analysis",
+              "Each repetition presents other textures than the others: repetitions and textures "
+              "cannot be distinguished. Differences between repetitions and changes over the trials "
+              "are also differences between textures, and there is no reliability over "
+              "repetitions."));
+        }
         add_equal_roughness(gathered, outcome);
         add_response_times(gathered, outcome);
         add_learning(gathered, outcome);

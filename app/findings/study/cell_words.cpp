@@ -195,6 +195,8 @@ const CellWords& words_of_reasons() {
        phrase("CellWords",
               "no participant has trials in every condition, and the test compares conditions "
               "within participants")},
+      {"repetitions_are_textures",
+       phrase("CellWords", "each repetition presents other textures than the others")},
       {"near_ceiling", phrase("CellWords", "nearly all responses are correct or of the target")},
       {"near_floor", phrase("CellWords", "hardly any response is correct or of the target")},
       {"no_data", phrase("CellWords", "no responses")},

@@ -196,6 +196,13 @@ void ask_reliability(const GatheredAnswers& gathered, const RepeatedScores& repe
   if (with_column > 0 && with_column < repeated.scores.size()) return;
   const std::size_t repetitions = repetitions_in(ratings);
   if (repetitions < 2) return;
+  if (repetitions_are_textures(gathered)) {
+    add_no_reliability("repetitions_are_textures",
+                       "each repetition presents other textures than the others, so that "
+                       "repetitions and textures cannot be distinguished",
+                       outcome);
+    return;
+  }
   const std::vector<Finding> findings =
       correlations_of(ratings, {.counted = "participants with all repetitions"});
   const FoundNumbers found(findings);
@@ -233,6 +240,26 @@ void ask_reliability(const GatheredAnswers& gathered, const RepeatedScores& repe
                 .with(method)
           : method,
       "", one != nullptr ? one : none);
+}
+
+bool repetitions_are_textures(const GatheredAnswers& gathered) {
+  std::map<std::pair<std::uint32_t, int>, std::set<std::uint32_t>> textures{};
+  for (const GatheredAnswer& answer : gathered.answers) {
+    const std::uint32_t column = gathered.column_of(answer);
+    const bool has_column = !gathered.word(column).empty();
+    std::set<std::uint32_t>& own = textures[{has_column ? column : 0, has_column ? 0 : answer.repetition}];
+    for (const FeltSurface& surface : gathered.surfaces_of(answer)) {
+      if (!gathered.word(surface.texture).empty()) own.insert(surface.texture);
+    }
+  }
+  std::set<std::uint32_t> all{};
+  std::size_t sum = 0;
+  for (const auto& [repetition, own] : textures) {
+    if (own.empty()) return false;
+    all.insert(own.begin(), own.end());
+    sum += own.size();
+  }
+  return textures.size() > 1 && all.size() == sum;
 }
 
 bool has_repetitions(const GatheredAnswers& gathered) {

@@ -25,9 +25,12 @@ struct RepeatedScores {
 
 /// Intraclass correlations of the participants' mean scores in each repetition: a level of the
 /// factor `column`, or, without that factor, a repetition of the block. Adds no question where
-/// there are not two repetitions and two participants with both.
+/// there are not two repetitions and two participants with both; only a status where `repetitions_are_textures`.
 void ask_reliability(const GatheredAnswers& gathered, const RepeatedScores& repeated,
                      AnalysisOutcome& outcome);
+
+/// Whether each repetition presents other textures than the others: then repetitions and textures cannot be distinguished.
+bool repetitions_are_textures(const GatheredAnswers& gathered);
 
 bool has_repetitions(const GatheredAnswers& gathered);
 /// Adds the finding that there is no reliability, and why.
