@@ -164,7 +164,7 @@ std::vector<std::optional<double>> agreement_with_others(std::span<const RatedPa
 StressByChance stress_by_chance(std::span<const RatedPairs> raters, const ChanceQuestion& question,
                                 const Random& random) {
   const ScalingQuestion fit{.dimensions = question.dimensions,
-                            .level = ScalingLevel::ordinal,
+                            .level = question.level,
                             .random_starts = question.random_starts};
   StressByChance answer{.observed = scaled(mean_of_raters(raters), fit, random).stress_1,
                         .drawn = question.permutations};
@@ -187,8 +187,24 @@ StressByChance stress_by_chance(std::span<const RatedPairs> raters, const Chance
   return answer;
 }
 
+std::size_t different_disparities(const WeightedDissimilarities& given, const Configuration& map) {
+  constexpr double kSame = 0.01;
+  std::vector<double> disparities{};
+  for (const ShepardPoint& pair : shepard_diagram(given, map.points, ScalingLevel::ordinal)) {
+    disparities.push_back(pair.disparity);
+  }
+  if (disparities.empty()) return 0;
+  std::sort(disparities.begin(), disparities.end());
+  std::size_t different = 1;
+  for (std::size_t i = 1; i < disparities.size(); ++i) {
+    if (disparities[i] - disparities[i - 1] > kSame * disparities.back()) ++different;
+  }
+  return different;
+}
+
 std::optional<DimensionChoice> dimensions_by_cross_validation(std::span<const RatedPairs> raters,
-                                                              std::span<const Configuration> maps) {
+                                                              std::span<const Configuration> maps,
+                                                              ScalingLevel level) {
   constexpr std::size_t kFewestRaters = 3;
   if (raters.size() < kFewestRaters || maps.empty()) return std::nullopt;
   std::vector<std::vector<double>> squares(maps.size());  // by R and rater
@@ -197,7 +213,7 @@ std::optional<DimensionChoice> dimensions_by_cross_validation(std::span<const Ra
     if (!connects_all_items(others.weights)) return std::nullopt;
     if (pairs_rated_by(raters[s]).empty()) continue;
     for (std::size_t r = 0; r < maps.size(); ++r) {
-      const Configuration fit = scaled_from(maps[r].points, others, ScalingLevel::ordinal);
+      const Configuration fit = scaled_from(maps[r].points, others, level);
       squares[r].push_back(mean_square_of(raters[s], predicted_by(others, fit.points)));
     }
   }

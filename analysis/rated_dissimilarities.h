@@ -48,6 +48,7 @@ struct ChanceQuestion {
   Eigen::Index dimensions = 2;
   std::size_t permutations = 199;
   std::size_t random_starts = 4;  ///< of each fit
+  ScalingLevel level = ScalingLevel::ordinal;
 };
 StressByChance stress_by_chance(std::span<const RatedPairs> raters, const ChanceQuestion& question = {},
                                 const Random& random = Random(kSeedOfTests));
@@ -69,8 +70,17 @@ struct DimensionChoice {
 };
 /// `maps`: the configurations of all raters in 1, 2, … dimensions, from which the fits start. Nothing for fewer than three
 /// raters, and where the others of a rater do not connect all items.
-std::optional<DimensionChoice> dimensions_by_cross_validation(std::span<const RatedPairs> raters,
-                                                              std::span<const Configuration> maps);
+std::optional<DimensionChoice> dimensions_by_cross_validation(
+    std::span<const RatedPairs> raters, std::span<const Configuration> maps,
+    ScalingLevel level = ScalingLevel::ordinal);
+
+/// The number of different disparities of a configuration; those that differ by less than 1 % of the largest one count as one.
+///
+/// If all dissimilarities within clusters are below all others, non-metric scaling has a perfect solution in which each cluster is
+/// one point and all others have one distance, whatever the sizes of the dissimilarities: it is degenerate [Kruskal 1978].
+std::size_t different_disparities(const WeightedDissimilarities& given, const Configuration& map);
+/// At most so many different disparities are those of a degenerate configuration.
+constexpr std::size_t kDisparitiesOfDegenerate = 3;
 
 /// How much an item's position would vary with other raters: raters are drawn with replacement, their mean is scaled from the
 /// configuration of all raters, and the result is brought onto that configuration (procrustes). The region is the ellipse of the

@@ -11,6 +11,7 @@
 #include "analysis/number_text.h"
 #include "app/figures/figure_kinds.h"
 #include "app/findings/study/cell_words.h"
+#include "app/findings/study/similarity_configuration.h"
 
 namespace asperity {
 
@@ -88,7 +89,9 @@ Phrase why_no_configuration(const FoundNumbers& found) {
 
 Figure configuration_figure(const FoundNumbers& found) {
   Figure figure{.name = "configuration",
-                .title = phrase("Figures", "Configuration of the items (non-metric MDS)"),
+                .title = is_metric(found)
+                             ? phrase("Figures", "Configuration of the items (metric MDS)")
+                             : phrase("Figures", "Configuration of the items (non-metric MDS)"),
                 .shape = FigureShape::square};
   const std::vector<PlacedLabel> items = labelled_places(found, "position");
   if (items.empty()) {
@@ -96,7 +99,7 @@ Figure configuration_figure(const FoundNumbers& found) {
     return figure;
   }
   const double dimensions = found.value("dimensions").value_or(2.0);
-  const double stress = found.value("stress.ordinal", fixed(dimensions, 0)).value_or(0.0);
+  const double stress = stress_of_configuration(found).value_or(0.0);
   MapAxes axes{};
   FigureSeries points{.name = phrase("Figures", "items")};
   FigureSeries regions{};

@@ -1,5 +1,6 @@
 // Rated dissimilarities, from the rows of a study to its configuration, its reliability and its tests.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -209,7 +210,31 @@ TEST(RatedDissimilarities, WarnOfADegenerateConfiguration) {
   EXPECT_THAT(remarks_of(outcome_of_ratings({})), Not(HasSubstr("degenerate")));
   const AnalysisOutcome& clusters = outcome_of_ratings({.items = 10, .two_clusters = true});
   EXPECT_LT(FoundNumbers(clusters.findings).value("stress.ordinal", "2").value(), 0.001);
-  EXPECT_THAT(remarks_of(clusters), HasSubstr("The configuration is degenerate"));
+  EXPECT_THAT(remarks_of(clusters), HasSubstr("The non-metric configuration is degenerate"));
+}
+
+// In the non-metric configuration each of the two clusters is one point. The distances of the metric one also differ within them, as
+// the dissimilarities do.
+TEST(RatedDissimilarities, HaveTheMetricConfigurationWhereTheNonMetricOneIsDegenerate) {
+  const AnalysisOutcome& clusters = outcome_of_ratings({.items = 10, .two_clusters = true});
+  const FoundNumbers found(clusters.findings);
+  EXPECT_EQ(found.find("configuration.level")->word, "ratio");
+  double smallest = 1e9;
+  double largest = 0.0;
+  for (const Finding* const one : found.all("distance")) {
+    smallest = std::min(smallest, one->value.value());
+    largest = std::max(largest, one->value.value());
+  }
+  EXPECT_GT(smallest, 0.01 * largest) << "no two items lie on one point";
+  const std::string dimensions = std::to_string(
+      static_cast<int>(found.value("dimensions").value()));
+  EXPECT_NEAR(found.value("stress.perm.observed").value(),
+              found.value("stress.ratio", dimensions).value(), 0.02);
+  EXPECT_THAT(answer_about_configuration(clusters), HasSubstr("Metric scaling, because"));
+  EXPECT_THAT(table_of(clusters, "configuration").note.english(), HasSubstr("Metric (ratio)"));
+  EXPECT_THAT(estimate_sentence(clusters).text, HasSubstr("Metric scaling, because"));
+  EXPECT_EQ(FoundNumbers(outcome_of_ratings({}).findings).find("configuration.level")->word,
+            "ordinal");
 }
 
 TEST(RatedDissimilarities, WarnWhereAPartOfTheItemsLiesOnOnePoint) {

@@ -87,8 +87,8 @@ void add_pairs_table(const std::vector<std::string>& items, const FoundNumbers& 
       phrase("Analysis",
              "Dissimilarity: the distance of the rating from the end of the scale for identical "
              "surfaces, mean over participants with a t-based 95 % CI; both orders together. "
-             "Distance: in the configuration. Disparity: the isotonic regression of the distances "
-             "on the mean dissimilarities.")};
+             "Distance: in the configuration. Disparity: the regression of the distances on the mean "
+             "dissimilarities, isotonic for non-metric and proportional for metric scaling.")};
   for (std::size_t i = 0; i < items.size(); ++i) {
     for (std::size_t j = i + 1; j < items.size(); ++j) {
       const std::string key = items[i] + '|' + items[j];
@@ -130,10 +130,16 @@ void add_configuration_table(const std::vector<std::string>& items, const FoundN
       phrase("Analysis", "Configuration of the items"),
       {{"item"}, {}},
       phrase("Analysis",
-             "Non-metric multidimensional scaling, along the principal axes; the mean square "
-             "distance of two items is 1. Only distances can be interpreted. Half axes and angle: "
-             "the 95 % ellipse of the position in the first two dimensions, from a bootstrap over "
-             "participants.")};
+             "%1 Only distances can be interpreted. Half axes and angle: the 95 % ellipse of the "
+             "position in the first two dimensions, from a bootstrap over participants.")
+          .with(is_metric(found)
+                    ? phrase("Analysis",
+                             "Metric (ratio) multidimensional scaling, along the principal axes, "
+                             "because the non-metric configuration is degenerate; distances have "
+                             "the unit of the scale.")
+                    : phrase("Analysis",
+                             "Non-metric multidimensional scaling, along the principal axes; the "
+                             "mean square distance of two items is 1."))};
   for (std::size_t d = 1; d <= dimensions; ++d) map.table.columns.push_back(dimension_column(d));
   for (const char* const column : {"half_axis_major", "half_axis_minor", "angle_deg"})
     map.table.columns.emplace_back(column);
@@ -259,11 +265,13 @@ void ask_about_configuration(const FoundNumbers& found, const StudyTests& tests,
       phrase("Analysis", "Do the ratings have a structure, and in how many dimensions?");
   const Phrase method =
       phrase("Analysis",
-             "Non-metric multidimensional scaling of the mean dissimilarities. Permutation test of "
+             "Non-metric multidimensional scaling of the mean dissimilarities, or metric (ratio) "
+             "scaling if the non-metric configuration is degenerate. Permutation test of "
              "its stress-1: ratings are permuted over the pairs within participants. The number of "
              "dimensions is chosen by cross-validation over participants.");
   const StudyTests::Test* const test = tests.find(kConfiguration);
-  const Finding* const stress = found.find("stress.ordinal", std::to_string(dimensions_in(found)));
+  const Finding* const stress = found.find(is_metric(found) ? "stress.ratio" : "stress.ordinal",
+                                           std::to_string(dimensions_in(found)));
   if (test == nullptr || !test->p || stress == nullptr || !stress->value) {
     const std::string reason = test == nullptr ? "no_responses" : test->status;
     add_question(outcome, kConfiguration, question,

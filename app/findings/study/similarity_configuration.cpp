@@ -16,30 +16,6 @@ namespace asperity {
 
 namespace {
 
-/// The number of different disparities; those that differ by less than 1 % of the largest one count as one.
-std::size_t different_disparities(const FoundNumbers& found) {
-  constexpr double kSame = 0.01;
-  std::vector<double> disparities{};
-  for (const Finding* const one : found.all("disparity")) {
-    if (one->value) disparities.push_back(*one->value);
-  }
-  if (disparities.empty()) return 0;
-  std::sort(disparities.begin(), disparities.end());
-  std::size_t different = 1;
-  for (std::size_t i = 1; i < disparities.size(); ++i) {
-    if (disparities[i] - disparities[i - 1] > kSame * disparities.back()) ++different;
-  }
-  return different;
-}
-
-/// If all dissimilarities within clusters are below all others, non-metric scaling has a perfect solution in which each cluster
-/// is one point and all others have one distance, whatever the sizes of the dissimilarities [Kruskal 1978].
-bool is_degenerate(const FoundNumbers& found) {
-  constexpr std::size_t kFewSteps = 3;
-  const std::size_t different = different_disparities(found);
-  return different > 0 && different <= kFewSteps;
-}
-
 /// Items on one point of the configuration, and the range of their mean dissimilarities.
 struct CoincidingItems {
   /// Those of the largest such point; empty where fewer than three coincide.
@@ -86,12 +62,12 @@ CoincidingItems coinciding_items(const FoundNumbers& found) {
 }
 
 std::optional<Phrase> remark_on_degenerate_solution(const FoundNumbers& found) {
-  if (is_degenerate(found)) {
+  if (is_metric(found)) {
     return phrase("Analysis",
-                  "The configuration is degenerate: the number of different disparities is %1. It "
-                  "shows which items form clusters, and neither their distances nor the number of "
-                  "dimensions. Use the dendrogram, and the stress of metric scaling.")
-        .with(std::to_string(different_disparities(found)));
+                  "The non-metric configuration is degenerate (different disparities: %1): it shows "
+                  "which items form clusters, and neither their distances nor the number of "
+                  "dimensions. The configuration of metric scaling is reported instead.")
+        .with(fixed(found.value("ordinal.disparities").value_or(0.0), 0));
   }
   const CoincidingItems same = coinciding_items(found);
   if (same.items.empty()) return std::nullopt;
@@ -113,6 +89,16 @@ bool has_one_chosen_dimension(const FoundNumbers& found) {
 
 std::size_t dimensions_in(const FoundNumbers& found) {
   return static_cast<std::size_t>(found.value("dimensions").value_or(0.0));
+}
+
+bool is_metric(const FoundNumbers& found) {
+  const Finding* const level = found.find("configuration.level");
+  return level != nullptr && level->word == "ratio";
+}
+
+std::optional<double> stress_of_configuration(const FoundNumbers& found) {
+  return found.value(is_metric(found) ? "stress.ratio" : "stress.ordinal",
+                     std::to_string(dimensions_in(found)));
 }
 
 std::string stress_text(double stress) {
@@ -145,10 +131,9 @@ std::vector<Phrase> remarks_on_configuration(const FoundNumbers& found) {
 }
 
 Phrase qualification_of_stress(const FoundNumbers& found) {
-  if (is_degenerate(found)) {
+  if (is_metric(found)) {
     return phrase("Analysis",
-                  "The configuration is degenerate: a low stress then shows clusters, and not a "
-                  "number of dimensions.");
+                  "Metric scaling, because the non-metric configuration is degenerate.");
   }
   if (const std::size_t same = coinciding_items(found).items.size(); same > 0) {
     const std::optional<double> metric =
@@ -172,8 +157,10 @@ EstimateSentence configuration_sentence(const AnalysisOutcome& outcome) {
                [](const Finding& one) { return one.analysis == kConfiguration; });
   const FoundNumbers found(own);
   const std::size_t dimensions = dimensions_in(found);
-  const auto stress = found.value("stress.ordinal", std::to_string(dimensions));
-  const auto metric = found.value("stress.ratio", std::to_string(dimensions));
+  const auto stress = stress_of_configuration(found);
+  const auto metric = is_metric(found)
+                          ? std::nullopt
+                          : found.value("stress.ratio", std::to_string(dimensions));
   if (dimensions == 0 || !stress) return {};
   std::string text = "The configuration in " + std::to_string(dimensions) +
                      " dimensions had a stress-1 of " + stress_text(*stress);

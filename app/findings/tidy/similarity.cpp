@@ -251,11 +251,20 @@ class SimilarityFindings {
       maps_.push_back(scaled(mean_, {.dimensions = r}));
       list_.number("stress.ordinal", axis_name(r - 1), maps_.back().stress_1,
                    basis("Kruskal's stress-1 of non-metric scaling (SMACOF)"));
-      list_.number(
-          "stress.ratio", axis_name(r - 1),
-          scaled(mean_, {.dimensions = r, .level = ScalingLevel::ratio}).stress_1,
-          basis("Kruskal's stress-1 of metric (ratio) scaling (SMACOF)"));
+      metric_maps_.push_back(scaled(mean_, {.dimensions = r, .level = ScalingLevel::ratio}));
+      list_.number("stress.ratio", axis_name(r - 1), metric_maps_.back().stress_1,
+                   basis("Kruskal's stress-1 of metric (ratio) scaling (SMACOF)"));
     }
+    // The plane is the smallest configuration that is shown.
+    const std::size_t different = different_disparities(mean_, maps_[maps_.size() > 1 ? 1 : 0]);
+    list_.count("ordinal.disparities", "", different,
+                basis("different disparities of the non-metric configuration in two dimensions"));
+    if (different <= kDisparitiesOfDegenerate) {
+      level_ = ScalingLevel::ratio;
+      maps_ = metric_maps_;
+    }
+    list_.word("configuration.level", "", level_ == ScalingLevel::ratio ? "ratio" : "ordinal", "ok",
+               basis("metric (ratio) scaling where the non-metric configuration is degenerate"));
   }
 
   /// As many as the options state, or as cross-validation chooses; at least two, so that there is a plane to show.
@@ -266,7 +275,7 @@ class SimilarityFindings {
                                std::to_string(maps_.size()) + " for " +
                                std::to_string(judged_.items.size()) + " items; correct it");
     }
-    const std::optional<DimensionChoice> choice = dimensions_by_cross_validation(raters_, maps_);
+    const std::optional<DimensionChoice> choice = dimensions_by_cross_validation(raters_, maps_, level_);
     const Basis cross = basis(
         "leave-one-participant-out cross-validation: root mean square error of the prediction");
     if (choice) {
@@ -300,18 +309,23 @@ class SimilarityFindings {
 
   void configuration() {
     const Configuration& map = this->map();
-    const Basis of_map = basis("non-metric scaling (SMACOF), principal axes, mean square distance 1");
+    const Basis of_map =
+        basis(level_ == ScalingLevel::ratio
+                  ? "metric (ratio) scaling (SMACOF), principal axes, unit of the dissimilarities"
+                  : "non-metric scaling (SMACOF), principal axes, mean square distance 1");
     for (Eigen::Index i = 0; i < items(); ++i) {
       for (Eigen::Index axis = 0; axis < dimensions_; ++axis)
         list_.number("position", both(item(i), axis_name(axis)), map.points(i, axis), of_map);
     }
-    for (const ShepardPoint& pair : shepard_diagram(mean_, map.points, ScalingLevel::ordinal)) {
+    for (const ShepardPoint& pair : shepard_diagram(mean_, map.points, level_)) {
       const std::string key = pair_key(pair.first, pair.second);
       list_.number("distance", key, pair.distance, of_map);
       list_.number("disparity", key, pair.disparity,
-                   basis("isotonic regression of the distances on the mean dissimilarities"));
+                   basis(level_ == ScalingLevel::ratio
+                             ? "proportional regression of the distances on the mean dissimilarities"
+                             : "isotonic regression of the distances on the mean dissimilarities"));
     }
-    const auto regions = bootstrap_regions(raters_, map, ScalingLevel::ordinal,
+    const auto regions = bootstrap_regions(raters_, map, level_,
                                            {.confidence = confidence_});
     const Basis of_region =
         basis("bootstrap over participants, configurations aligned by Procrustes rotation");
@@ -332,7 +346,7 @@ class SimilarityFindings {
   }
 
   void chance() {
-    const StressByChance stress = stress_by_chance(raters_, {.dimensions = dimensions_});
+    const StressByChance stress = stress_by_chance(raters_, {.dimensions = dimensions_, .level = level_});
     const Basis permuted =
         basis("permutation test of the stress, judgements permuted over the pairs within "
               "participants, " +
@@ -452,7 +466,9 @@ class SimilarityFindings {
   std::vector<RatedPairs> raters_{};
   std::vector<std::string> names_{};  ///< of `raters_`
   WeightedDissimilarities mean_{};
-  std::vector<Configuration> maps_{};  ///< in 1, 2, … dimensions
+  std::vector<Configuration> maps_{};  ///< in 1, 2, … dimensions, of the level
+  std::vector<Configuration> metric_maps_{};
+  ScalingLevel level_ = ScalingLevel::ordinal;
   Eigen::Index dimensions_ = 2;
   FindingList list_{};
 };
