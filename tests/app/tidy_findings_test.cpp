@@ -432,6 +432,26 @@ TEST(TidyFamilies, GiveTheAreaOfRatingsAnIntervalOverParticipants) {
   EXPECT_EQ(value_of(found, "n.signal", "x"), 120.0);
 }
 
+// Two participants with the same sensitivity and criteria two standard deviations apart: pooled, their noise and signal overlap more.
+TEST(TidyFamilies, AverageTheAreasOfParticipantsWithDifferentCriteria) {
+  std::string table = "condition,subject,rating,noise,signal\n";
+  for (const char* const row : {"a,1,50,16", "a,2,34,34", "a,3,14,34", "a,4,2,16"}) {
+    table += std::string("x,") + row + '\n';
+  }
+  for (const char* const row : {"b,1,2,0", "b,2,14,2", "b,3,34,14", "b,4,50,84"}) {
+    table += std::string("x,") + row + '\n';
+  }
+  const auto found = roc_findings(input_of(table, "{}"));
+  const auto alone = [](const std::string& rows) {
+    return value_of(roc_findings(input_of("condition,rating,noise,signal\n" + rows, "{}")), "uv.az",
+                    "x");
+  };
+  const double first = alone("x,1,50,16\nx,2,34,34\nx,3,14,34\nx,4,2,16\n");
+  const double second = alone("x,1,2,0\nx,2,14,2\nx,3,34,14\nx,4,50,84\n");
+  EXPECT_NEAR(value_of(found, "uv.az.mean", "x"), 0.5 * (first + second), 1e-12);
+  EXPECT_GT(value_of(found, "uv.az.mean", "x"), value_of(found, "uv.az", "x"));
+}
+
 // The responses and numbers of crossed_binomial_test.cpp.
 // Ten trials of each kind that the ratings separate are also compatible with a smaller area: an interval [1, 1] is not one.
 TEST(TidyFamilies, GiveNoIntervalOfAnAreaAtItsEndOrWithoutVariance) {

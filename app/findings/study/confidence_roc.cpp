@@ -139,7 +139,8 @@ void add_row(const DiscriminationResults& results, const std::pair<std::size_t, 
                         task.varied.unit.empty() ? Cell{} : Cell{task.varied.unit}});
 }
 
-/// "55 µm: A_z = 0.81 (95 % CI [0.75, 0.87]), d_a = 1.2, SD ratio 1.1; test of equal variances χ²(1) = 1.3, p = .25"
+/// "55 µm: mean A_z of 8 of 8 participants = 0.81 (95 % CI [0.75, 0.87]); of the pooled responses A_z = 0.79 (95 % CI …), d_a = 1.2,
+/// SD ratio 1.1, test of equal variances χ²(1) = 1.3, p = .25"
 Phrase roc_text(const DiscriminationResults& results, const RatedLevels& levels,
                 const FoundNumbers& found) {
   Phrase all{};
@@ -151,13 +152,22 @@ Phrase roc_text(const DiscriminationResults& results, const RatedLevels& levels,
     const auto statistic = found.value("lr.equal.variance", id);
     const auto p = found.value("lr.equal.variance.p", id);
     if (area == nullptr || !area->value || !effect || !ratio) continue;
-    Phrase one = phrase("Analysis", "%1: A_z = %2")
-                     .with(stated_quantity(place.second, results.study.task.varied.unit),
-                           reading_number(*area->value));
-    if (area->low && area->high) {
-      one = phrase("Analysis", "%1 (95 % CI [%2, %3])")
-                .with(one, reading_number(*area->low), reading_number(*area->high));
+    const auto with_limits = [](const Phrase& text, const Finding& of) {
+      return of.low && of.high
+                 ? phrase("Analysis", "%1 (95 % CI [%2, %3])")
+                       .with(text, reading_number(*of.low), reading_number(*of.high))
+                 : text;
+    };
+    Phrase one(stated_quantity(place.second, results.study.task.varied.unit));
+    if (const Finding* const mean = found.find("uv.az.mean", id); mean != nullptr && mean->value) {
+      one = with_limits(phrase("Analysis", "%1: mean A_z of %2 of %3 participants = %4")
+                            .with(one, std::to_string(mean->n), std::to_string(level.size()),
+                                  reading_number(*mean->value)),
+                        *mean);
     }
+    one = with_limits(phrase("Analysis", "%1; of the pooled responses A_z = %2")
+                          .with(one, reading_number(*area->value)),
+                      *area);
     one = phrase("Analysis", "%1, d_a = %2, SD ratio %3")
               .with(one, reading_number(*effect), reading_number(*ratio));
     if (statistic && p) {
@@ -173,6 +183,14 @@ Phrase roc_text(const DiscriminationResults& results, const RatedLevels& levels,
   return all;
 }
 
+/// The mean of the participants at the first level, or else the pooled area.
+const Finding* first_area(const DiscriminationResults& results, const RatedLevels& levels,
+                          const FoundNumbers& found) {
+  const std::string id = id_of_rated(results, levels.begin()->first);
+  const Finding* const mean = found.find("uv.az.mean", id);
+  return mean != nullptr && mean->value ? mean : found.find("uv.az", id);
+}
+
 void ask_roc(const DiscriminationResults& results, const RatedLevels& levels,
              const FoundNumbers& found, AnalysisOutcome& outcome) {
   const Phrase text = roc_text(results, levels, found);
@@ -186,16 +204,19 @@ void ask_roc(const DiscriminationResults& results, const RatedLevels& levels,
                    "It could not be estimated: signal and noise trials share too few "
                    "categories of response and confidence.")
           : phrase("Analysis",
-                   "ROC by the %1 of the comparison, over all participants: %2. The tests of equal "
+                   "ROC by the %1 of the comparison: %2. The area of pooled responses is too small "
+                   "where participants have different criteria: a common A_z of .856 becomes .81 "
+                   "and .77 if criteria differ with SDs of 0.7 and 1.0. The tests of equal "
                    "variances are exploratory and uncorrected, and treat the responses of all "
                    "participants as independent.")
                 .with(words_of_parameter(results.study.task.varied.parameter), text),
       phrase("Analysis",
              "Normal model with unequal variances of the categories of response and confidence, by "
-             "maximum likelihood over the responses of all participants; CIs by expanded "
-             "percentiles of a bootstrap over participants, with six participants or more; "
-             "likelihood-ratio test of equal variances [Dorfman 1969]."),
-      kConfidenceRoc, found.find("uv.az", id_of_rated(results, levels.begin()->first)));
+             "maximum likelihood for each participant (mean with a t-based CI, none where a "
+             "participant has no estimate) and over the responses of all participants (CI by "
+             "expanded percentiles of a bootstrap over participants, with six participants or "
+             "more); likelihood-ratio test of equal variances [Dorfman 1969]."),
+      kConfidenceRoc, first_area(results, levels, found));
 }
 
 Phrase note_on_roc(const std::vector<DiscriminationResults>& all) {
@@ -205,7 +226,8 @@ Phrase note_on_roc(const std::vector<DiscriminationResults>& all) {
       "[DeLong 1988], truncated to 0 to 1. A_z, d_a and the SD of the signal divided by that of "
       "the noise: normal model with unequal variances. χ²(1) and p: likelihood-ratio test of equal "
       "variances, exploratory and uncorrected; all responses are treated as independent. The rows "
-      "of all participants assume equal criteria of the participants. There is no CI of an area of "
+      "of all participants assume equal criteria of the participants; an area over participants "
+      "with different criteria is too small. There is no CI of an area of "
       "0 or 1, and none where all trials with a signal, or all without one, have the same rating, "
       "because DeLong’s standard error is then 0 or too small.");
   const auto add = [&note](const Phrase& sentence) {

@@ -52,6 +52,9 @@ class FindingList final {
   void word(std::string quantity, std::string key, std::string word, std::string status,
             Basis basis = {});
 
+  /// A finding of another list.
+  void copy(const Finding& finding) { findings_.push_back(finding); }
+
   std::vector<Finding> take() { return std::move(findings_); }
 
  private:

@@ -233,12 +233,38 @@ class RocList final {
       area.confidence = confidence_;
     }
     list_.number("uv.az", condition_.name, fit.area(), area);
+    add_mean_area();
     const double ratings = static_cast<double>(condition_.ratings.size());
     list_.number("uv.deviance", condition_.name,
                  2.0 * (saturated_roc(condition_.counts) - fit.log_likelihood),
                  basis("against one proportion per rating"));
     list_.number("uv.df", condition_.name, 2.0 * (ratings - 1.0) - (ratings + 1.0),
                  basis("degrees of freedom of the deviance"));
+  }
+
+  /// The mean of the participants' own A_z. Without an interval where a participant has none, because those who have one are then a
+  /// selection.
+  void add_mean_area() {
+    std::vector<double> areas{};
+    for (const std::vector<RatingCount>& counts : condition_.of_participants) {
+      if (!has_both_kinds(counts)) continue;
+      if (const auto fit = fit_roc(counts, RocVariance::free)) areas.push_back(fit->area());
+    }
+    if (areas.empty()) return;
+    FindingList mean{};
+    add_mean_of_group("uv.az.mean", condition_.name, areas,
+                      {.confidence = confidence_,
+                       .possible = ConfidenceInterval{.low = 0.0, .high = 1.0},
+                       .of = "mean of the participants' A_z"},
+                      mean);
+    std::vector<Finding> findings = mean.take();
+    const std::size_t missing = condition_.of_participants.size() - areas.size();
+    drop_intervals(findings, [missing](const Finding&) -> std::optional<std::string> {
+      if (missing == 0) return std::nullopt;
+      return "without an interval, because " + std::to_string(missing) +
+             " participants have no estimate";
+    });
+    for (const Finding& finding : findings) list_.copy(finding);
   }
 
   void add_test(const NormalRoc& equal, const NormalRoc& free) {
