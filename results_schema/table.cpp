@@ -137,4 +137,11 @@ std::optional<double> number_in(std::string_view text) {
   return value;
 }
 
+bool precedes_by_value(std::string_view one, std::string_view other) {
+  const std::optional<double> first = number_in(one);
+  const std::optional<double> second = number_in(other);
+  if (first.has_value() != second.has_value()) return first.has_value();
+  return first && *first != *second ? *first < *second : one < other;
+}
+
 }  // namespace asperity

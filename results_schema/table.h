@@ -32,5 +32,7 @@ Table read_tsv(std::string_view text, const std::string& file_name);
 std::string text_of_number(double value);
 /// The whole text as a number, whatever the locale; nothing when it is not one.
 std::optional<double> number_in(std::string_view text);
+/// The order of names: those that are numbers by value ("4.6e-05" before "5e-05"), then the others as texts.
+bool precedes_by_value(std::string_view one, std::string_view other);
 
 }  // namespace asperity

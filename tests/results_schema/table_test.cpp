@@ -2,8 +2,11 @@
 
 #include "results_schema/table.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <locale.h>
@@ -165,6 +168,12 @@ TEST(SavFile, CutsOnlyWhatSpssCannotHoldAndSaysSo) {
   const std::string bytes = read_file(folder / "a.sav");
   EXPECT_EQ(bytes.substr(0, 4), "$FL2");
   EXPECT_EQ(bytes.substr(92, 17), "01 Jan 7000:00:00");
+}
+
+TEST(Names, AreOrderedByValueWhereTheyAreNumbers) {
+  std::vector<std::string> names{"wood", "5e-05", "brick", "0.001", "4.6e-05", "5.3e-05"};
+  std::sort(names.begin(), names.end(), precedes_by_value);
+  EXPECT_EQ(names, (std::vector<std::string>{"4.6e-05", "5e-05", "5.3e-05", "0.001", "brick", "wood"}));
 }
 
 }  // namespace

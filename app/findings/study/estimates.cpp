@@ -13,6 +13,7 @@
 
 #include "analysis/number_text.h"
 #include "app/findings/study/answer_columns.h"
+#include "results_schema/table.h"
 
 namespace asperity {
 
@@ -159,12 +160,7 @@ std::vector<std::string> levels_of(const std::vector<Estimated>& estimates,
                                    std::string Estimated::*name) {
   std::vector<std::string> levels{};
   for (const Estimated& one : estimates) levels.push_back(one.*name);
-  std::sort(levels.begin(), levels.end(), [](const std::string& a, const std::string& b) {
-    const auto first = number_in(a);
-    const auto second = number_in(b);
-    if (first.has_value() != second.has_value()) return first.has_value();
-    return first && second ? *first < *second : a < b;
-  });
+  std::sort(levels.begin(), levels.end(), precedes_by_value);
   levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
   return levels;
 }

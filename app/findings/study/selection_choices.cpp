@@ -1,5 +1,6 @@
 #include "app/findings/study/selection_choices.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -9,6 +10,7 @@
 #include "app/findings/study/answer_columns.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/tidy/finding_list.h"
+#include "results_schema/table.h"
 
 namespace asperity {
 
@@ -17,11 +19,12 @@ namespace {
 void sort_names(const GatheredAnswers& gathered, const std::set<std::uint32_t>& words,
                 std::vector<std::string>& names, std::vector<std::size_t>& place_of_word) {
   for (const std::uint32_t word : words) names.push_back(gathered.word(word));
-  std::sort(names.begin(), names.end());
+  std::sort(names.begin(), names.end(), precedes_by_value);
   place_of_word.assign(gathered.words.size(), kNoChoice);
   for (const std::uint32_t word : words) {
     place_of_word[word] = static_cast<std::size_t>(
-        std::lower_bound(names.begin(), names.end(), gathered.word(word)) - names.begin());
+        std::lower_bound(names.begin(), names.end(), gathered.word(word), precedes_by_value) -
+        names.begin());
   }
 }
 

@@ -19,6 +19,7 @@
 #include "app/findings/study/study_findings.h"
 #include "app/findings/study/test_sentences.h"
 #include "protocols/answers/scale_form.h"
+#include "results_schema/table.h"
 
 namespace asperity {
 
@@ -43,14 +44,16 @@ std::optional<double> dissimilarity_of(const GatheredAnswers& gathered,
   return std::nullopt;
 }
 
-/// The names of the items, sorted.
+/// The names of the items, by value where they are numbers.
 std::vector<std::string> rated_items(const GatheredAnswers& gathered) {
   std::set<std::string> items{};
   for (const GatheredAnswer& answer : gathered.answers) {
     for (const FeltSurface& surface : gathered.surfaces_of(answer))
       items.insert(gathered.word(surface.item));
   }
-  return {items.begin(), items.end()};
+  std::vector<std::string> names(items.begin(), items.end());
+  std::sort(names.begin(), names.end(), precedes_by_value);
+  return names;
 }
 
 TidyTable table_of_judgements(const GatheredAnswers& gathered) {
