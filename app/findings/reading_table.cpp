@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -36,7 +37,7 @@ bool is_statistic(const std::string& column) {
 }
 
 /// Whether the numbers of a column have digits that do not depend on the others: p as in running text, a force to a millinewton, a
-/// length to ten micrometres, a proportion or a test statistic to two decimals.
+/// length of 0.1 mm or more to ten micrometres, a proportion or a test statistic to two decimals.
 std::optional<std::string> fixed_digits(const std::string& column, double value) {
   if (column == "p" || column == "p_holm" || column == "p_smallest" || column == "p_interior")
     return reading_p_cell(value);
@@ -44,7 +45,9 @@ std::optional<std::string> fixed_digits(const std::string& column, double value)
   if (is_bounded(column)) return reading_bounded(value);
   if (is_statistic(column)) return reading_signed(value, 2);
   if (column.ends_with("_N")) return reading_signed(value, 3);
-  if (column.ends_with("_m") || column.ends_with("_m_low")) return reading_signed(value, 5);
+  constexpr double kShortest_m = 1e-4;
+  const bool is_length = column.ends_with("_m") || column.ends_with("_m_low");
+  if (is_length && (value == 0.0 || std::abs(value) >= kShortest_m)) return reading_signed(value, 5);
   return {};
 }
 
@@ -101,8 +104,10 @@ class DecimalsOfColumns final {
     const bool is_small = digits.largest > kRoundingOfNumbers && digits.largest < 9.95 * unit;
     const bool hides =
         !digits.of_intervals && std::abs(value) > kRoundingOfNumbers && std::abs(value) < unit;
+    // The most decimals show one digit of the smallest number, so that 4.6e-05 and 5.2e-05 would look the same.
+    const bool shows_one_digit = !digits.of_intervals && digits.smallest < 9.95 * unit;
     const bool is_single = is_mixed(quantity) && !digits.of_intervals;
-    return is_wide || is_small || hides || is_single ? own_digits(column, value)
+    return is_wide || is_small || hides || shows_one_digit || is_single ? own_digits(column, value)
                                                      : reading_signed(value, decimals);
   }
 
@@ -111,6 +116,7 @@ class DecimalsOfColumns final {
     std::optional<int> of_intervals{};
     int of_numbers = 2;
     double largest = 0.0;
+    double smallest = std::numeric_limits<double>::infinity();  ///< of those that need more than two decimals
   };
 
   using Key = std::pair<std::string, std::size_t>;
@@ -137,6 +143,7 @@ class DecimalsOfColumns final {
     if (high != nullptr) return hold(*high - *value);
     const double size = std::abs(*value);
     if (!needs_more_digits(quantity, size)) return;
+    digits.smallest = std::min(digits.smallest, size);
     const double of_three = is_estimate(quantity) ? 0.1 : 1.0;  // three digits instead of two
     digits.of_numbers = std::max(digits.of_numbers, decimals_of(of_three * size));
   }

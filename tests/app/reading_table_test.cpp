@@ -45,6 +45,16 @@ TEST(ReadingTable, PrintsStandardErrorsWithTheDecimalsOfTheirNumbers) {
   EXPECT_THAT(shown(table, "slope_se"), ElementsAre("0.0042", "0.0110"));
 }
 
+TEST(ReadingTable, PrintsDifferentSmallNumbersDifferently) {
+  const std::vector<std::vector<Cell>> rows{{4.6e-05, 4.6e-05}, {5e-05, 5e-05}, {5.25e-05, 2e-04}};
+  const Table table{.columns = {"amplitude_m", "predictor"}, .rows = rows};
+  for (const char* const column : {"amplitude_m", "predictor"}) {
+    const std::vector<std::string> texts = shown(table, column);
+    EXPECT_NE(texts[0], texts[1]) << column;
+    EXPECT_NE(texts[1], texts[2]) << column;
+  }
+}
+
 TEST(ReadingTable, PrintsStatisticsWithTwoDecimals) {
   const Table table{.columns = {"F", "p"}, .rows = {{73.7512, 0.0004}, {0.001, 0.97}}};
   EXPECT_THAT(shown(table, "F"), ElementsAre("73.75", "0.00"));
