@@ -200,7 +200,9 @@ std::string reading_text_of(const TableFindings& findings) {
   std::set<std::string> said{};
   for (const Finding& finding : findings.findings) {
     if (finding.status == "ok") continue;
-    const std::string sentence = finding.word + ": " + finding.status;
+    // An empty word is that of an empty result, which the number with its key names.
+    const std::string name = finding.quantity + (finding.key.empty() ? "" : ' ' + finding.key);
+    const std::string sentence = (finding.word.empty() ? name : finding.word) + ": " + finding.status;
     if (said.insert(sentence).second) text += "! " + sentence + '\n';
   }
   std::vector<std::string> methods{};

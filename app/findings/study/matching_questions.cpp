@@ -106,6 +106,14 @@ void ask_confused_pairs(const AnalysisOutcome& made, std::size_t people, Analysi
   const std::int64_t times = times_of(worst);
   const auto as_often = std::count_if(table->table.rows.begin(), table->table.rows.end(),
                                       [&](const auto& pair) { return times_of(pair) == times; });
+  constexpr std::size_t kMostNamed = 6;
+  Phrase names{};
+  for (const auto& pair : table->table.rows) {
+    if (times_of(pair) != times) continue;
+    const Phrase one = phrase("Analysis", "%1 and %2")
+                           .with(std::get<std::string>(pair[0]), std::get<std::string>(pair[1]));
+    names = names.empty() ? one : phrase("Analysis", "%1; %2").with(names, one);
+  }
   Finding finding{};
   finding.quantity = "confusions";
   finding.key = std::get<std::string>(worst[0]) + '|' + std::get<std::string>(worst[1]);
@@ -116,6 +124,11 @@ void ask_confused_pairs(const AnalysisOutcome& made, std::size_t people, Analysi
   add_question(
       outcome, "confusions", phrase("Analysis", "Which textures are confused with each other?"),
       times == 0 ? phrase("Analysis", "No texture was confused with another.")
+      : as_often > 1 && static_cast<std::size_t>(as_often) <= kMostNamed
+          ? phrase("Analysis",
+                   "The following pairs are confused equally often, and none more often: %1; number "
+                   "of confusions of each, counted in both directions: %2.")
+                .with(names, std::to_string(times))
       : as_often > 1
           ? phrase("Analysis",
                    "%1 pairs are confused equally often, and none more often; number of "

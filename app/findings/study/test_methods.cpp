@@ -71,7 +71,9 @@ std::span<const TestMethod> test_methods() {
                  .name = permuted_groups(),
                  .unit = kUnitOfParticipants,
                  .symbol = "ΔM",
-                 .symbol_name = difference_of_means(),
+                 .symbol_name = phrase("TestMethods",
+                                       "difference of the mean numbers of correctly matched items "
+                                       "per trial"),
                  .statistic = "group.diff",
                  .draws = "group.perm.draws",
                  .effect_symbol = "g",

@@ -205,7 +205,7 @@ class Recognition final {
       const std::optional<HitCount> hits = recall(trials_.counts, i);
       if (!hits) {
         Basis never = basis("proportion correct of the trials with this stimulus");
-        never.undefined = "this stimulus was never presented: add trials, or remove it from labels";
+        never.undefined = "this stimulus was never presented, so that no trial could be correct";
         list_.number("recall", key, kUndefined, never);
         continue;
       }
