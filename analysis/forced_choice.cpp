@@ -71,6 +71,9 @@ double ForcedChoice::dprime(double asked) const {
   if (asked == 1.0 || high <= 0.0) {
     return kInfinite;
   }
+  // At chance d′ is 0, and the root is that of the quadrature's rounding.
+  constexpr double kRounding = 1e-14;
+  if (std::abs(asked - 1.0 / static_cast<double>(alternatives)) < kRounding) return 0.0;
   std::uintmax_t iterations = 200;
   const auto [below, above] =
       boost::math::tools::toms748_solve(error, -kFurthest, kFurthest, low, high,

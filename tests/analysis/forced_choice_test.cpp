@@ -38,6 +38,7 @@ TEST(ForcedChoice, FindsTheSensitivityOfEveryShare) {
 }
 
 TEST(ForcedChoice, RefusesWhatIsNoChoice) {
+  EXPECT_EQ(ForcedChoice{.alternatives = 3}.dprime(1.0 / 3.0), 0.0) << "and not the rounding of it";
   EXPECT_THROW(ForcedChoice{.alternatives = 1}.share(1.0), std::invalid_argument);
   EXPECT_THROW(ForcedChoice{.alternatives = 3}.dprime(1.5), std::invalid_argument);
 }

@@ -59,6 +59,8 @@ TEST(FamilyOptions, AreReadFromTheCommandLine) {
   options.add("within", R"({"a": ["x", "y"]})");
   EXPECT_THAT(options.texts("items"), ElementsAre("wood", "2", "metal"));
   EXPECT_EQ(options.confidence(), 0.9);
+  options.add("lower", "-.3");
+  EXPECT_EQ(options.number("lower"), -0.3);
   EXPECT_EQ(options.text("target"), "metal");
   EXPECT_THAT(options.levels("within"), ElementsAre(Pair("a", ElementsAre("x", "y"))));
 }

@@ -3,6 +3,8 @@
 #include "app/findings/tidy/family_options.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -12,6 +14,7 @@
 #include "analysis/number_text.h"
 #include "analysis/repeated_key.h"
 #include "protocols/file/json_document.h"
+#include "results_schema/table.h"
 
 namespace asperity {
 namespace {
@@ -152,8 +155,11 @@ void FamilyOptions::add(const std::string& name, const std::string& text) {
   }
   OptionValue value{};
   const Json json = Json::parse(text, nullptr, false);
+  const std::optional<double> number_without_zero = number_in(text);  // ".3", which JSON does not know
   if (!json.is_discarded()) {
     value = value_of(json);
+  } else if (number_without_zero && std::isfinite(*number_without_zero)) {
+    value.value = *number_without_zero;
   } else if (text.find(',') == std::string::npos) {
     value.value = text;
   } else {
