@@ -199,9 +199,38 @@ std::vector<CheckedTest> roc_tests(const CoverageSetting&) {
   return {{.quantity = "lr.equal.variance.p", .key = "a"}};
 }
 
+// --- areas of participants whose criteria differ -------------------------------------------------------
+
+constexpr std::array kSpreadsOfCriteria{0.0, 0.7};
+
+/// Ten presentations of each kind for one trial of the design; all criteria of a participant are shifted by the same amount.
+TidyInput draw_areas(const CoverageSetting& setting, Random& random) {
+  constexpr std::size_t kRatings = kCriteria.size() + 1;
+  DrawnTable table("condition,subject,rating,noise,signal");
+  for (std::size_t i = 0; i < setting.participants; ++i) {
+    const double shift = setting.spread * random.normal();
+    std::array<std::array<std::size_t, 2>, kRatings> counts{};
+    for (std::size_t trial = 0; trial < kTenfold * setting.trials; ++trial) {
+      ++counts[rating_of(observation(0.0, random) - shift, setting.effect)][0];
+      ++counts[rating_of(observation(setting.effect, random) - shift, setting.effect)][1];
+    }
+    for (std::size_t rating = 0; rating < kRatings; ++rating) {
+      table.add({"a", participant_label(i), std::to_string(rating + 1),
+                 std::to_string(counts[rating][0]), std::to_string(counts[rating][1])});
+    }
+  }
+  return std::move(table).as_input();
+}
+
+std::vector<CheckedInterval> area_intervals(const CoverageSetting& setting) {
+  return {{.quantity = "uv.az.mean", .key = "a", .truth = below(setting.effect / std::sqrt(2.0))},
+          {.quantity = "uv.az", .key = "a", .truth = below(setting.effect / std::sqrt(2.0))}};
+}
+
 }  // namespace
 
 std::span<const CoveragePart> detection_parts() {
+  static const auto kOfCriteria = all_designs(kSensitivities, kSpreadsOfCriteria);
   static const auto kOfSensitivities = all_designs(kSensitivities, kSensitivitySpreads);
   static const auto kOfOne = all_designs(kSensitivities, kOnlyOne);
   static const std::array kParts{
@@ -240,7 +269,20 @@ std::span<const CoveragePart> detection_parts() {
                    .findings = roc_findings,
                    .intervals = roc_intervals,
                    .tests = roc_tests,
-                   .tables = 10000}};
+                   .tables = 10000},
+      CoveragePart{.name = "areas_of_participants",
+                   .model = "each participant rates ten signals, and ten presentations of noise, "
+                            "for one trial of the design, with five ratings; both distributions "
+                            "are normal with a variance of 1, and the criteria of a participant "
+                            "are shifted together",
+                   .effect = "d′",
+                   .spread = "SD of the shifts",
+                   .settings = kOfCriteria,
+                   .draw = draw_areas,
+                   .findings = roc_findings,
+                   .intervals = area_intervals,
+                   .tests = no_tests,
+                   .tables = 1000}};
   return kParts;
 }
 

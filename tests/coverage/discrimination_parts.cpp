@@ -190,6 +190,114 @@ std::vector<CheckedInterval> three_surface_intervals(const CoverageSetting& sett
   return intervals;
 }
 
+// --- two conditions of a judgement of performance, and thresholds outside the levels ------------------
+
+/// ln of the ratio of the thresholds of the second condition and the first.
+constexpr std::array kLogRatios{0.0, 0.5};
+
+/// The stronger of two, at the levels of `draw_three_surfaces`, in two conditions.
+TidyInput draw_two_conditions(const CoverageSetting& setting, Random& random) {
+  DrawnTable table("subject,condition,x,n,k");
+  const std::size_t trials = kTrialsForOne * setting.trials / kDifferences.size();
+  const std::string number = std::to_string(trials);
+  for (std::size_t i = 0; i < setting.participants; ++i) {
+    const double own = setting.spread * random.normal();
+    for (const std::size_t condition : {0U, 1U}) {
+      const double alpha = std::exp(own + (condition == 1 ? setting.effect : 0.0) +
+                                    0.5 * setting.spread * random.normal());
+      for (const double x : kDifferences) {
+        std::size_t hits = 0;
+        for (std::size_t trial = 0; trial < trials; ++trial) {
+          hits += random.uniform() < weibull(x, alpha, 0.5) ? 1 : 0;
+        }
+        table.add({participant_label(i), std::to_string(condition), number_text(x), number,
+                   std::to_string(hits)});
+      }
+    }
+  }
+  return std::move(table).as_input();
+}
+
+/// What the analysis of a study gives of such choices.
+std::vector<Finding> findings_of_two_conditions(const TidyInput& input) {
+  const TidyTable& table = input.table();
+  const LabelColumn participants = table.all_labels("subject");
+  const std::vector<std::uint64_t> conditions = table.counts("condition");
+  const std::vector<double> differences = table.all_numbers("x");
+  const std::vector<std::uint64_t> trials = table.counts("n");
+  const std::vector<std::uint64_t> hits = table.counts("k");
+  DiscriminationStudy study{.task = {.is_performance = true, .varied = from_zero()},
+                            .conditions = {"first", "second"}};
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    for (std::size_t trial = 0; trial < trials[row]; ++trial) {
+      study.trials.push_back({.person = static_cast<std::uint32_t>(participants.codes[row]),
+                              .condition = static_cast<std::size_t>(conditions[row]),
+                              .value = differences[row],
+                              .chose_comparison = trial < hits[row]});
+    }
+  }
+  const DiscriminationResults results(gathered_people(participants), study, false);
+  std::vector<Finding> findings = results.means;
+  for (const Finding& finding : results.compared) {
+    if (finding.quantity.starts_with("ratio.")) findings.push_back(finding);
+  }
+  return findings;
+}
+
+std::vector<CheckedInterval> condition_intervals(const CoverageSetting& setting) {
+  return {{.quantity = "ratio.jnd", .key = "second|first", .truth = std::exp(setting.effect)},
+          {.quantity = "geomean.jnd", .key = "first", .truth = difference_at(0.75, 0.5)}};
+}
+
+// --- comparisons with a standard, with and without lapses --------------------------------------------
+
+constexpr std::array kRatesOfLapses{0.0, 0.02};
+constexpr std::array kSixValues{-2.5, -1.5, -0.5, 0.5, 1.5, 2.5};
+constexpr double kEqualityOfMean = 0.3;
+
+/// Normal functions with an SD of 1 times that of the participant; ten trials per trial of the design.
+TidyInput draw_comparisons(const CoverageSetting& setting, Random& random) {
+  DrawnTable table("subject,x,n,k");
+  const std::size_t trials = kTrialsForOne * setting.trials / kSixValues.size();
+  const std::string number = std::to_string(trials);
+  for (std::size_t i = 0; i < setting.participants; ++i) {
+    const double deviation = std::exp(setting.spread * random.normal());
+    for (const double x : kSixValues) {
+      const double p = setting.effect + (1.0 - 2.0 * setting.effect) *
+                                            normal_below((x - kEqualityOfMean) / deviation);
+      std::size_t chosen = 0;
+      for (std::size_t trial = 0; trial < trials; ++trial) {
+        chosen += random.uniform() < p ? 1 : 0;
+      }
+      table.add({participant_label(i), number_text(x), number, std::to_string(chosen)});
+    }
+  }
+  return std::move(table).as_input();
+}
+
+std::vector<Finding> findings_of_comparisons(const TidyInput& input) {
+  const TidyTable& table = input.table();
+  const LabelColumn participants = table.all_labels("subject");
+  const std::vector<double> values = table.all_numbers("x");
+  const std::vector<std::uint64_t> trials = table.counts("n");
+  const std::vector<std::uint64_t> chosen = table.counts("k");
+  DiscriminationStudy study{.task = {.is_performance = false, .varied = from_zero()},
+                            .conditions = {"all"}};
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    for (std::size_t trial = 0; trial < trials[row]; ++trial) {
+      study.trials.push_back({.person = static_cast<std::uint32_t>(participants.codes[row]),
+                              .value = values[row],
+                              .chose_comparison = trial < chosen[row]});
+    }
+  }
+  return DiscriminationResults(gathered_people(participants), study, false).means;
+}
+
+std::vector<CheckedInterval> comparison_intervals(const CoverageSetting&) {
+  return {{.quantity = "geomean.jnd", .key = "all", .truth = 0.6744897501960817},
+          {.quantity = "mean.pse", .key = "all", .truth = kEqualityOfMean}};
+}
+
 // --- split counts ------------------------------------------------------------------------------------
 
 constexpr double kGuessOfTwo = 0.5;
@@ -283,6 +391,8 @@ std::vector<CoverageSetting> unforced_settings() {
 std::span<const CoveragePart> discrimination_parts() {
   static const auto kOfPlaces = all_designs(kSensitivitiesOfPlaces, kSpreadsOfPlaces);
   static const auto kOfThresholds = all_designs(kNoEffect, kSpreadsOfThresholds);
+  static const auto kOfConditions = all_designs(kLogRatios, kSpreadsOfThresholds);
+  static const auto kOfComparisons = all_designs(kRatesOfLapses, kSpreadsOfThresholds);
   static const auto kUnforced = unforced_settings();
   static const std::array kParts{
       CoveragePart{.name = "choices_by_place",
@@ -307,6 +417,32 @@ std::span<const CoveragePart> discrimination_parts() {
                    .draw = draw_three_surfaces,
                    .findings = findings_of_three_surfaces,
                    .intervals = three_surface_intervals,
+                   .tests = no_tests,
+                   .tables = 2000},
+      CoveragePart{.name = "compared_thresholds",
+                   .model = "two alternatives at five levels in two conditions, ten trials per "
+                            "trial of the design in each; Weibull functions with β = 2 and a lapse "
+                            "rate of 2 %, the logarithm of a participant's α is normal, with half "
+                            "that SD between the conditions; a mean has an interval where no "
+                            "threshold is left out",
+                   .effect = "ln of the ratio of the conditions",
+                   .spread = "SD of ln α",
+                   .settings = kOfConditions,
+                   .draw = draw_two_conditions,
+                   .findings = findings_of_two_conditions,
+                   .intervals = condition_intervals,
+                   .tests = no_tests,
+                   .tables = 2000},
+      CoveragePart{.name = "comparison_thresholds",
+                   .model = "comparison with a standard at six levels, ten trials per trial of the "
+                            "design; normal function with an SD of 1 times that of the "
+                            "participant; fitted with lapse rates of 2 %",
+                   .effect = "lapse rate of each of the two responses",
+                   .spread = "SD of ln of the participants' SDs",
+                   .settings = kOfComparisons,
+                   .draw = draw_comparisons,
+                   .findings = findings_of_comparisons,
+                   .intervals = comparison_intervals,
                    .tests = no_tests,
                    .tables = 2000},
       CoveragePart{.name = "unforced_thresholds",
