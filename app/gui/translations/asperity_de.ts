@@ -664,10 +664,6 @@
         <translation>Position %1 wurde im Mittel in %2 der Wahlen einer Versuchsperson gewählt (%3), und die erste Position in %4 (%5), bei einem Zufallsniveau von %6</translation>
     </message>
     <message>
-        <source>%1. Test of equal proportions, which does not belong to the study&apos;s family of tests: %2.</source>
-        <translation>%1. Test auf gleiche Anteile, der nicht zur Familie der Tests der Studie gehört: %2.</translation>
-    </message>
-    <message>
         <source>%1. The choices differ significantly from equal proportions (%2).</source>
         <translation>%1. Die Wahlen unterscheiden sich signifikant von gleichen Anteilen (%2).</translation>
     </message>
@@ -1176,10 +1172,6 @@
         <translation>95-%-KI: t-basiert über die Versuchspersonen, auf der logarithmischen Skala.</translation>
     </message>
     <message>
-        <source>Each participant&apos;s own intraclass correlation (consistency) of the logarithms of the estimates, with the surfaces in each condition as targets and the repetitions as raters; mean over the participants with a t-based CI. In simulations with 2 to 20 participants and seven surfaces, the coverage of the CI was at least 88 %.</source>
-        <translation>Intraklassenkorrelation (Konsistenz) der Logarithmen der Schätzungen, für jede Versuchsperson einzeln, mit den Oberflächen in jeder Bedingung als Urteilsobjekten und den Wiederholungen als Beurteilern; Mittelwert über die Versuchspersonen mit einem t-basierten Konfidenzintervall. In Simulationen mit 2 bis 20 Versuchspersonen und sieben Oberflächen enthielt es den wahren Mittelwert in mindestens 88 % der Studien.</translation>
-    </message>
-    <message>
         <source>No test of the family (%1) could be computed.</source>
         <translation>Kein Test der Familie (%1) ließ sich durchführen.</translation>
     </message>
@@ -1202,10 +1194,6 @@
     <message>
         <source>For a participant and a texture with random intercepts of 0, %1 is estimated as %2 (%3), compared with a chance level of %4: t(%5) = %6, %7, uncorrected. SD of the intercepts (logit): participants %8, textures %9. This test is exploratory.</source>
         <translation>Für eine Versuchsperson und eine Textur mit zufälligen Achsenabschnitten von 0 wird %1 auf %2 geschätzt (%3), bei einem Zufallsniveau von %4: t(%5) = %6, %7, unkorrigiert. SD der Achsenabschnitte (Logit): Versuchspersonen %8, Texturen %9. Dieser Test ist explorativ.</translation>
-    </message>
-    <message>
-        <source>Generalised linear mixed model (logit) with crossed random intercepts of participants and textures, by maximum likelihood with the Laplace approximation; t test and CI of the fixed intercept, with the degrees of freedom of the smaller sample (participants or textures). In simulations with 5 to 20 participants and SDs of 0.5 and 1, among the studies with an estimate, the coverage of the 95 % CI was 95 to 100 % with four textures and 90 to 100 % with ten.</source>
-        <translation>Generalisiertes lineares gemischtes Modell (Logit) mit gekreuzten zufälligen Achsenabschnitten der Versuchspersonen und der Texturen, Maximum-Likelihood-Schätzung mit Laplace-Näherung; t-Test und Konfidenzintervall des festen Achsenabschnitts mit den Freiheitsgraden der kleineren Stichprobe, der Versuchspersonen oder der Texturen. In Simulationen mit 5 bis 20 Versuchspersonen und Standardabweichungen von 0,5 und 1 enthielt das 95-%-KI den wahren Wert in 95 bis 100 % der Studien mit einer Schätzung und vier Texturen und in 90 bis 100 % mit zehn.</translation>
     </message>
     <message>
         <source>%1 was rougher than %2 by a factor of %3 (%4 % CI [%5, %6])</source>
@@ -1378,10 +1366,6 @@
     <message>
         <source>Cumulative link mixed model of the ratings on each scale</source>
         <translation>Kumulatives gemischtes Link-Modell der Urteile auf jeder Skala</translation>
-    </message>
-    <message>
-        <source>Log odds ratio of a higher rating, relative to the reference, with Wald 95 % CIs: proportional odds, items as fixed effects, participants as random intercepts. Every response counts. The p values are uncorrected and slightly too small: in simulations without differences the Type I error rate at α = .05 was up to 7 %.</source>
-        <translation>Log-Odds-Ratio eines höheren Urteils gegenüber der Referenz, mit 95-%-KI nach Wald: proportionale Odds, Items als feste Effekte, Versuchspersonen als zufällige Achsenabschnitte. Jede Antwort zählt. Die p-Werte sind unkorrigiert und etwas zu klein: In Simulationen ohne Unterschiede war die Häufigkeit von Fehlern 1. Art bei α = .05 bis zu 7 %.</translation>
     </message>
     <message>
         <source>paired comparison</source>
@@ -1696,14 +1680,6 @@
         <translation>Unterscheiden sich die Schwellen zwischen den Bedingungen?</translation>
     </message>
     <message>
-        <source>Wilcoxon signed-rank test of the participants&apos; thresholds.</source>
-        <translation>Wilcoxon-Vorzeichen-Rang-Test der Schwellen der Versuchspersonen.</translation>
-    </message>
-    <message>
-        <source>Friedman test of the participants&apos; thresholds.</source>
-        <translation>Friedman-Test der Schwellen der Versuchspersonen.</translation>
-    </message>
-    <message>
         <source>Not tested: fewer than two participants have a threshold in every condition.</source>
         <translation>Nicht getestet: Weniger als zwei Versuchspersonen haben in jeder Bedingung eine Schwelle.</translation>
     </message>
@@ -1832,10 +1808,6 @@
         <translation>%1 %2: Messungen ohne Zeit über 0, die ausgelassen sind: %3.</translation>
     </message>
     <message>
-        <source>Linear mixed models of the natural logarithms [Laird &amp; Ware, 1982], fitted by restricted maximum likelihood (REML), with random intercepts of participants; F tests and t-based 95 % CIs with Satterthwaite’s degrees of freedom [Satterthwaite, 1946]. Ratios: to the reference level of a condition, per 10 trials of a block, per block or per session. The tests are exploratory and uncorrected; they are liberal where participants differ in these effects, which the models do not include.</source>
-        <translation>Lineare gemischte Modelle der natürlichen Logarithmen [Laird &amp; Ware, 1982], mit REML (Restricted Maximum Likelihood) geschätzt, mit zufälligen Achsenabschnitten der Versuchspersonen; F-Tests und t-basierte 95-%-KIs mit Freiheitsgraden nach Satterthwaite [Satterthwaite, 1946]. Verhältnisse: zur Referenzstufe einer Bedingung, je 10 Durchgänge eines Blocks, je Block oder je Sitzung. Die Tests sind explorativ und unkorrigiert; sie sind liberal, wenn sich Versuchspersonen in diesen Effekten unterscheiden, was die Modelle nicht enthalten.</translation>
-    </message>
-    <message>
         <source>Contact time</source>
         <translation>Die Kontaktdauer</translation>
     </message>
@@ -1918,18 +1890,6 @@
     <message>
         <source>Geometric mean of the just-noticeable differences: %1.</source>
         <translation>Geometrisches Mittel der Unterschiedsschwellen: %1.</translation>
-    </message>
-    <message>
-        <source>Yes: geometric mean thresholds %1 (%2).</source>
-        <translation>Ja: geometrische Mittel der Schwellen %1 (%2).</translation>
-    </message>
-    <message>
-        <source>Not significantly: geometric mean thresholds %1 (%2). This does not show that they are equal.</source>
-        <translation>Nicht signifikant: geometrische Mittel der Schwellen %1 (%2). Das zeigt nicht, dass sie gleich sind.</translation>
-    </message>
-    <message>
-        <source>Geometric mean thresholds: %1 (%2).</source>
-        <translation>Geometrische Mittel der Schwellen: %1 (%2).</translation>
     </message>
     <message>
         <source>Not tested: %1. Geometric mean thresholds: %2.</source>
@@ -2064,16 +2024,8 @@
         <translation>Intraklassenkorrelationen mit den Items als Urteilsobjekten und den Versuchspersonen als Beurteilern: ICC2 misst Übereinstimmung, ICC3 Konsistenz; k: des Mittelwerts aller Versuchspersonen.</translation>
     </message>
     <message>
-        <source>The components are those of the correlations of the scales over the items’ mean ratings. A component is retained if its eigenvalue and those of all components before it exceed the limit: the 95th percentile of the eigenvalues of tables of random numbers of the same size (parallel analysis). CIs are percentiles over draws of the participants; they do not generalise to other items.</source>
-        <translation>Die Komponenten sind die der Korrelationen der Skalen über die mittleren Urteile der Items. Eine Komponente wird beibehalten, wenn ihr Eigenwert und die aller Komponenten vor ihr über der Grenze liegen: dem 95. Perzentil der Eigenwerte von Tabellen von Zufallszahlen derselben Größe (Parallelanalyse). KI sind Perzentile über Ziehungen der Versuchspersonen; sie gelten nicht für andere Items.</translation>
-    </message>
-    <message>
         <source>%1 Loadings are not reported: they require at least five items per component, and %2 items were rated on every scale.</source>
         <translation>%1 Ladungen werden nicht berichtet: Sie erfordern mindestens fünf Items je Komponente, und auf allen Skalen beurteilt wurden %2.</translation>
-    </message>
-    <message>
-        <source>A loading is the correlation of a scale with a component, with a CI over draws of the participants; a score is the position of an item on it.</source>
-        <translation>Eine Ladung ist die Korrelation einer Skala mit einer Komponente, mit einem KI über Ziehungen der Versuchspersonen; ein Wert ist die Lage eines Items auf ihr.</translation>
     </message>
     <message>
         <source>%1 Only the first components are reported, one for every five of the %2 items.</source>
@@ -2100,20 +2052,12 @@
         <translation>Wie konsistent sind die Skalen des Konstrukts „%1“?</translation>
     </message>
     <message>
-        <source>Cronbach’s α with the scales as test items, over the combinations of a participant and an item, after reverse-keyed scales were reflected. The CI is over draws of the participants.</source>
-        <translation>Cronbachs α mit den Skalen als Testitems, über die Kombinationen aus Versuchsperson und Item, nach dem Umpolen der umgepolten Skalen. Das KI ist über Ziehungen der Versuchspersonen.</translation>
-    </message>
-    <message>
         <source>Internal consistency of the declared constructs</source>
         <translation>Interne Konsistenz der angegebenen Konstrukte</translation>
     </message>
     <message>
         <source>Cronbach’s α of the scales of each construct. cells: combinations of a participant and an item that were rated on all of its scales.</source>
         <translation>Cronbachs α der Skalen jedes Konstrukts. Zellen: Kombinationen aus Versuchsperson und Item, die auf allen seinen Skalen beurteilt wurden.</translation>
-    </message>
-    <message>
-        <source>Linear mixed model of the ratings on each scale</source>
-        <translation>Lineares gemischtes Modell der Urteile auf jeder Skala</translation>
     </message>
     <message>
         <source>How reliable are the ratings on the scale “%1” over repetitions?</source>
@@ -2208,16 +2152,8 @@
         <translation>Mittlere Unähnlichkeiten der Paare</translation>
     </message>
     <message>
-        <source>Dissimilarity: the distance of the rating from the end of the scale for identical surfaces, mean over participants with a t-based 95 % CI; both orders together. Distance: in the configuration. Disparity: the isotonic regression of the distances on the mean dissimilarities.</source>
-        <translation>Unähnlichkeit: der Abstand des Urteils vom Ende der Skala für gleiche Oberflächen, Mittelwert über die Versuchspersonen mit t-basiertem 95-%-KI; beide Reihenfolgen zusammen. Abstand: in der Konfiguration. Disparität: die isotone Regression der Abstände auf die mittleren Unähnlichkeiten.</translation>
-    </message>
-    <message>
         <source>Configuration of the items</source>
         <translation>Konfiguration der Items</translation>
-    </message>
-    <message>
-        <source>Non-metric multidimensional scaling, along the principal axes; the mean square distance of two items is 1. Only distances can be interpreted. Half axes and angle: the 95 % ellipse of the position in the first two dimensions, from a bootstrap over participants.</source>
-        <translation>Nichtmetrische multidimensionale Skalierung, entlang der Hauptachsen; der mittlere quadrierte Abstand zweier Items ist 1. Nur Abstände lassen sich deuten. Halbachsen und Winkel: die 95-%-Ellipse der Position in den ersten zwei Dimensionen, aus einem Bootstrap über die Versuchspersonen.</translation>
     </message>
     <message>
         <source>Stress by the number of dimensions</source>
@@ -2264,10 +2200,6 @@
         <translation>Haben die Urteile eine Struktur, und in wie vielen Dimensionen?</translation>
     </message>
     <message>
-        <source>Non-metric multidimensional scaling of the mean dissimilarities. Permutation test of its stress-1: ratings are permuted over the pairs within participants. The number of dimensions is chosen by cross-validation over participants.</source>
-        <translation>Nichtmetrische multidimensionale Skalierung der mittleren Unähnlichkeiten. Permutationstest ihres Stress-1: Die Urteile werden innerhalb der Versuchspersonen über die Paare permutiert. Die Zahl der Dimensionen wird durch Kreuzvalidierung über die Versuchspersonen gewählt.</translation>
-    </message>
-    <message>
         <source>Yes: the configuration in %1 dimensions has a stress-1 of %2, lower than that of permuted ratings (mean %3). Permutation test: %4.</source>
         <translation>Ja: Die Konfiguration in %1 Dimensionen hat einen Stress-1 von %2, kleiner als der permutierter Urteile (Mittelwert %3). Permutationstest: %4.</translation>
     </message>
@@ -2278,10 +2210,6 @@
     <message>
         <source>For these participants, the configuration in %1 dimensions has a stress-1 of %2, and that of permuted ratings is %3 on average. Permutation test: %4.</source>
         <translation>Bei diesen Versuchspersonen hat die Konfiguration in %1 Dimensionen einen Stress-1 von %2, und der permutierter Urteile beträgt im Mittel %3. Permutationstest: %4.</translation>
-    </message>
-    <message>
-        <source>The configuration is degenerate: the number of different disparities is %1. It shows which items form clusters, and neither their distances nor the number of dimensions. Use the dendrogram, and the stress of metric scaling.</source>
-        <translation>Die Konfiguration ist degeneriert: Die Zahl verschiedener Disparitäten ist %1. Sie zeigt, welche Items Cluster bilden, und weder deren Abstände noch die Zahl der Dimensionen. Das Dendrogramm und den Stress der metrischen Skalierung heranziehen.</translation>
     </message>
     <message>
         <source>%1 All properties together, as a configuration of their standardised values: Procrustes r² = %2, permutation test (PROTEST) %3.</source>
@@ -2310,10 +2238,6 @@
     <message>
         <source>The surfaces were presented at amplitudes of equal roughness; %1 of %2 matches did not succeed, so that these stimuli were presented at the end of the range or unchanged (the table lists them).</source>
         <translation>Die Oberflächen wurden mit Amplituden gleicher Rauheit dargeboten; %1 von %2 Angleichungen gelangen nicht, sodass diese Reize mit dem Ende des Bereichs oder unverändert dargeboten wurden (die Tabelle führt sie auf).</translation>
-    </message>
-    <message>
-        <source>The configuration is degenerate: a low stress then shows clusters, and not a number of dimensions.</source>
-        <translation>Die Konfiguration ist degeneriert: Ein geringer Stress zeigt dann Cluster und keine Zahl von Dimensionen.</translation>
     </message>
     <message>
         <source>%1 of %2 responses are “cannot tell”. Each counts as the mean of a guess in psychometric functions and in the order effect. The logistic mixed model of choices does not contain them, and d′ is not computed, because its counts need a choice in every trial.</source>
@@ -2380,10 +2304,6 @@
         <translation>Anteile der Wahlen jeder der drei Oberflächen, gemittelt über die Positionen der richtigen; 1/3 ohne Bevorzugung. In einer Folge wird A zuerst dargeboten.</translation>
     </message>
     <message>
-        <source>%1: A_z = %2</source>
-        <translation>%1: A_z = %2</translation>
-    </message>
-    <message>
         <source>%1, d_a = %2, SD ratio %3</source>
         <translation>%1, d_a = %2, Verhältnis der SD %3</translation>
     </message>
@@ -2398,10 +2318,6 @@
     <message>
         <source>It could not be estimated: signal and noise trials share too few categories of response and confidence.</source>
         <translation>Sie konnte nicht geschätzt werden: Durchgänge mit und ohne Signal haben zu wenige Kategorien von Antwort und Sicherheit gemeinsam.</translation>
-    </message>
-    <message>
-        <source>Normal model with unequal variances of the categories of response and confidence, by maximum likelihood over the responses of all participants; CIs by expanded percentiles of a bootstrap over participants, with six participants or more; likelihood-ratio test of equal variances [Dorfman 1969].</source>
-        <translation>Normalverteilungsmodell mit ungleichen Varianzen der Kategorien von Antwort und Sicherheit, nach der Maximum-Likelihood-Methode über die Antworten aller Versuchspersonen; KIs aus erweiterten Perzentilen eines Bootstraps über die Versuchspersonen, ab sechs Versuchspersonen; Likelihood-Quotienten-Test gleicher Varianzen [Dorfman 1969].</translation>
     </message>
     <message>
         <source>ROC of the confidence ratings</source>
@@ -2584,14 +2500,6 @@
         <translation>Verschiedene Builds des Plug-ins des Kraftmodells %1 haben die Version %2, und die Antworten dazu sind zusammengefasst. Ihre SHA-256: %3. Die Version eines Plug-ins erhöhen, dessen Kräfte sich geändert haben; Versuche mit einem Build ausschließen, der nicht zusammengefasst werden darf.</translation>
     </message>
     <message>
-        <source>ROC by the %1 of the comparison, over all participants: %2. The tests of equal variances are exploratory and uncorrected, and treat the responses of all participants as independent.</source>
-        <translation>ROC nach %1 des Vergleichsreizes, über alle Versuchspersonen: %2. Die Tests gleicher Varianzen sind explorativ und unkorrigiert und behandeln die Antworten aller Versuchspersonen als unabhängig.</translation>
-    </message>
-    <message>
-        <source>Response and confidence together are ordered categories. Area: by trapezoids, 95 % CI [DeLong 1988], truncated to 0 to 1. A_z, d_a and the SD of the signal divided by that of the noise: normal model with unequal variances. χ²(1) and p: likelihood-ratio test of equal variances, exploratory and uncorrected; all responses are treated as independent. The rows of all participants assume equal criteria of the participants. There is no CI of an area of 0 or 1, and none where all trials with a signal, or all without one, have the same rating, because DeLong’s standard error is then 0 or too small.</source>
-        <translation>Antwort und Sicherheit zusammen sind geordnete Kategorien. Fläche: mit Trapezen, 95-%-KI [DeLong 1988], auf 0 bis 1 begrenzt. A_z, d_a und die SD des Signals geteilt durch die des Rauschens: Normalverteilungsmodell mit ungleichen Varianzen. χ²(1) und p: Likelihood-Quotienten-Test gleicher Varianzen, explorativ und unkorrigiert; alle Antworten werden als unabhängig behandelt. Die Zeilen aller Versuchspersonen setzen gleiche Kriterien der Versuchspersonen voraus. Kein KI hat eine Fläche von 0 oder 1, und keines gibt es, wo alle Durchgänge mit oder alle ohne Signal dieselbe Stufe haben, weil der Standardfehler nach DeLong dann 0 oder zu klein ist.</translation>
-    </message>
-    <message>
         <source>%1 Exploratory test of the difference from the standard, %2: %3.</source>
         <translation>%1 Explorativer Test des Unterschieds zum Standardreiz, %2: %3.</translation>
     </message>
@@ -2606,18 +2514,6 @@
     <message>
         <source>Hits are responses “different”; those at a difference of 0 are false alarms, to all pairs of equal surfaces: two standards, or two comparisons of any level.</source>
         <translation>Treffer sind Antworten „verschieden“; die bei einem Unterschied von 0 sind falsche Alarme bei allen Paaren gleicher Oberflächen: zwei Standardreizen oder zwei Vergleichsreizen einer beliebigen Stufe.</translation>
-    </message>
-    <message>
-        <source>%1 Not estimated: %2 of %3 thresholds (participants by conditions; %4).</source>
-        <translation>%1 Nicht geschätzt: %2 von %3 Schwellen (Versuchspersonen mal Bedingungen; %4).</translation>
-    </message>
-    <message>
-        <source>%1 Not estimated: %2 of %3 participants (%4).</source>
-        <translation>%1 Nicht geschätzt: %2 von %3 Versuchspersonen (%4).</translation>
-    </message>
-    <message>
-        <source>%1 %2: %3 of %4 thresholds could not be estimated (%5).</source>
-        <translation>%1 %2: %3 von %4 Schwellen konnten nicht geschätzt werden (%5).</translation>
     </message>
     <message>
         <source>%1 The numbers of repetitions differ: the first %2 of each of the %3 repeated items are used.</source>
@@ -2672,28 +2568,8 @@
         <translation>%1 Der Stress-1 der metrischen Skalierung beträgt %2.</translation>
     </message>
     <message>
-        <source>%1 below and %2 above the presented levels; the direction of the bias of a mean without such thresholds is unknown</source>
-        <translation>%1 unter und %2 über den dargebotenen Stufen; die Richtung der Verzerrung eines Mittelwerts ohne solche Schwellen ist unbekannt</translation>
-    </message>
-    <message>
-        <source>%1 below the presented levels; a mean without such thresholds is too high</source>
-        <translation>%1 unter den dargebotenen Stufen; ein Mittelwert ohne solche Schwellen ist zu hoch</translation>
-    </message>
-    <message>
-        <source>%1 above the presented levels; a mean without such thresholds is too low</source>
-        <translation>%1 über den dargebotenen Stufen; ein Mittelwert ohne solche Schwellen ist zu niedrig</translation>
-    </message>
-    <message>
-        <source>%1 Left out of %2 thresholds (participants by conditions): %3.</source>
-        <translation>%1 Von %2 Schwellen (Versuchspersonen mal Bedingungen) ausgelassen: %3.</translation>
-    </message>
-    <message>
         <source>%1 Left out of %2 thresholds: %3.</source>
         <translation>%1 Von %2 Schwellen ausgelassen: %3.</translation>
-    </message>
-    <message>
-        <source>%1 %2: left out of %3 thresholds: %4.</source>
-        <translation>%1 %2: von %3 Schwellen ausgelassen: %4.</translation>
     </message>
     <message>
         <source>In simulations of responses “cannot tell” (two alternatives, 36 to 144 trials at five levels, 2000 tables per setting), the 95 % CI of the JND of a judgement of performance contained the true JND in 88 to 95 % of the tables; with 36 trials it is too narrow (88 to 90 %).</source>
@@ -2704,8 +2580,200 @@
         <translation>In Simulationen mit Antworten „kann es nicht sagen“ (36 bis 144 Durchgänge auf fünf Stufen, 2000 Tabellen je Einstellung) enthielt das 95-%-KI der JND eines Vergleichs die wahre JND in 90 bis 95 % der Tabellen, die eines hatten.</translation>
     </message>
     <message>
-        <source>Difference of the ratings, relative to the reference, with 95 % CIs: items as fixed effects, participants as random intercepts, REML, Satterthwaite’s degrees of freedom. Every response counts. The p values are uncorrected and slightly too small: in simulations in which neither items nor participants differed the Type I error rate at α = .05 was up to 7 %.</source>
-        <translation>Differenz der Urteile zur Referenz, mit 95-%-KI: Items als feste Effekte, Versuchspersonen als zufällige Achsenabschnitte, REML, Freiheitsgrade nach Satterthwaite. Jede Antwort zählt. Die p-Werte sind unkorrigiert und etwas zu klein: In Simulationen, in denen sich weder Items noch Versuchspersonen unterschieden, war die Häufigkeit von Fehlern 1. Art bei α = .05 bis zu 7 %.</translation>
+        <source>Each repetition presents other textures than the others: repetitions and textures cannot be distinguished. Differences between repetitions and changes over the trials are also differences between textures, and there is no reliability over repetitions.</source>
+        <translation>Jede Wiederholung zeigt andere Texturen als die übrigen: Wiederholungen und Texturen lassen sich nicht unterscheiden. Unterschiede zwischen Wiederholungen und Veränderungen über die Durchgänge sind auch Unterschiede zwischen Texturen, und es gibt keine Reliabilität über Wiederholungen.</translation>
+    </message>
+    <message>
+        <source>%1: mean A_z of %2 of %3 participants = %4</source>
+        <translation>%1: mittleres A_z von %2 von %3 Versuchspersonen = %4</translation>
+    </message>
+    <message>
+        <source>%1; of the pooled responses A_z = %2</source>
+        <translation>%1; aller Antworten zusammen A_z = %2</translation>
+    </message>
+    <message>
+        <source>ROC by the %1 of the comparison: %2. The area of pooled responses is too small where participants have different criteria: a common A_z of .856 becomes .81 and .77 if criteria differ with SDs of 0.7 and 1.0. The tests of equal variances are exploratory and uncorrected, and treat the responses of all participants as independent.</source>
+        <translation>ROC nach %1 des Vergleichsreizes: %2. Die Fläche aller Antworten zusammen ist zu klein, wenn die Versuchspersonen verschiedene Kriterien haben: Ein gemeinsames A_z von 0,856 wird zu 0,81 und 0,77, wenn sich die Kriterien mit Standardabweichungen von 0,7 und 1,0 unterscheiden. Die Tests auf gleiche Varianzen sind explorativ und unkorrigiert und behandeln die Antworten aller Versuchspersonen als unabhängig.</translation>
+    </message>
+    <message>
+        <source>Normal model with unequal variances of the categories of response and confidence, by maximum likelihood for each participant (mean with a t-based CI, none where a participant has no estimate) and over the responses of all participants (CI by expanded percentiles of a bootstrap over participants, with six participants or more); likelihood-ratio test of equal variances [Dorfman 1969].</source>
+        <translation>Normalverteilungsmodell mit ungleichen Varianzen für die Kategorien aus Antwort und Sicherheit, mit maximaler Likelihood für jede Versuchsperson (Mittelwert mit t-basiertem KI, ohne dieses, wenn eine Versuchsperson keinen Schätzwert hat) und über die Antworten aller Versuchspersonen (KI aus erweiterten Perzentilen eines Bootstraps über die Versuchspersonen, ab sechs Versuchspersonen); Likelihood-Quotienten-Test auf gleiche Varianzen [Dorfman 1969].</translation>
+    </message>
+    <message>
+        <source>Response and confidence together are ordered categories. Area: by trapezoids, 95 % CI [DeLong 1988], truncated to 0 to 1. A_z, d_a and the SD of the signal divided by that of the noise: normal model with unequal variances. χ²(1) and p: likelihood-ratio test of equal variances, exploratory and uncorrected; all responses are treated as independent. The rows of all participants assume equal criteria of the participants; an area over participants with different criteria is too small. There is no CI of an area of 0 or 1, and none where all trials with a signal, or all without one, have the same rating, because DeLong’s standard error is then 0 or too small.</source>
+        <translation>Antwort und Sicherheit zusammen sind geordnete Kategorien. Fläche: nach der Trapezregel, 95-%-KI [DeLong 1988], auf 0 bis 1 begrenzt. A_z, d_a und die Standardabweichung des Signals geteilt durch die des Rauschens: Normalverteilungsmodell mit ungleichen Varianzen. χ²(1) und p: Likelihood-Quotienten-Test auf gleiche Varianzen, explorativ und unkorrigiert; alle Antworten gelten als unabhängig. Die Zeilen aller Versuchspersonen setzen gleiche Kriterien voraus; die Fläche über Versuchspersonen mit verschiedenen Kriterien ist zu klein. Kein KI hat eine Fläche von 0 oder 1 und eine, bei der alle Durchgänge mit oder alle ohne Signal dieselbe Einstufung haben, weil der Standardfehler nach DeLong dann 0 oder zu klein ist.</translation>
+    </message>
+    <message>
+        <source>Generalised linear mixed model (logit) with crossed random intercepts of participants and textures, by maximum likelihood with the Laplace approximation, or by numerical integration where one SD is estimated as 0; t test and CI of the fixed intercept, with the degrees of freedom of the smaller sample (participants or textures), also where its SD is estimated as 0. In simulations with 5 to 20 participants and SDs of 0.5 and 1, among the studies with an estimate, the coverage of the 95 % CI was 95 to 100 % with four textures and 90 to 100 % with ten.</source>
+        <translation>Generalisiertes lineares gemischtes Modell (Logit) mit gekreuzten zufälligen Achsenabschnitten der Versuchspersonen und Texturen, mit maximaler Likelihood in der Laplace-Näherung, oder durch numerische Integration, wenn eine Standardabweichung als 0 geschätzt wird; t-Test und KI des festen Achsenabschnitts mit den Freiheitsgraden der kleineren Stichprobe (Versuchspersonen oder Texturen), auch wenn deren Standardabweichung als 0 geschätzt wird. In Simulationen mit 5 bis 20 Versuchspersonen und Standardabweichungen von 0,5 und 1 enthielt das 95-%-KI unter den Studien mit Schätzwert den wahren Wert in 95 bis 100 % mit vier und in 90 bis 100 % mit zehn Texturen.</translation>
+    </message>
+    <message>
+        <source>Participants without a point of subjective equality within the presented levels are left out of its test</source>
+        <translation>Versuchspersonen ohne einen Punkt subjektiver Gleichheit innerhalb der dargebotenen Stufen fehlen in seinem Test</translation>
+    </message>
+    <message>
+        <source>ratio %1 / %2: %3</source>
+        <translation>Verhältnis %1 / %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 Left out: %2 of %3 participants, who do not have a threshold within the presented levels in every condition; the comparison does not describe them.</source>
+        <translation>%1 Ausgelassen: %2 von %3 Versuchspersonen, die nicht in jeder Bedingung eine Schwelle innerhalb der dargebotenen Stufen haben; der Vergleich beschreibt sie nicht.</translation>
+    </message>
+    <message>
+        <source>%1 The thresholds and their CIs take the lapse rates of 2 % as known.</source>
+        <translation>%1 Die Schwellen und ihre KIs setzen die Fehlerraten (lapse rates) von 2 % als bekannt voraus.</translation>
+    </message>
+    <message>
+        <source>%1 The JNDs and their CIs take the lapse rates of 2 % as known: for participants who never lapse, simulated JNDs were too small by 11 to 13 %, and the CI of the mean contained the true JND in 41 to 66 % of the studies (94 % with lapse rates of 2 %).</source>
+        <translation>%1 Die Unterschiedsschwellen und ihre KIs setzen die Fehlerraten (lapse rates) von 2 % als bekannt voraus: Bei Versuchspersonen ohne Aussetzer waren simulierte Unterschiedsschwellen um 11 bis 13 % zu klein, und das KI des Mittelwerts enthielt die wahre Unterschiedsschwelle in 41 bis 66 % der Studien (94 % bei Fehlerraten (lapse rates) von 2 %).</translation>
+    </message>
+    <message>
+        <source>No mean threshold is reported.</source>
+        <translation>Es wird keine mittlere Schwelle angegeben.</translation>
+    </message>
+    <message>
+        <source>No mean point of subjective equality is reported.</source>
+        <translation>Es wird kein mittlerer Punkt subjektiver Gleichheit angegeben.</translation>
+    </message>
+    <message>
+        <source>Wilcoxon signed-rank test of the thresholds of the participants with a threshold in both conditions. Ratio: geometric mean of the same participants&apos; ratios, with a t-based CI on the logarithmic scale.</source>
+        <translation>Wilcoxon-Vorzeichen-Rang-Test der Schwellen der Versuchspersonen, die in beiden Bedingungen eine Schwelle haben. Verhältnis: geometrisches Mittel der Verhältnisse derselben Versuchspersonen mit t-basiertem KI auf der logarithmischen Skala.</translation>
+    </message>
+    <message>
+        <source>Friedman test of the thresholds of the participants with a threshold in every condition.</source>
+        <translation>Friedman-Test der Schwellen der Versuchspersonen, die in jeder Bedingung eine Schwelle haben.</translation>
+    </message>
+    <message>
+        <source>Yes: geometric mean thresholds of %1 participants: %2 (%3).</source>
+        <translation>Ja: geometrische Mittel der Schwellen von %1 Versuchspersonen: %2 (%3).</translation>
+    </message>
+    <message>
+        <source>Not significantly: geometric mean thresholds of %1 participants: %2 (%3). This does not show that they are equal.</source>
+        <translation>Nicht signifikant: geometrische Mittel der Schwellen von %1 Versuchspersonen: %2 (%3). Das zeigt nicht, dass sie gleich sind.</translation>
+    </message>
+    <message>
+        <source>Geometric mean thresholds of %1 participants: %2 (%3).</source>
+        <translation>Geometrische Mittel der Schwellen von %1 Versuchspersonen: %2 (%3).</translation>
+    </message>
+    <message>
+        <source>The CIs of means take lapse rates that are fixed at 2 % as known: in simulations of comparisons by participants who never lapse they contained the true JND in 41 to 66 % of the studies, and in 94 % with lapse rates of 2 %.</source>
+        <translation>Die KIs der Mittelwerte setzen die auf 2 % festgelegten Fehlerraten (lapse rates) als bekannt voraus: In Simulationen von Vergleichen ohne Aussetzer enthielten sie die wahre Unterschiedsschwelle in 41 bis 66 % der Studien, bei Fehlerraten (lapse rates) von 2 % in 94 %.</translation>
+    </message>
+    <message>
+        <source>A mean that leaves out thresholds is an upper bound if all of these lie below the presented levels, a lower bound if all lie above, and otherwise neither and not reported. It has no CI: in simulations in which 27 and 34 % of the thresholds were left out, the t-based CI of the others contained the true mean in 75 and 48 % of the studies.</source>
+        <translation>Ein Mittelwert, der Schwellen auslässt, ist eine obere Schranke, wenn diese alle unterhalb der dargebotenen Stufen liegen, eine untere, wenn alle oberhalb liegen, und sonst keines von beiden und nicht angegeben. Er hat kein KI: In Simulationen, in denen 27 und 34 % der Schwellen ausgelassen waren, enthielt das t-basierte Intervall der übrigen den wahren Mittelwert in 75 und 48 % der Studien.</translation>
+    </message>
+    <message>
+        <source>Linear mixed models of the natural logarithms [Laird &amp; Ware, 1982], fitted by restricted maximum likelihood (REML), with random intercepts of participants; F tests and t-based 95 % CIs with Satterthwaite’s degrees of freedom [Satterthwaite, 1946]. Ratios: to the reference level of a condition, per 10 trials of a block, per block or per session. The tests are exploratory and uncorrected. Tests are liberal and CIs too narrow where participants differ in these effects, which the models do not include: in simulations of ratings whose effects varied over participants (SDs of half and one residual SD) the F test had Type I error rates of 17 and 33 % at α = .05. The position in a block is a covariate; its ratio is reported for blocks of ten trials or more, because it would otherwise be an extrapolation.</source>
+        <translation>Lineare gemischte Modelle der natürlichen Logarithmen [Laird &amp; Ware, 1982], angepasst mit restringierter maximaler Likelihood (REML), mit zufälligen Achsenabschnitten der Versuchspersonen; F-Tests und t-basierte 95-%-KIs mit Freiheitsgraden nach Satterthwaite [Satterthwaite, 1946]. Verhältnisse: zur Bezugsstufe einer Bedingung, je 10 Durchgänge eines Blocks, je Block oder je Sitzung. Die Tests sind explorativ und unkorrigiert. Die Tests sind liberal und die KIs zu schmal, wenn sich die Versuchspersonen in diesen Effekten unterscheiden, was die Modelle nicht enthalten: In Simulationen von Einstufungen, deren Effekte über die Versuchspersonen variierten (Standardabweichungen von einer halben und einer ganzen Residuenstandardabweichung), hatte der F-Test Fehlerraten erster Art von 17 und 33 % bei α = 0,05. Der Platz im Block ist eine Kovariate; sein Verhältnis wird für Blöcke ab zehn Durchgängen angegeben, weil es sonst eine Extrapolation wäre.</translation>
+    </message>
+    <message>
+        <source>%1 below the presented levels</source>
+        <translation>%1 unterhalb der dargebotenen Stufen</translation>
+    </message>
+    <message>
+        <source>%1 above the presented levels</source>
+        <translation>%1 oberhalb der dargebotenen Stufen</translation>
+    </message>
+    <message>
+        <source>%1 not estimated (%2)</source>
+        <translation>%1 nicht geschätzt (%2)</translation>
+    </message>
+    <message>
+        <source>the mean of the others is an upper bound and has no CI</source>
+        <translation>der Mittelwert der übrigen ist eine obere Schranke und hat kein KI</translation>
+    </message>
+    <message>
+        <source>the mean of the others is a lower bound and has no CI</source>
+        <translation>der Mittelwert der übrigen ist eine untere Schranke und hat kein KI</translation>
+    </message>
+    <message>
+        <source>the mean of the others is neither an upper nor a lower bound and is not reported</source>
+        <translation>der Mittelwert der übrigen ist weder eine obere noch eine untere Schranke und wird nicht angegeben</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>mindestens %1</translation>
+    </message>
+    <message>
+        <source>%1 Left out of %2 thresholds in the condition %3: %4.</source>
+        <translation>%1 Ausgelassen von %2 Schwellen in der Bedingung %3: %4.</translation>
+    </message>
+    <message>
+        <source>The following pairs are confused equally often, and none more often: %1; number of confusions of each, counted in both directions: %2.</source>
+        <translation>Die folgenden Paare werden gleich oft verwechselt, und keines öfter: %1; Zahl der Verwechslungen eines jeden, in beiden Richtungen gezählt: %2.</translation>
+    </message>
+    <message>
+        <source>The components are those of the correlations of the scales over the items’ mean ratings. A component is retained if its eigenvalue and those of all components before it exceed the limit: the 95th percentile of the eigenvalues of tables of random numbers of the same size (parallel analysis). The deviations of single participants make the first proportion of observed means too small: corrected proportions and their CIs are by the jackknife over participants, with five participants or more; they do not generalise to other items. A percentile bootstrap contained the true first proportion in 0 to 32 % of simulations.</source>
+        <translation>Die Komponenten sind die der Korrelationen der Skalen über die mittleren Einstufungen der Items. Eine Komponente wird beibehalten, wenn ihr Eigenwert und die aller Komponenten vor ihr die Grenze überschreiten: das 95. Perzentil der Eigenwerte von Tabellen gleich vieler Zufallszahlen (Parallelanalyse). Die Abweichungen einzelner Versuchspersonen machen den ersten Anteil beobachteter Mittelwerte zu klein: Korrigierte Anteile und ihre KIs stammen vom Jackknife über die Versuchspersonen, ab fünf Versuchspersonen; sie gelten nicht für andere Items. Ein Perzentil-Bootstrap enthielt den wahren ersten Anteil in 0 bis 32 % der Simulationen.</translation>
+    </message>
+    <message>
+        <source>A loading is the correlation of a scale with a component; its corrected value and the CI are by the jackknife over participants. A score is the position of an item on a component.</source>
+        <translation>Eine Ladung ist die Korrelation einer Skala mit einer Komponente; ihr korrigierter Wert und das KI stammen vom Jackknife über die Versuchspersonen. Ein Komponentenwert ist die Lage eines Items auf einer Komponente.</translation>
+    </message>
+    <message>
+        <source>%1 α is negative where scales point in opposite directions: check which of them are reverse-keyed.</source>
+        <translation>%1 α ist negativ, wenn Skalen in entgegengesetzte Richtungen weisen: Prüfen Sie, welche davon umgekehrt gepolt sind.</translation>
+    </message>
+    <message>
+        <source>Cronbach’s α with the scales as test items, over the combinations of a participant and an item, after reverse-keyed scales were reflected. The CI is over draws of the participants; in simulations with 7 to 20 participants its coverage was 87 to 92 %.</source>
+        <translation>Cronbachs α mit den Skalen als Testitems, über die Kombinationen aus einer Versuchsperson und einem Item, nachdem umgekehrt gepolte Skalen gespiegelt wurden. Das KI stammt von Ziehungen der Versuchspersonen; in Simulationen mit 7 bis 20 Versuchspersonen enthielt es den wahren Wert in 87 bis 92 % der Fälle.</translation>
+    </message>
+    <message>
+        <source>Log odds ratio of a higher rating, relative to the reference: proportional odds, items as fixed effects, participants as random intercepts. Every response counts. There are no CIs and no p values: the model assumes the same effects of the items for all participants, and in simulations in which these varied with an SD of 0.5 its likelihood-ratio test had a Type I error rate of 21 % at α = .05.</source>
+        <translation>Logarithmisches Chancenverhältnis einer höheren Einstufung gegenüber dem Bezug: proportionale Chancen, Items als feste Effekte, Versuchspersonen als zufällige Achsenabschnitte. Jede Antwort zählt. Es gibt keine KIs und keine p-Werte: Das Modell setzt für alle Versuchspersonen dieselben Effekte der Items voraus, und in Simulationen, in denen diese mit einer Standardabweichung von 0,5 variierten, hatte sein Likelihood-Quotienten-Test eine Fehlerrate erster Art von 21 % bei α = 0,05.</translation>
+    </message>
+    <message>
+        <source>Differences of the mean ratings on each scale</source>
+        <translation>Differenzen der mittleren Einstufungen auf jeder Skala</translation>
+    </message>
+    <message>
+        <source>Differences of the participants’ mean ratings to the reference, over the participants who rated every item, with t-based 95 % CIs of the paired differences, uncorrected.</source>
+        <translation>Differenzen der mittleren Einstufungen der Versuchspersonen zum Bezug, über die Versuchspersonen, die jedes Item eingestuft haben, mit t-basierten 95-%-KIs der gepaarten Differenzen, unkorrigiert.</translation>
+    </message>
+    <message>
+        <source>Each participant&apos;s own intraclass correlation (consistency) of the logarithms of the estimates, with the surfaces in each condition as targets and the repetitions as raters; mean over the participants with a t-based CI. In simulations with 2 to 20 participants and seven surfaces, the coverage of the CI was at least 90 %.</source>
+        <translation>Intraklassenkorrelation (Konsistenz) der Logarithmen der Schätzungen, für jede Versuchsperson einzeln, mit den Oberflächen in jeder Bedingung als Urteilsobjekten und den Wiederholungen als Beurteilern; Mittelwert über die Versuchspersonen mit einem t-basierten KI. In Simulationen mit 2 bis 20 Versuchspersonen und sieben Oberflächen enthielt es den wahren Mittelwert in mindestens 90 % der Studien.</translation>
+    </message>
+    <message>
+        <source>%1. Exploratory test of equal proportions: %2.</source>
+        <translation>%1. Explorativer Test auf gleiche Anteile: %2.</translation>
+    </message>
+    <message>
+        <source>Dissimilarity: the distance of the rating from the end of the scale for identical surfaces, mean over participants with a t-based 95 % CI; both orders together. Distance: in the configuration. Disparity: the regression of the distances on the mean dissimilarities, isotonic for non-metric and proportional for metric scaling.</source>
+        <translation>Unähnlichkeit: Abstand der Einstufung vom Skalenende für identische Oberflächen, Mittelwert über die Versuchspersonen mit t-basiertem 95-%-KI; beide Reihenfolgen zusammen. Abstand: in der Konfiguration. Disparität: Regression der Abstände auf die mittleren Unähnlichkeiten, isoton bei nichtmetrischer und proportional bei metrischer Skalierung.</translation>
+    </message>
+    <message>
+        <source>%1 Only distances can be interpreted. Half axes and angle: the 95 % ellipse of the position in the first two dimensions, from a bootstrap over participants.</source>
+        <translation>%1 Nur Abstände sind deutbar. Halbachsen und Winkel: die 95-%-Ellipse der Lage in den ersten beiden Dimensionen, aus einem Bootstrap über die Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>Metric (ratio) multidimensional scaling, along the principal axes, because the non-metric configuration is degenerate; distances have the unit of the scale.</source>
+        <translation>Metrische multidimensionale Skalierung (Verhältnisniveau), entlang der Hauptachsen, weil die nichtmetrische Konfiguration degeneriert ist; Abstände haben die Einheit der Skala.</translation>
+    </message>
+    <message>
+        <source>Non-metric multidimensional scaling, along the principal axes; the mean square distance of two items is 1.</source>
+        <translation>Nichtmetrische multidimensionale Skalierung, entlang der Hauptachsen; das mittlere Abstandsquadrat zweier Items ist 1.</translation>
+    </message>
+    <message>
+        <source>Non-metric multidimensional scaling of the mean dissimilarities, or metric (ratio) scaling if the non-metric configuration is degenerate. Permutation test of its stress-1: ratings are permuted over the pairs within participants. The number of dimensions is chosen by cross-validation over participants.</source>
+        <translation>Nichtmetrische multidimensionale Skalierung der mittleren Unähnlichkeiten, oder metrische (Verhältnisniveau), wenn die nichtmetrische Konfiguration degeneriert ist. Permutationstest ihres Stress-1: Die Einstufungen werden innerhalb der Versuchspersonen über die Paare permutiert. Die Zahl der Dimensionen wird durch Kreuzvalidierung über die Versuchspersonen gewählt.</translation>
+    </message>
+    <message>
+        <source>The non-metric configuration is degenerate (different disparities: %1): it shows which items form clusters, and neither their distances nor the number of dimensions. The configuration of metric scaling is reported instead.</source>
+        <translation>Die nichtmetrische Konfiguration ist degeneriert (verschiedene Disparitäten: %1): Sie zeigt, welche Items Cluster bilden, und weder deren Abstände noch die Zahl der Dimensionen. Stattdessen wird die Konfiguration der metrischen Skalierung angegeben.</translation>
+    </message>
+    <message>
+        <source>Metric scaling, because the non-metric configuration is degenerate.</source>
+        <translation>Metrische Skalierung, weil die nichtmetrische Konfiguration degeneriert ist.</translation>
+    </message>
+    <message>
+        <source>%1 Nothing is established: p is below .05, but the CI contains the chance level; more participants are needed.</source>
+        <translation>%1 Belegt ist nichts: p liegt unter 0,05, aber das KI enthält das Zufallsniveau; es sind mehr Versuchspersonen nötig.</translation>
     </message>
 </context>
 <context>
@@ -4260,10 +4328,6 @@
         <translation>Position des Vergleichsreizes</translation>
     </message>
     <message>
-        <source>mixed model of the ratings</source>
-        <translation>gemischtes Modell der Urteile</translation>
-    </message>
-    <message>
         <source>comparison presented first</source>
         <translation>Vergleichsreiz zuerst dargeboten</translation>
     </message>
@@ -4382,6 +4446,34 @@
     <message>
         <source>%1; %2</source>
         <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>analysis of variance of the ratings</source>
+        <translation>Varianzanalyse der Einstufungen</translation>
+    </message>
+    <message>
+        <source>each repetition presents other textures than the others</source>
+        <translation>jede Wiederholung zeigt andere Texturen als die übrigen</translation>
+    </message>
+    <message>
+        <source>nearly all responses are correct or of the target</source>
+        <translation>fast alle Antworten sind richtig oder gelten dem Ziel</translation>
+    </message>
+    <message>
+        <source>hardly any response is correct or of the target</source>
+        <translation>kaum eine Antwort ist richtig oder gilt dem Ziel</translation>
+    </message>
+    <message>
+        <source>no mean: neither an upper nor a lower bound without the others</source>
+        <translation>kein Mittelwert: ohne die übrigen weder eine obere noch eine untere Schranke</translation>
+    </message>
+    <message>
+        <source>lower bound: the others are above the levels</source>
+        <translation>untere Schranke: die übrigen liegen über den Stufen</translation>
+    </message>
+    <message>
+        <source>upper bound: the others are below the levels</source>
+        <translation>obere Schranke: die übrigen liegen unter den Stufen</translation>
     </message>
 </context>
 <context>
@@ -4917,14 +5009,6 @@
     <message>
         <source>Means by condition</source>
         <translation>Mittelwerte je Bedingung</translation>
-    </message>
-    <message>
-        <source>Points are means over the participants, shifted where several coincide. Error bars: within-participant %1 % CIs (Cousineau and Morey), which do not include the differences between participants. Lines guide the eye.</source>
-        <translation>Punkte sind Mittelwerte über die Versuchspersonen, seitlich versetzt, wo mehrere zusammenfallen. Fehlerbalken: %1-%-KI innerhalb der Versuchspersonen (Cousineau und Morey), die die Unterschiede zwischen den Versuchspersonen nicht enthalten. Linien dienen nur der Orientierung.</translation>
-    </message>
-    <message>
-        <source>Points are means over the participants, shifted where several coincide. Error bars: t-based %1 % CIs. Lines guide the eye.</source>
-        <translation>Punkte sind Mittelwerte über die Versuchspersonen, seitlich versetzt, wo mehrere zusammenfallen. Fehlerbalken: t-basierte %1-%-KI. Linien dienen nur der Orientierung.</translation>
     </message>
     <message>
         <source>There are no means: %1.</source>
@@ -5507,16 +5591,8 @@
         <translation>Standardreiz</translation>
     </message>
     <message>
-        <source>Points are means over the participants whose threshold could be estimated; error bars show their t-based 95 % CIs.</source>
-        <translation>Punkte sind Mittelwerte über die Versuchspersonen, deren Schwelle geschätzt werden konnte; Fehlerbalken zeigen ihre 95-%-KIs nach der t-Verteilung.</translation>
-    </message>
-    <message>
         <source>Points of subjective equality</source>
         <translation>Punkte der subjektiven Gleichheit</translation>
-    </message>
-    <message>
-        <source>point of subjective equality, mean with its 95 % CI</source>
-        <translation>Punkt der subjektiven Gleichheit, Mittelwert mit 95-%-KI</translation>
     </message>
     <message>
         <source>Thresholds</source>
@@ -5563,14 +5639,6 @@
         <translation>Punkte sind Mediane der medianen Kontaktdauern der Versuchspersonen; Fehlerbalken zeigen die Quartile.</translation>
     </message>
     <message>
-        <source>Points are geometric means over the participants whose threshold could be estimated; error bars show their t-based 95 % CIs on the logarithmic scale.</source>
-        <translation>Punkte: geometrische Mittel über die Versuchspersonen, deren Schwelle geschätzt werden konnte; Fehlerbalken: deren 95-%-KIs nach der t-Verteilung auf der logarithmischen Skala.</translation>
-    </message>
-    <message>
-        <source>threshold, geometric mean with its 95 % CI</source>
-        <translation>Schwelle, geometrisches Mittel mit 95-%-KI</translation>
-    </message>
-    <message>
         <source>track %1</source>
         <translation>Folge %1</translation>
     </message>
@@ -5593,14 +5661,6 @@
     <message>
         <source>proportion of responses “%1”</source>
         <translation>Anteil der Antworten „%1“</translation>
-    </message>
-    <message>
-        <source>Filled symbols: proportions of responses “%1”, larger for more trials; those at a difference of 0 are false alarms. Curves: maximum-likelihood functions of signal detection. Open symbols: differences with d′ = 1, with 95 % CIs.</source>
-        <translation>Gefüllte Symbole: Anteile der Antworten „%1“, größer bei mehr Durchgängen; die bei einem Unterschied von 0 sind falsche Alarme. Kurven: Maximum-Likelihood-Funktionen der Signalentdeckung. Offene Symbole: Unterschiede mit d′ = 1, mit 95-%-KI.</translation>
-    </message>
-    <message>
-        <source>difference with d′ = 1, geometric mean with its 95 % CI</source>
-        <translation>Unterschied mit d′ = 1, geometrisches Mittel mit 95-%-KI</translation>
     </message>
     <message>
         <source>There is no configuration: %1.</source>
@@ -5731,14 +5791,6 @@
         <translation>Schätzung</translation>
     </message>
     <message>
-        <source>Filled symbols: proportions correct, larger for more trials. Curves: maximum-likelihood psychometric functions. Open symbols: thresholds, the level of %1 % correct, with %2 % CIs %3.</source>
-        <translation>Gefüllte Symbole: Anteile richtiger Antworten, größer bei mehr Durchgängen. Kurven: psychometrische Funktionen nach der Maximum-Likelihood-Methode. Offene Symbole: Schwellen, die Stufe mit %1 % richtigen Antworten, mit %2-%-KIs %3.</translation>
-    </message>
-    <message>
-        <source>Filled symbols: proportions of choices, larger for more trials. Curves: maximum-likelihood psychometric functions. Open symbols: points of subjective equality, with %1 % CIs %2.</source>
-        <translation>Gefüllte Symbole: Anteile der Wahlen, größer bei mehr Durchgängen. Kurven: psychometrische Funktionen nach der Maximum-Likelihood-Methode. Offene Symbole: Punkte der subjektiven Gleichheit mit %1-%-KIs %2.</translation>
-    </message>
-    <message>
         <source>by the delta method</source>
         <translation>nach der Delta-Methode</translation>
     </message>
@@ -5829,6 +5881,114 @@
     <message>
         <source>The first two of %1 dimensions; directions cannot be interpreted. Stress-1 in %1 dimensions: %2. Distances in all dimensions correspond to the order of the mean dissimilarities.</source>
         <translation>Die ersten zwei von %1 Dimensionen; Richtungen lassen sich nicht deuten. Stress-1 in %1 Dimensionen: %2. Die Abstände in allen Dimensionen entsprechen der Rangfolge der mittleren Unähnlichkeiten.</translation>
+    </message>
+    <message>
+        <source>Points are means over the participants, shifted where several coincide.</source>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, verschoben, wo mehrere zusammenfallen.</translation>
+    </message>
+    <message>
+        <source>%1 Lines guide the eye.</source>
+        <translation>%1 Linien führen das Auge.</translation>
+    </message>
+    <message>
+        <source>%1 Error bars: within-participant %2 % CIs (Cousineau and Morey), which do not include the differences between participants. Lines guide the eye.</source>
+        <translation>%1 Fehlerbalken: %2-%-KIs innerhalb der Versuchspersonen (Cousineau und Morey), die die Unterschiede zwischen Versuchspersonen nicht enthalten. Linien führen das Auge.</translation>
+    </message>
+    <message>
+        <source>%1 Error bars: t-based %2 % CIs. Lines guide the eye.</source>
+        <translation>%1 Fehlerbalken: t-basierte %2-%-KIs. Linien führen das Auge.</translation>
+    </message>
+    <message>
+        <source>rating, mean</source>
+        <translation>Einstufung, Mittelwert</translation>
+    </message>
+    <message>
+        <source>Points are means over the participants who rated every item; there are no CIs. The accompanying tests use only the ranks of the ratings.</source>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, die jedes Item eingestuft haben; es gibt keine KIs. Die zugehörigen Tests verwenden nur die Ränge der Einstufungen.</translation>
+    </message>
+    <message>
+        <source>Configuration of the items (metric MDS)</source>
+        <translation>Konfiguration der Items (metrische MDS)</translation>
+    </message>
+    <message>
+        <source>Filled symbols: proportions correct, larger for more trials. Curves: maximum-likelihood psychometric functions.</source>
+        <translation>Gefüllte Symbole: Anteile richtiger Antworten, größer bei mehr Durchgängen. Kurven: psychometrische Funktionen maximaler Likelihood.</translation>
+    </message>
+    <message>
+        <source>Filled symbols: proportions of choices, larger for more trials. Curves: maximum-likelihood psychometric functions.</source>
+        <translation>Gefüllte Symbole: Anteile der Wahlen, größer bei mehr Durchgängen. Kurven: psychometrische Funktionen maximaler Likelihood.</translation>
+    </message>
+    <message>
+        <source>%1 Open symbols: thresholds, the level of %2 % correct</source>
+        <translation>%1 Offene Symbole: Schwellen, die Stufe mit %2 % richtigen Antworten</translation>
+    </message>
+    <message>
+        <source>%1 Open symbols: points of subjective equality</source>
+        <translation>%1 Offene Symbole: Punkte subjektiver Gleichheit</translation>
+    </message>
+    <message>
+        <source>%1, without CIs.</source>
+        <translation>%1, ohne KIs.</translation>
+    </message>
+    <message>
+        <source>%1, with %2 % CIs %3.</source>
+        <translation>%1, mit %2-%-KIs %3.</translation>
+    </message>
+    <message>
+        <source>Filled symbols: geometric means of the estimates.</source>
+        <translation>Gefüllte Symbole: geometrische Mittel der Schätzungen.</translation>
+    </message>
+    <message>
+        <source>Filled symbols: proportions of responses “%1”, larger for more trials; those at a difference of 0 are false alarms. Curves: maximum-likelihood functions of signal detection.</source>
+        <translation>Gefüllte Symbole: Anteile der Antworten „%1“, größer bei mehr Durchgängen; die bei einem Unterschied von 0 sind falsche Alarme. Kurven: Funktionen der Signalentdeckung mit maximaler Likelihood.</translation>
+    </message>
+    <message>
+        <source>%1 Open symbols: differences with d′ = 1, with 95 % CIs.</source>
+        <translation>%1 Offene Symbole: Unterschiede mit d′ = 1, mit 95-%-KIs.</translation>
+    </message>
+    <message>
+        <source>%1 Open symbols: differences with d′ = 1, without CIs.</source>
+        <translation>%1 Offene Symbole: Unterschiede mit d′ = 1, ohne KIs.</translation>
+    </message>
+    <message>
+        <source>Points are means over the participants whose threshold could be estimated</source>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, deren Schwelle geschätzt werden konnte</translation>
+    </message>
+    <message>
+        <source>Points are geometric means over the participants whose threshold could be estimated</source>
+        <translation>Punkte sind geometrische Mittel über die Versuchspersonen, deren Schwelle geschätzt werden konnte</translation>
+    </message>
+    <message>
+        <source>%1; there are no CIs.</source>
+        <translation>%1; es gibt keine KIs.</translation>
+    </message>
+    <message>
+        <source>%1; error bars show their t-based 95 % CIs.</source>
+        <translation>%1; Fehlerbalken zeigen ihre t-basierten 95-%-KIs.</translation>
+    </message>
+    <message>
+        <source>%1; error bars show their t-based 95 % CIs on the logarithmic scale.</source>
+        <translation>%1; Fehlerbalken zeigen ihre t-basierten 95-%-KIs auf der logarithmischen Skala.</translation>
+    </message>
+    <message>
+        <source>%1 with its 95 % CI</source>
+        <translation>%1 mit 95-%-KI</translation>
+    </message>
+    <message>
+        <source>%1 A mean that leaves out thresholds outside the presented levels has no error bar; it is an upper bound if all of these lie below the levels, a lower bound if all lie above, and otherwise not drawn.</source>
+        <translation>%1 Ein Mittelwert, der Schwellen außerhalb der dargebotenen Stufen auslässt, hat keinen Fehlerbalken; er ist eine obere Schranke, wenn diese alle unterhalb der Stufen liegen, eine untere, wenn alle oberhalb liegen, und sonst nicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>point of subjective equality, mean</source>
+        <translation>Punkt subjektiver Gleichheit, Mittelwert</translation>
+    </message>
+    <message>
+        <source>threshold, geometric mean</source>
+        <translation>Schwelle, geometrisches Mittel</translation>
+    </message>
+    <message>
+        <source>difference with d′ = 1, geometric mean</source>
+        <translation>Unterschied mit d′ = 1, geometrisches Mittel</translation>
     </message>
 </context>
 <context>
@@ -8186,10 +8346,6 @@
         <translation>Permutationstest auf Unabhängigkeit</translation>
     </message>
     <message>
-        <source>The CIs of d for choices are approximate: in simulations, their coverage was at least 92 % with a true d of at most 0.8, and at least 59 % with a larger one.</source>
-        <translation>Die Konfidenzintervalle von d bei Wahlen sind Näherungen: In Simulationen enthielten sie den wahren Wert in mindestens 92 % der Studien mit einem wahren d bis 0,8 und in mindestens 59 % derjenigen mit einem größeren.</translation>
-    </message>
-    <message>
         <source>The CIs of W for choices are approximate: in simulations with 12 and 20 participants, their coverage was 77 to 100 %.</source>
         <translation>Die Konfidenzintervalle von W bei Wahlen sind Näherungen: In Simulationen mit 12 und 20 Versuchspersonen enthielten sie den wahren Wert in 77 bis 100 % der Studien.</translation>
     </message>
@@ -8206,10 +8362,6 @@
         <translation>Kendalls Konkordanzkoeffizient</translation>
     </message>
     <message>
-        <source>likelihood-ratio test of a cumulative link mixed model</source>
-        <translation>Likelihood-Quotienten-Test eines kumulativen gemischten Link-Modells</translation>
-    </message>
-    <message>
         <source>Wilcoxon signed-rank test</source>
         <translation>Wilcoxon-Vorzeichen-Rang-Test</translation>
     </message>
@@ -8222,16 +8374,8 @@
         <translation>rangbiseriale Korrelation</translation>
     </message>
     <message>
-        <source>McFadden’s R²</source>
-        <translation>McFaddens R²</translation>
-    </message>
-    <message>
         <source>paired t test</source>
         <translation>t-Test für gepaarte Stichproben</translation>
-    </message>
-    <message>
-        <source>F test of a linear mixed model, Satterthwaite’s degrees of freedom</source>
-        <translation>F-Test eines linearen gemischten Modells, Freiheitsgrade nach Satterthwaite</translation>
     </message>
     <message>
         <source>permutation test of a regression on the positions</source>
@@ -8246,12 +8390,12 @@
         <translation>zweiseitiger t-Test des Exponenten gegen 0</translation>
     </message>
     <message>
-        <source>The F test of the linear mixed model is slightly liberal: in simulations without differences, its Type I error rate at α = .05 was up to 7 %.</source>
-        <translation>Der F-Test des linearen gemischten Modells ist etwas liberal: In Simulationen ohne Unterschiede war die Häufigkeit von Fehlern 1. Art bei α = .05 bis zu 7 %.</translation>
+        <source>The CIs of d for choices are approximate: in simulations, their coverage was at least 92 % with a true d of at most 0.8, and at least 57 % with a larger one.</source>
+        <translation>Die KIs von d für Wahlen sind Näherungen: In Simulationen enthielten sie den wahren Wert in mindestens 92 % der Studien bei einem wahren d von höchstens 0,8 und in mindestens 57 % bei einem größeren.</translation>
     </message>
     <message>
-        <source>The likelihood-ratio test of the cumulative link mixed model is slightly liberal: in simulations without differences, its Type I error rate at α = .05 was up to 7 %, and up to 8 % with two participants.</source>
-        <translation>Der Likelihood-Quotienten-Test des kumulativen gemischten Link-Modells ist etwas liberal: In Simulationen ohne Unterschiede war die Häufigkeit von Fehlern 1. Art bei α = .05 bis zu 7 % und mit zwei Versuchspersonen bis zu 8 %.</translation>
+        <source>difference of the mean numbers of correctly matched items per trial</source>
+        <translation>Differenz der mittleren Zahlen richtig zugeordneter Items je Durchgang</translation>
     </message>
 </context>
 <context>
