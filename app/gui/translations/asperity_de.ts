@@ -3609,6 +3609,22 @@
         <source>d′, corrected</source>
         <translation>d′, korrigiert</translation>
     </message>
+    <message>
+        <source>corrected</source>
+        <translation>korrigiert</translation>
+    </message>
+    <message>
+        <source>corrected, 95 % CI</source>
+        <translation>korrigiert, 95-%-KI</translation>
+    </message>
+    <message>
+        <source>proportion, corrected</source>
+        <translation>Anteil, korrigiert</translation>
+    </message>
+    <message>
+        <source>proportion, corrected, 95 % CI</source>
+        <translation>Anteil, korrigiert, 95-%-KI</translation>
+    </message>
 </context>
 <context>
     <name>AttemptWords</name>

@@ -195,6 +195,7 @@ std::string heading_of(const NamedTable& table, const std::string& column) {
       {"partial_eta_squared", "partial η²"},
       {"peak_m 95 %", "95 % CI (m)"},
       {"person", "participant"},
+      {"proportion_corrected", "proportion, corrected"},
       {"pse", "PSE"},
       {"persons", "participants"},
       {"r_squared", "R²"},
