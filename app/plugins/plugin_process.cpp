@@ -33,6 +33,9 @@ constexpr double kLongestLook_s = 0.2;
 constexpr std::array kPassedOn{SIGHUP,  SIGINT,  SIGQUIT, SIGTERM, SIGALRM,
                                SIGUSR1, SIGUSR2, SIGTSTP, SIGCONT};
 
+// How the system ends a program whose output is not read, or that exceeds a limit of its shell.
+constexpr std::array kOfSystem{SIGPIPE, SIGXFSZ, SIGXCPU};
+
 /// Blocks these signals and SIGCHLD in this thread, which then takes them one by one.
 class TakenSignals final {
  public:
@@ -81,7 +84,7 @@ std::string names_of(const std::vector<std::filesystem::path>& plugins) {
   const int status = inputs.work();
   std::cout.flush();
   std::fflush(nullptr);
-  board.finish();
+  board.finish(status);
   // What is left is the end of the program: destructors, also those of libraries that stay loaded until then.
   static const std::string names = names_of(inputs.plugins);
   const PluginCall call(names.c_str(), PluginFunction::finalisation);
@@ -155,16 +158,17 @@ std::string text_of_early_end(const PluginCallBoard& board,
                               const std::vector<std::filesystem::path>& plugins, int status) {
   const std::optional<PluginCallBoard::Signal> noted = board.signal();
   std::vector<PluginCallBoard::Call> calls = board.running();
-  if (noted && noted->place != PluginCallBoard::kNone) {
+  if (noted) {
     std::erase_if(
         calls, [&noted](const PluginCallBoard::Call& call) { return call.place != noted->place; });
   }
   const std::string ending = text_of_ending(status, noted);
   if (calls.empty()) {
     return "asperity: the program ended with " + ending +
-           " while no function of a plug-in was running; a thread or a signal handler of a plug-in "
-           "can be the cause, or memory that one has damaged (loaded: " +
-           names_of(plugins) + "); " + kCorrectPlugin;
+           " outside of the functions of its plug-ins (" + names_of(plugins) +
+           "); a thread or a signal handler of a plug-in can be the cause, or memory that one has "
+           "damaged; " +
+           kCorrectPlugin;
   }
   const CalledCode code = code_of(calls);
   return "asperity: " + code.plugins + " ended the program with " + ending + " in " +
@@ -218,14 +222,20 @@ class WatchedChild final {
     if (number == SIGTSTP || number == SIGTTIN || number == SIGTTOU) raise(SIGSTOP);
   }
 
-  bool has_received(int number) const {
-    return std::find(received_.begin(), received_.end(), number) != received_.end();
+  /// Whether the signal would have ended the program without a plug-in as well.
+  bool is_without_plugin(int number) const {
+    const auto contains = [number](const auto& numbers) {
+      return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
+    };
+    return contains(received_) || (contains(kOfSystem) && board_.running().empty());
   }
 
   int result_of(int status) {
-    if (WIFEXITED(status) && board_.is_finished()) return WEXITSTATUS(status);
+    if (WIFEXITED(status) && board_.finished_with() == WEXITSTATUS(status)) {
+      return WEXITSTATUS(status);
+    }
     pass_on_signals(0);
-    if (WIFSIGNALED(status) && has_received(WTERMSIG(status))) end_with(WTERMSIG(status));
+    if (WIFSIGNALED(status) && is_without_plugin(WTERMSIG(status))) end_with(WTERMSIG(status));
     inputs_.tell(text_of_early_end(board_, inputs_.plugins, status));
     return kNotAcceptable;
   }

@@ -31,8 +31,9 @@ struct PluginProcessInputs {
 /// plug-in, what it ran and the limit; the result is 1.
 ///
 /// The child is in the process group of this process, with its standard streams: what it writes, and a Ctrl-C or a Ctrl-Z at the
-/// terminal, pass as without it. A signal that was sent to this process alone is forwarded to it. If one of these signals
-/// ends or stops the child, it ends or stops this process as well; if this process is killed, so is the child.
+/// terminal, pass as without it. A signal that was sent to this process alone is forwarded to it. If one of these signals, or
+/// SIGPIPE outside of a plug-in, ends or stops the child, it ends or stops this process as well; if this process is killed, so is
+/// the child.
 ///
 /// A stretch in which this process does not run, because it is stopped or the computer sleeps, does not count for the limits.
 ///

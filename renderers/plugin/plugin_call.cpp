@@ -50,8 +50,9 @@ void write_text(const char* text) noexcept {
 extern "C" void name_plugin(int number) {
   for (std::size_t i = 0; i < kEnding.size(); ++i) {
     if (kEnding[i].number != number) continue;
-    if (running_call.plugin != nullptr && board != nullptr) {
-      board->note_signal(place_on_board, number);
+    if (board != nullptr) {
+      const bool is_called = running_call.plugin != nullptr;
+      board->note_signal(is_called ? place_on_board : PluginCallBoard::kNone, number);
     } else if (running_call.plugin != nullptr) {
       write_text("asperity: the plug-in ");
       write_text(running_call.plugin);

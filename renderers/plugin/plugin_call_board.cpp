@@ -76,8 +76,8 @@ void PluginCallBoard::note_signal(std::size_t place, int number) noexcept {
   shared_->signal.store(number, std::memory_order_release);
 }
 
-void PluginCallBoard::finish() noexcept {
-  shared_->is_finished.store(true, std::memory_order_release);
+void PluginCallBoard::finish(int status) noexcept {
+  shared_->finished_with.store(status, std::memory_order_release);
 }
 
 std::vector<PluginCallBoard::Call> PluginCallBoard::running() const {
@@ -100,8 +100,10 @@ std::optional<PluginCallBoard::Signal> PluginCallBoard::signal() const noexcept 
   return Signal{number, shared_->place_of_signal.load(std::memory_order_relaxed)};
 }
 
-bool PluginCallBoard::is_finished() const noexcept {
-  return shared_->is_finished.load(std::memory_order_acquire);
+std::optional<int> PluginCallBoard::finished_with() const noexcept {
+  const int status = shared_->finished_with.load(std::memory_order_acquire);
+  if (status < 0) return {};
+  return status;
 }
 
 }  // namespace asperity

@@ -50,10 +50,10 @@ class PluginCallBoard final {
   /// The thread of the call at this place runs another one, which is nested in it, or returns from that.
   void change(std::size_t place, const char* name, PluginFunction function) noexcept;
   void end(std::size_t place) noexcept;
-  /// The call at this place, or kNone, is about to end the process with this signal. Async-signal-safe.
+  /// The call at this place is about to end the process with this signal; kNone: other code is. Async-signal-safe.
   void note_signal(std::size_t place, int number) noexcept;
-  /// The process has done its work, and only ends.
-  void finish() noexcept;
+  /// The process has done its work, and only ends, with this exit status, which is not negative.
+  void finish(int status) noexcept;
 
   struct Call {
     std::size_t place = 0;
@@ -68,7 +68,8 @@ class PluginCallBoard final {
     std::size_t place = kNone;
   };
   std::optional<Signal> signal() const noexcept;
-  bool is_finished() const noexcept;
+  /// The argument of `finish`; nullopt before.
+  std::optional<int> finished_with() const noexcept;
 
  private:
   struct Place {
@@ -80,7 +81,7 @@ class PluginCallBoard final {
   struct Shared {
     std::atomic<int> signal{0};
     std::atomic<std::size_t> place_of_signal{kNone};
-    std::atomic<bool> is_finished{false};
+    std::atomic<int> finished_with{-1};
     std::array<Place, kPlaces> places{};
   };
   static_assert(std::atomic<std::uint64_t>::is_always_lock_free &&

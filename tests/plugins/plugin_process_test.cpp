@@ -112,16 +112,15 @@ TEST(PluginProcess, NamesOnlyTheCallThatRaisedTheSignal) {
                                               "function tick;")));
 }
 
-TEST(PluginProcess, StatesTheLoadedPluginsWhereNoneWasRunning) {
+TEST(PluginProcess, StatesTheLoadedPluginsWhereNoneIsKnown) {
   const WatchedWork ended = watched([]() -> int {
     { const PluginCall call(kRidges, PluginFunction::tick); }
     _exit(0);
   });
   EXPECT_EQ(ended.status, 1);
   EXPECT_THAT(ended.told,
-              testing::ElementsAre(testing::AllOf(
-                  HasSubstr("ended with exit status 0 while no function of a plug-in was running"),
-                  HasSubstr("(loaded: ridges.so)"))));
+              testing::ElementsAre(HasSubstr("the program ended with exit status 0 outside of the "
+                                             "functions of its plug-ins (ridges.so); ")));
 }
 
 TEST(PluginProcess, EndsACallThatDoesNotReturn) {
@@ -181,6 +180,36 @@ TEST(PluginProcess, EndsAPluginThatDoesNotLetItEnd) {
                               "the plug-in ridges.so did not return from its finalisation")));
 }
 
+TEST(PluginProcess, DoesNotTakeTheStatusOfAPluginForThatOfItsWork) {
+  const WatchedWork ended = watched([] {
+    std::atexit([] { _exit(0); });
+    return 1;
+  });
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_THAT(ended.told,
+              testing::ElementsAre(HasSubstr("the plug-in ridges.so ended the program with exit "
+                                             "status 0 in its finalisation;")));
+}
+
+// Its other threads call plug-ins.
+TEST(PluginProcess, DoesNotBlameAPluginForASignalOfOtherCode) {
+  const WatchedWork aborted = watched([]() -> int {
+    name_plugins_that_end_the_program();
+    std::atomic<bool> is_running{false};
+    const std::jthread other([&is_running] {
+      const PluginCall call(kRidges, PluginFunction::tick);
+      is_running = true;
+      wait_for_ever();
+    });
+    while (!is_running) std::this_thread::yield();
+    std::abort();
+  });
+  EXPECT_EQ(aborted.status, 1);
+  EXPECT_THAT(aborted.told, testing::ElementsAre(HasSubstr(
+                                "the program ended with a call of abort (SIGABRT) "
+                                "outside of the functions of its plug-ins (ridges.so); ")));
+}
+
 TEST(PluginProcess, EndsAsItsChildWithASignalThatItReceived) {
   EXPECT_EXIT((void)watched([]() -> int {
                 const PluginCall call(kRidges, PluginFunction::tick);
@@ -189,6 +218,21 @@ TEST(PluginProcess, EndsAsItsChildWithASignalThatItReceived) {
                 return 0;
               }),
               testing::KilledBySignal(SIGTERM), "^$");
+}
+
+TEST(PluginProcess, EndsAsItsChildWhoseOutputIsNotRead) {
+  EXPECT_EXIT((void)watched([] {
+                std::raise(SIGPIPE);
+                return 0;
+              }),
+              testing::KilledBySignal(SIGPIPE), "^$");
+  const WatchedWork in_call = watched([] {
+    const PluginCall call(kRidges, PluginFunction::tick);
+    std::raise(SIGPIPE);
+    return 0;
+  });
+  EXPECT_EQ(in_call.status, 1);
+  EXPECT_THAT(in_call.told, testing::ElementsAre(HasSubstr("in its function tick")));
 }
 
 }  // namespace
