@@ -174,10 +174,11 @@ class CrossedLikelihood final {
       };
       double curvature = 1.0;
       for (const std::size_t row : rows[group]) {
-        curvature += sigma * sigma *
-                     response_term(responses_[row].count,
-                                   fixed(static_cast<Eigen::Index>(row)) + sigma * mode, model_.link)
-                         .weight;
+        curvature +=
+            sigma * sigma *
+            response_term(responses_[row].count,
+                          fixed(static_cast<Eigen::Index>(row)) + sigma * mode, model_.link)
+                .weight;
       }
       constexpr double kStep = 0.25;
       constexpr double kNegligible = -30.0;

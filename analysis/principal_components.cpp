@@ -226,9 +226,8 @@ std::optional<ComponentJackknife> component_jackknife(std::span<const Eigen::Mat
   for (Eigen::Index scale = 0; scale < p; ++scale) {
     auto& of_scale = answer.loadings.emplace_back();
     for (Eigen::Index component = 0; component < p; ++component) {
-      std::transform(without_one.begin(), without_one.end(), others.begin(), [&](const auto& one) {
-        return std::atanh(one.loadings(scale, component));
-      });
+      std::transform(without_one.begin(), without_one.end(), others.begin(),
+                     [&](const auto& one) { return std::atanh(one.loadings(scale, component)); });
       of_scale.push_back(jackknifed(std::atanh(of_all->loadings(scale, component)), others,
                                     confidence, [](double x) { return std::tanh(x); }));
     }

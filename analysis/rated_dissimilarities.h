@@ -38,9 +38,10 @@ std::vector<std::optional<double>> agreement_with_others(std::span<const RatedPa
 ///
 /// [Spence 1973] Spence, Ogilvie: A table of expected stress values for random rankings in nonmetric multidimensional scaling.
 struct StressByChance {
-  double observed = 0.0;  ///< with the starts of this test, which are fewer than those of a final fit
-  double mean = 0.0;      ///< of the permutations
-  double p05 = 0.0;       ///< their 5 % quantile (type 7)
+  double observed =
+      0.0;            ///< with the starts of this test, which are fewer than those of a final fit
+  double mean = 0.0;  ///< of the permutations
+  double p05 = 0.0;   ///< their 5 % quantile (type 7)
   double p = 1.0;
   std::size_t drawn = 0;
 };
@@ -50,7 +51,8 @@ struct ChanceQuestion {
   std::size_t random_starts = 4;  ///< of each fit
   ScalingLevel level = ScalingLevel::ordinal;
 };
-StressByChance stress_by_chance(std::span<const RatedPairs> raters, const ChanceQuestion& question = {},
+StressByChance stress_by_chance(std::span<const RatedPairs> raters,
+                                const ChanceQuestion& question = {},
                                 const Random& random = Random(kSeedOfTests));
 
 /// For R dimensions, each rater's judgements are predicted from the others: the mean of the others is scaled in R dimensions, their
@@ -58,8 +60,8 @@ StressByChance stress_by_chance(std::span<const RatedPairs> raters, const Chance
 /// pairs are compared with the result. Dimensions that only fit the noise of some raters predict others worse.
 struct DimensionError {
   Eigen::Index dimensions = 1;
-  double error = 0.0;          ///< root mean square over raters and pairs, in the unit of the scale
-  double above_best = 0.0;     ///< the mean over raters of their mean square minus that of the best R
+  double error = 0.0;       ///< root mean square over raters and pairs, in the unit of the scale
+  double above_best = 0.0;  ///< the mean over raters of their mean square minus that of the best R
   double above_best_se = 0.0;  ///< its standard error
 };
 struct DimensionChoice {
@@ -86,7 +88,7 @@ constexpr std::size_t kDisparitiesOfDegenerate = 3;
 /// configuration of all raters, and the result is brought onto that configuration (procrustes). The region is the ellipse of the
 /// first two dimensions that contains the given fraction of a normal distribution with the covariance of these positions.
 struct PositionRegion {
-  double major = 0.0;      ///< half axes, in the unit of the configuration
+  double major = 0.0;  ///< half axes, in the unit of the configuration
   double minor = 0.0;
   double angle_rad = 0.0;  ///< of the major axis, from the first dimension towards the second
 };

@@ -75,7 +75,9 @@ Table read_tsv(std::string_view text, const std::string& file_name) {
     text.remove_prefix(kByteOrderMark.size());
   }
   if (text.empty())
-    throw ResultsError(file_name + ":1:1: the header line is missing; add a line with the names of the columns", file_name);
+    throw ResultsError(
+        file_name + ":1:1: the header line is missing; add a line with the names of the columns",
+        file_name);
   Table table;
   for (std::size_t line_number = 1; !text.empty(); ++line_number) {
     const std::size_t end = text.find('\n');

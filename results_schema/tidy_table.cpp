@@ -167,7 +167,8 @@ TidyTable::TidyTable(std::string whole, std::string name)
   }
   CellReader reader(*text_, text_->size() - text.size(), name_);
   const char separator = separator_of(text.substr(0, text.find('\n')), name_);
-  if (reader.at_end()) reader.refuse("the header line is missing; add a line with the names of the columns");
+  if (reader.at_end())
+    reader.refuse("the header line is missing; add a line with the names of the columns");
   for (bool last = false; !last;) {
     const std::string_view cell = reader.next(separator, last);
     const auto place = name_ + ":1:" + std::to_string(reader.column()) + ": ";

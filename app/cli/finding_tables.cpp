@@ -202,7 +202,8 @@ std::string reading_text_of(const TableFindings& findings) {
     if (finding.status == "ok") continue;
     // An empty word is that of an empty result, which the number with its key names.
     const std::string name = finding.quantity + (finding.key.empty() ? "" : ' ' + finding.key);
-    const std::string sentence = (finding.word.empty() ? name : finding.word) + ": " + finding.status;
+    const std::string sentence =
+        (finding.word.empty() ? name : finding.word) + ": " + finding.status;
     if (said.insert(sentence).second) text += "! " + sentence + '\n';
   }
   std::vector<std::string> methods{};

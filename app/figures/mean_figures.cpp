@@ -51,8 +51,8 @@ Phrase name_of_line(const std::vector<std::string>& parts, const Factors& within
 
 /// Explains only the marks that are drawn.
 Phrase note_on_cell_means(bool is_within, bool has_intervals, const std::string& percent) {
-  const Phrase points = phrase(
-      "Figures", "Points are means over the participants, shifted where several coincide.");
+  const Phrase points =
+      phrase("Figures", "Points are means over the participants, shifted where several coincide.");
   if (!has_intervals) return phrase("Figures", "%1 Lines guide the eye.").with(points);
   return (is_within
               ? phrase("Figures",
@@ -67,9 +67,7 @@ Phrase note_on_cell_means(bool is_within, bool has_intervals, const std::string&
 Figure rating_figure(const FoundNumbers& found) {
   const std::vector<const Finding*> means = found.all("mean.score");
   Figure figure{
-      .name = "ratings",
-      .title = phrase("Figures", "Ratings by item"),
-      .shape = FigureShape::rows};
+      .name = "ratings", .title = phrase("Figures", "Ratings by item"), .shape = FigureShape::rows};
   bool is_first = true;
   FigureSeries points{};
   for (const Finding* mean : means) {
@@ -112,9 +110,7 @@ Figure interaction_figure(const TidyInput& input, const FoundNumbers& found,
   const std::vector<const Finding*> means = found.all("cell.mean");
   const bool has_within_intervals =
       !means.empty() && found.value("cell.ci.half.morey", means.front()->key).has_value();
-  Figure figure{
-      .name = "means",
-      .title = phrase("Figures", "Means by condition")};
+  Figure figure{.name = "means", .title = phrase("Figures", "Means by condition")};
   if (means.empty()) {
     const Finding* status = found.find("status");
     figure.instead = status != nullptr
@@ -147,8 +143,8 @@ Figure interaction_figure(const TidyInput& input, const FoundNumbers& found,
     hold(point.y_interval.value_or(FigureSpan{*mean->value, *mean->value}), is_first, figure.y);
     series->points.push_back(point);
   }
-  figure.note = note_on_cell_means(has_within_intervals, draws_intervals(figure.series),
-                                   percent_of(means));
+  figure.note =
+      note_on_cell_means(has_within_intervals, draws_intervals(figure.series), percent_of(means));
   const auto lines = static_cast<double>(figure.series.size());
   const double aside = std::min(kAside, 2.0 * kFarthestAside / std::max(1.0, lines - 1.0));
   for (std::size_t i = 0; i < figure.series.size(); ++i) {

@@ -68,10 +68,10 @@ Phrase note_on_functions(const FunctionsNote& note) {
                           "maximum-likelihood psychometric functions.");
   if (note.thresholds == FunctionsNote::Thresholds::none) return functions;
   const Phrase marks =
-      is_correct ? phrase("Figures", "%1 Open symbols: thresholds, the level of %2 % correct")
-                       .with(functions, note.percent_correct)
-                 : phrase("Figures", "%1 Open symbols: points of subjective equality")
-                       .with(functions);
+      is_correct
+          ? phrase("Figures", "%1 Open symbols: thresholds, the level of %2 % correct")
+                .with(functions, note.percent_correct)
+          : phrase("Figures", "%1 Open symbols: points of subjective equality").with(functions);
   if (note.intervals == FunctionsNote::Intervals::none) {
     return phrase("Figures", "%1, without CIs.").with(marks);
   }
@@ -82,8 +82,7 @@ Phrase note_on_functions(const FunctionsNote& note) {
 Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
                            const std::string& unit, const std::optional<FigureSpan>& levels) {
   const double performance = input.options.number("pt");
-  Figure figure{.name = "psychometric",
-                .title = phrase("Figures", "Proportion correct by level")};
+  Figure figure{.name = "psychometric", .title = phrase("Figures", "Proportion correct by level")};
   const TidyTable& table = input.table();
   const LabelColumn conditions = table.all_labels("condition");
   const std::vector<double> x = table.all_numbers("x");
@@ -150,8 +149,8 @@ Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
   figure.note = note_on_functions(
       {.percent_correct = number_text(100.0 * performance),
        .confidence = percent_of(found.all("threshold")),
-       .thresholds = thresholds.empty() ? FunctionsNote::Thresholds::none
-                                        : FunctionsNote::Thresholds::drawn,
+       .thresholds =
+           thresholds.empty() ? FunctionsNote::Thresholds::none : FunctionsNote::Thresholds::drawn,
        .intervals = draws_intervals(thresholds) ? FunctionsNote::Intervals::delta
                                                 : FunctionsNote::Intervals::none});
   figure.series.insert(figure.series.end(), thresholds.begin(), thresholds.end());

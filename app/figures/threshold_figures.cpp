@@ -180,9 +180,8 @@ void add_detections(const DrawnFunctions& drawn, const std::vector<std::string>&
                     .with(yes);
   if (!has_marks) return;
   figure.note =
-      (has_intervals
-           ? phrase("Figures", "%1 Open symbols: differences with d′ = 1, with 95 % CIs.")
-           : phrase("Figures", "%1 Open symbols: differences with d′ = 1, without CIs."))
+      (has_intervals ? phrase("Figures", "%1 Open symbols: differences with d′ = 1, with 95 % CIs.")
+                     : phrase("Figures", "%1 Open symbols: differences with d′ = 1, without CIs."))
           .with(figure.note);
 }
 
@@ -231,8 +230,8 @@ Figure figure_of_functions(DrawnFunctions drawn, const FoundNumbers& functions,
                    figure);
     return figure;
   }
-  const auto marks = draws_thresholds(figure) ? FunctionsNote::Thresholds::drawn
-                                              : FunctionsNote::Thresholds::none;
+  const auto marks =
+      draws_thresholds(figure) ? FunctionsNote::Thresholds::drawn : FunctionsNote::Thresholds::none;
   if (drawn.is_performance) {
     figure.x.name = phrase("Figures", "difference of the %1 from the standard").with(parameter);
     if (drawn.design->is_choice_of_three()) {
@@ -316,11 +315,10 @@ std::optional<Figure> figure_of_thresholds(const DrawnThreshold& drawn, const Ta
     reach(value);
   }
   const DrawnUnit shown = drawn_unit(unit, std::abs(greatest));
-  Figure figure{
-      .name = drawn.figure,
-      .table = kMeanThresholds,
-      .title = drawn.title,
-      .shape = FigureShape::rows};
+  Figure figure{.name = drawn.figure,
+                .table = kMeanThresholds,
+                .title = drawn.title,
+                .shape = FigureShape::rows};
   const bool is_pse = std::string(drawn.column) == "pse";
   const double room = 0.06 * (greatest - (is_pse ? lowest : std::min(0.0, lowest)));
   figure.x = {.unit = shown.text,
@@ -378,18 +376,16 @@ std::vector<Figure> threshold_figures(const AnalysisOutcome& outcome) {
                        phrase("Figures", "Points of subjective equality"),
                        phrase("Figures", "point of subjective equality, mean")},
         DrawnThreshold{"jnd", "thresholds", phrase("Figures", "Thresholds"),
-                       phrase("Figures", "threshold, geometric mean"),
-                       "geometric_mean"}};
+                       phrase("Figures", "threshold, geometric mean"), "geometric_mean"}};
     bool has_proportion = false;  // a threshold at a proportion correct
     for (const DrawnThreshold& drawn : kDrawn) {
       auto figure = figure_of_thresholds(drawn, means->table, thresholds->table);
       has_proportion = has_proportion || (figure && std::string_view(drawn.column) == "jnd");
       if (figure) figures.push_back(std::move(*figure));
     }
-    const DrawnThreshold at_unit{
-        "jnd_dprime1", "thresholds", phrase("Figures", "Thresholds"),
-        phrase("Figures", "difference with d′ = 1, geometric mean"),
-        "geometric_mean"};
+    const DrawnThreshold at_unit{"jnd_dprime1", "thresholds", phrase("Figures", "Thresholds"),
+                                 phrase("Figures", "difference with d′ = 1, geometric mean"),
+                                 "geometric_mean"};
     if (!has_proportion) {
       auto figure = figure_of_thresholds(at_unit, means->table, thresholds->table);
       if (figure) figures.push_back(std::move(*figure));

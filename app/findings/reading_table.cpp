@@ -47,7 +47,8 @@ std::optional<std::string> fixed_digits(const std::string& column, double value)
   if (column.ends_with("_N")) return reading_signed(value, 3);
   constexpr double kShortest_m = 1e-4;
   const bool is_length = column.ends_with("_m") || column.ends_with("_m_low");
-  if (is_length && (value == 0.0 || std::abs(value) >= kShortest_m)) return reading_signed(value, 5);
+  if (is_length && (value == 0.0 || std::abs(value) >= kShortest_m))
+    return reading_signed(value, 5);
   return {};
 }
 
@@ -107,8 +108,9 @@ class DecimalsOfColumns final {
     // The most decimals show one digit of the smallest number, so that 4.6e-05 and 5.2e-05 would look the same.
     const bool shows_one_digit = !digits.of_intervals && digits.smallest < 9.95 * unit;
     const bool is_single = is_mixed(quantity) && !digits.of_intervals;
-    return is_wide || is_small || hides || shows_one_digit || is_single ? own_digits(column, value)
-                                                     : reading_signed(value, decimals);
+    return is_wide || is_small || hides || shows_one_digit || is_single
+               ? own_digits(column, value)
+               : reading_signed(value, decimals);
   }
 
  private:
@@ -116,7 +118,8 @@ class DecimalsOfColumns final {
     std::optional<int> of_intervals{};
     int of_numbers = 2;
     double largest = 0.0;
-    double smallest = std::numeric_limits<double>::infinity();  ///< of those that need more than two decimals
+    double smallest =
+        std::numeric_limits<double>::infinity();  ///< of those that need more than two decimals
   };
 
   using Key = std::pair<std::string, std::size_t>;

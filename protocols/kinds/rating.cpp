@@ -16,9 +16,10 @@ namespace {
 constexpr std::array kRatingTests{
     KindTest{"ratings", "do the ratings differ between the items"},
     KindTest{"rated_pairs", "for every pair of items: do the ratings differ"},
-    KindTest{"rating_model",
-             "for every scale, in an analysis of variance of the participants' mean ratings: do the "
-             "ratings depend on the item"},
+    KindTest{
+        "rating_model",
+        "for every scale, in an analysis of variance of the participants' mean ratings: do the "
+        "ratings depend on the item"},
     KindTest{"accompanying_scales",
              "for every scale that accompanies a question with correct responses: do the ratings "
              "differ between correct and incorrect responses"}};

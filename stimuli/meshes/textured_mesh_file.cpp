@@ -181,8 +181,8 @@ class Reader final {
     if ((states_size && unpacked != count * sizeof(Item)) ||
         count * sizeof(Item) / kMostUnpacked > bytes) {
       refuse("contains an array \"" + text(kind, "name") + "\" that cannot be decompressed: " +
-             "the number of items stated, " + std::to_string(count) +
-             ", does not match its " + counted(bytes, "byte", "bytes") + ".");
+             "the number of items stated, " + std::to_string(count) + ", does not match its " +
+             counted(bytes, "byte", "bytes") + ".");
     }
     std::vector<Item> items(count);
     const std::size_t size =

@@ -950,7 +950,8 @@ TEST(Matching, ClaimsTheSameInAnswersAndInTheTextForAPaper) {
   EXPECT_THAT(question_of(outcome, "whole").answer.english(), HasSubstr("Nothing is established"));
   for (const TestSentence& sentence : outcome.test_sentences) {
     if (sentence.test != "items" && sentence.test != "whole") continue;
-    EXPECT_THAT(sentence.text, testing::StartsWith("It was not established that the ")) << sentence.test;
+    EXPECT_THAT(sentence.text, testing::StartsWith("It was not established that the "))
+        << sentence.test;
     EXPECT_THAT(sentence.text, HasSubstr("the 95 % CI of the mean contains the chance level."));
     EXPECT_FALSE(sentence.is_significant);
   }

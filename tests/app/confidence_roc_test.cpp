@@ -156,7 +156,8 @@ TEST(ConfidenceRoc, HasATableAndAnAnswer) {
   const Table& table = table_of(outcome, "confidence_roc").table;
   EXPECT_EQ(table.rows.size(), 9U) << "all participants, and each one";
   EXPECT_EQ(table.rows.front().front(), Cell{std::string("all participants")});
-  EXPECT_THAT(answer_to(outcome, "confidence_roc"), HasSubstr("55 µm: mean A_z of 8 of 8 participants = 0.7"));
+  EXPECT_THAT(answer_to(outcome, "confidence_roc"),
+              HasSubstr("55 µm: mean A_z of 8 of 8 participants = 0.7"));
   EXPECT_THAT(answer_to(outcome, "confidence_roc"),
               HasSubstr("too small where participants have different criteria"));
   EXPECT_THAT(answer_to(outcome, "confidence_roc"), HasSubstr("test of equal variances χ²(1) = "));

@@ -116,8 +116,8 @@ TEST(OtherTextures, HaveTheMixedModelOfTheCounts) {
 TEST(OtherTextures, ThatDoNotDifferHaveADeviationOfNothing) {
   const auto alike = [](int participant, int /*texture*/) { return participant % 4; };
   const AnalysisOutcome outcome = outcome_of("selection", selected_model, 8, 4, alike);
-  const std::vector<Finding> family = of_family(
-      R"({"chance": 0.5, "random": ["subject"], "likelihood": "quadrature"})", alike);
+  const std::vector<Finding> family =
+      of_family(R"({"chance": 0.5, "random": ["subject"], "likelihood": "quadrature"})", alike);
   EXPECT_EQ(found_in(outcome.findings, "glmm.sigma", "item").value, 0.0);
   EXPECT_EQ(found_in(outcome.findings, "glmm.sigma", "subject").value,
             found_in(family, "glmm.sigma", "subject").value);

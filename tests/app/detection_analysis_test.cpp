@@ -114,7 +114,7 @@ const AnalysisOutcome& outcome_of_detections(const Detecting& detecting) {
     if (detecting.declares_order) protocol["analysis"]["family"] = {"order"};
     MadeUpStudy made;
     add_participants(made, made.add_protocol("jnd", "discrimination", protocol.dump()),
-               {.number = detecting.people}, trials_of_person);
+                     {.number = detecting.people}, trials_of_person);
     return outcome_of_discrimination(made);  // the only one
   });
 }
@@ -262,7 +262,9 @@ TEST(DetectionAnalysis, StatesThatMeansOfSmallSensitivitiesAreTooHigh) {
 TEST(DetectionAnalysis, StatesHowManyThresholdsCouldNotBeEstimated) {
   const AnalysisOutcome& outcome = outcome_of_detections(
       {.design = yes_no_task(), .people = 6, .rounds = 20, .of_every_other = as_always});
-  EXPECT_THAT(answer_to(outcome, "threshold"), HasSubstr("No mean threshold is reported. Left out of 6 thresholds: 3 not estimated ("));
+  EXPECT_THAT(
+      answer_to(outcome, "threshold"),
+      HasSubstr("No mean threshold is reported. Left out of 6 thresholds: 3 not estimated ("));
   const std::vector<Finding> means = part_of(outcome, "mean_thresholds");
   const Finding* const mean = FoundNumbers(means).find("geomean.jnd.dprime1", "all");
   ASSERT_NE(mean, nullptr);

@@ -390,9 +390,10 @@ TEST(Discrimination, HasNoIntervalOfAMeanThatLeavesOutThresholds) {
   EXPECT_THAT(answer_to(outcome, "threshold"), HasSubstr("differences: at most "));
   EXPECT_THAT(answer_to(outcome, "threshold"), Not(HasSubstr("95 % CI")));
   EXPECT_THAT(estimate_sentence(outcome).text, HasSubstr("JND at most "));
-  EXPECT_THAT(estimate_sentence(outcome).text,
-              HasSubstr("Of the 4 JNDs, the mean does not include 1 below the presented levels; the "
-                        "mean of the others is an upper bound and has no CI."));
+  EXPECT_THAT(
+      estimate_sentence(outcome).text,
+      HasSubstr("Of the 4 JNDs, the mean does not include 1 below the presented levels; the "
+                "mean of the others is an upper bound and has no CI."));
   const std::vector<Finding> means = part_of(outcome, "mean_thresholds");
   for (const char* const quantity : {"mean.jnd", "geomean.jnd", "geomean.weber"}) {
     const Finding* const mean = FoundNumbers(means).find(quantity, "all");

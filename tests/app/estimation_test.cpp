@@ -207,8 +207,7 @@ TEST(StimulusEstimates, StateThatTheStandardWasNotEstimated) {
 // With free modulus the participants choose their numbers: no effect size depends on which.
 TEST(Estimation, HasEffectSizesThatDoNotDependOnTheModulus) {
   const auto generalised_eta = [](const std::array<double, 3>& scales) {
-    const AnalysisOutcome outcome =
-        outcome_of(protocol_with(kByValues), scales);
+    const AnalysisOutcome outcome = outcome_of(protocol_with(kByValues), scales);
     return FoundNumbers(outcome.findings).value("ges", "stimulus").value();
   };
   const double same = generalised_eta(kSameScale);

@@ -203,7 +203,8 @@ TEST_F(ExternalSession, KeepsCatchTrialsWhereTheyAre) {
   std::string text = external_staircase(4);
   text.insert(1, R"("catch_trials": {"level": 100, "every": 4}, )");
   protocol_ = read_small_protocol(models_, tracks_with(text));
-  EXPECT_GT(same_plan_after_interruptions(4).size(), 18U) << "4 · 4 trials, the one after them, and catch trials";
+  EXPECT_GT(same_plan_after_interruptions(4).size(), 18U)
+      << "4 · 4 trials, the one after them, and catch trials";
 }
 
 TEST_F(ExternalSession, PresentsTheLevelOfASkippedTrialAgainWithoutAsking) {

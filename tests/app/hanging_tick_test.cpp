@@ -214,8 +214,7 @@ TEST_F(HangingTick, IsWaitedOutByTheExperimenterWhoCanOnlyEndTheSession) {
   };
   const SessionEnd end = run();
   EXPECT_EQ(end.state, SessionState::stopped);
-  ASSERT_THAT(log_.names(),
-              ElementsAre("hangs with force", "zero", "told", "stored", "informed"));
+  ASSERT_THAT(log_.names(), ElementsAre("hangs with force", "zero", "told", "stored", "informed"));
   EXPECT_LT(log_.between(0, 4), std::chrono::seconds(1));
   ASSERT_GE(person_.faults_heard.size(), 2U);
   EXPECT_THAT(person_.faults_heard.front(), HasSubstr("end this program and start it again"));

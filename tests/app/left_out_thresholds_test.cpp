@@ -51,17 +51,24 @@ TEST(LeftOutThresholds, MakeTheMeanABoundOnlyIfAllAreOnOneSide) {
     const char* text = "";
   };
   const DiscriminationStudy study{};
-  for (const Case& one :
-       {Case{{below, slope_at_bound()}, MeanOfThresholds::upper_bound,
-             "2 below the presented levels; the mean of the others is an upper bound and has no CI."},
-        Case{{above}, MeanOfThresholds::lower_bound,
-             "1 above the presented levels; the mean of the others is a lower bound and has no CI."},
-        Case{{below, above, below}, MeanOfThresholds::no_bound,
-             "2 below the presented levels, 1 above the presented levels; the mean of the others is "
-             "neither an upper nor a lower bound and is not reported."},
-        Case{{below, unknown}, MeanOfThresholds::no_bound,
-             "1 below the presented levels, 1 not estimated (outside the presented levels); the mean "
-             "of the others is neither an upper nor a lower bound and is not reported."}}) {
+  for (
+      const Case& one :
+      {Case{
+           {below, slope_at_bound()},
+           MeanOfThresholds::upper_bound,
+           "2 below the presented levels; the mean of the others is an upper bound and has no CI."},
+       Case{{above},
+            MeanOfThresholds::lower_bound,
+            "1 above the presented levels; the mean of the others is a lower bound and has no CI."},
+       Case{{below, above, below},
+            MeanOfThresholds::no_bound,
+            "2 below the presented levels, 1 above the presented levels; the mean of the others is "
+            "neither an upper nor a lower bound and is not reported."},
+       Case{
+           {below, unknown},
+           MeanOfThresholds::no_bound,
+           "1 below the presented levels, 1 not estimated (outside the presented levels); the mean "
+           "of the others is neither an upper nor a lower bound and is not reported."}}) {
     const std::string all = std::to_string(4 + one.missing.size());
     const DiscriminationResults results = results_with(study, one.missing);
     EXPECT_EQ(left_out_thresholds(results.fit.thresholds, "jnd", "all").mean(), one.mean);

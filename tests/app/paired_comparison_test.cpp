@@ -77,7 +77,8 @@ TEST_F(Pairs, HaveTheProportionOfComparisonsThatEachItemWins) {
 TEST_F(Pairs, AreSummarisedInTheTextForAPaper) {
   const std::string text = estimate_sentence(outcome_of_pairs(made_)).text;
   EXPECT_THAT(text, HasSubstr("Log-worths of the Bradley–Terry model (mean 0) were "));
-  EXPECT_THAT(text, HasSubstr("Mean proportions of comparisons in which an item was chosen were 92 %"));
+  EXPECT_THAT(text,
+              HasSubstr("Mean proportions of comparisons in which an item was chosen were 92 %"));
   EXPECT_THAT(text, HasSubstr("The mean coefficient of consistence was ζ = .83"));
 }
 

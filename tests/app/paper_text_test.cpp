@@ -268,9 +268,9 @@ TEST(PaperText, StatesWhoTookPartAndWhatWasAnalysed) {
 // Fifteen pairs of six items, and six participants: 15·2^(1 − 6) = .469, and 15·2^(1 − n) is below it from n = 10 on.
 TEST(PaperText, StatesThatNoneOfManyTestsCouldBeSignificant) {
   MadeUpStudy made;
-  const std::int64_t protocol = made.add_protocol(
-      "rougher", "paired_comparison",
-      R"({"kind": "paired_comparison", "blocks": {"only": {
+  const std::int64_t protocol =
+      made.add_protocol("rougher", "paired_comparison",
+                        R"({"kind": "paired_comparison", "blocks": {"only": {
           "question": {"name": "rougher", "prompt": "Which is rougher?"}}},
           "analysis": {"family": ["pairs"]}})");
   const std::vector<std::string> items{"a", "b", "c", "d", "e", "f"};

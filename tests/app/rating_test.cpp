@@ -325,8 +325,8 @@ AnalysisOutcome ratings_with_confidence(std::string source, const std::string& f
     return trials;
   };
   MadeUpStudy made{};
-  add_participants(made, made.add_protocol("sure", "recognition", source), {.number = 4, .first = 1},
-             trials_of);
+  add_participants(made, made.add_protocol("sure", "recognition", source),
+                   {.number = 4, .first = 1}, trials_of);
   return outcome_of_kind(analyze_study(made.study()), "rating");
 }
 
@@ -585,7 +585,8 @@ TEST(RatingModel, HasLogOddsWithoutTestsUpToElevenPoints) {
   EXPECT_NE(found.find("n.categories", "rough"), nullptr);
   EXPECT_EQ(found.find("lr.p", "rough"), nullptr);
   for (const Finding* const odds : found.all("logodds")) EXPECT_FALSE(odds->low) << odds->key;
-  EXPECT_THAT(find_table(eleven, "ordinal")->note.english(), HasSubstr("Type I error rate of 21 %"));
+  EXPECT_THAT(find_table(eleven, "ordinal")->note.english(),
+              HasSubstr("Type I error rate of 21 %"));
   const AnalysisOutcome twelve = outcome_of("12");
   EXPECT_EQ(FoundNumbers(twelve.findings).find("n.categories", "rough"), nullptr);
   EXPECT_NE(find_table(twelve, "rated_differences"), nullptr);

@@ -30,9 +30,9 @@ std::vector<std::string> shown(const Table& table, const std::string& column) {
 }
 
 TEST(ReadingTable, PrintsAColumnAndItsIntervalsWithTheDecimalsOfTheNarrowest) {
-  const Table table{.columns = {"participant", "jnd", "jnd_low", "jnd_high"},
-                    .rows = {{std::string("p1"), 12.0, 8.09, 15.9},
-                             {std::string("p2"), 3.25, 3.2, 3.3}}};
+  const Table table{
+      .columns = {"participant", "jnd", "jnd_low", "jnd_high"},
+      .rows = {{std::string("p1"), 12.0, 8.09, 15.9}, {std::string("p2"), 3.25, 3.2, 3.3}}};
   EXPECT_THAT(shown(table, "jnd"), ElementsAre("12.00", "3.25"));
   const Table narrow{.columns = {"ratio", "ratio_low", "ratio_high"},
                      .rows = {{1.0012, 0.9993, 1.0031}}};

@@ -100,9 +100,9 @@ TEST(ReliabilityOfPlannedRepetitions, IsNotThatOfTextures) {
   });
   EXPECT_EQ(asked(outcome), nullptr);
   EXPECT_EQ(reliability_in(outcome, "icc", "").word, "repetitions_are_textures");
-  EXPECT_THAT(outcome.remarks,
-              testing::Contains(testing::Property(
-                  &Phrase::english, HasSubstr("repetitions and textures cannot be distinguished"))));
+  EXPECT_THAT(outcome.remarks, testing::Contains(testing::Property(
+                                   &Phrase::english,
+                                   HasSubstr("repetitions and textures cannot be distinguished"))));
 }
 
 MadeUpTrial selected(int repetition, const std::string& chosen) {

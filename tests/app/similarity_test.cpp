@@ -113,7 +113,7 @@ AnalysisOutcome make_ratings(const RatedStudyOptions& options) {
   };
   MadeUpStudy made;
   add_participants(made, made.add_protocol("map", "similarity", protocol_that_rates(options.rates)),
-             {.number = options.people, .first = 1}, trials_of_person);
+                   {.number = options.people, .first = 1}, trials_of_person);
   std::vector<AnalysisOutcome> outcomes = analyze_study(made.study());
   EXPECT_EQ(outcomes.size(), 1U) << "its scale is not analysed as ratings as well";
   return std::move(outcomes.front());
@@ -226,8 +226,8 @@ TEST(RatedDissimilarities, HaveTheMetricConfigurationWhereTheNonMetricOneIsDegen
     largest = std::max(largest, one->value.value());
   }
   EXPECT_GT(smallest, 0.01 * largest) << "no two items lie on one point";
-  const std::string dimensions = std::to_string(
-      static_cast<int>(found.value("dimensions").value()));
+  const std::string dimensions =
+      std::to_string(static_cast<int>(found.value("dimensions").value()));
   EXPECT_NEAR(found.value("stress.perm.observed").value(),
               found.value("stress.ratio", dimensions).value(), 0.02);
   EXPECT_THAT(answer_about_configuration(clusters), HasSubstr("Metric scaling, because"));

@@ -31,12 +31,12 @@ std::string smallest_coverage(const std::string& part, const std::string& quanti
 
 TEST(StatedCoverage, OfEffectSizesOfChoicesIsTheSmallestOfTheSimulations) {
   const std::string note = test_method("signflip.p.two")->coverage.english();
-  EXPECT_THAT(note, HasSubstr("at least " +
-                              smallest_coverage("choice_effects", "signflip.d", 0.0, 0.8) +
-                              " with a true d of at most 0.8"));
-  EXPECT_THAT(note, HasSubstr("at least " +
-                              smallest_coverage("choice_effects", "signflip.d", 0.8, 1e9) +
-                              " with a larger one"));
+  EXPECT_THAT(note,
+              HasSubstr("at least " + smallest_coverage("choice_effects", "signflip.d", 0.0, 0.8) +
+                        " with a true d of at most 0.8"));
+  EXPECT_THAT(note,
+              HasSubstr("at least " + smallest_coverage("choice_effects", "signflip.d", 0.8, 1e9) +
+                        " with a larger one"));
   EXPECT_THAT(test_method("relabel.exact.p")->coverage.english(),
               HasSubstr(smallest_coverage("choice_effects", "relabel.W", 0.0, 1.0).substr(0, 2) +
                         " to 100 %"));

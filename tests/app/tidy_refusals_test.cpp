@@ -487,8 +487,9 @@ TEST(TidyRefusals, NeedTheNumberOfAlternativesOfUnforcedChoices) {
 
 // Two levels and two parameters: the function passes through both proportions.
 TEST(TidyRefusals, TestNoFitWithoutDegreesOfFreedom) {
-  const auto findings = findings_of("psyfit", "condition,x,n,k\na,1,20,11\na,2,20,16\n",
-                                    R"({"shape": "logistic", "gamma": 0.5, "lambda": 0.02, "pt": 0.75})");
+  const auto findings =
+      findings_of("psyfit", "condition,x,n,k\na,1,20,11\na,2,20,16\n",
+                  R"({"shape": "logistic", "gamma": 0.5, "lambda": 0.02, "pt": 0.75})");
   for (const char* const p : {"deviance.p.chisq", "deviance.p.montecarlo"}) {
     EXPECT_EQ(word_of(findings, p), "NA") << p;
   }
@@ -505,8 +506,8 @@ TEST(TidyRefusals, GiveNoImpossibleLimitsOfAThreshold) {
       EXPECT_GE(*finding.value, 0.0) << finding.quantity;
     }
   }
-  const auto outside =
-      findings_of("psyfit", "condition,x,n,k\nc,1,20,11\nc,2,20,9\nc,3,20,11\nc,4,20,12\n", options);
+  const auto outside = findings_of(
+      "psyfit", "condition,x,n,k\nc,1,20,11\nc,2,20,9\nc,3,20,11\nc,4,20,12\n", options);
   EXPECT_EQ(word_of(outside, "threshold.status"), "outside_range");
   for (const char* const absent :
        {"threshold.se", "threshold.delta.lower", "threshold.overdispersed.lower",

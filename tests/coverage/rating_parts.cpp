@@ -180,7 +180,8 @@ FirstComponent first_component() {
   std::array<std::array<double, kRatedItems>, kRatedScales> z{};
   for (std::size_t scale = 0; scale < kRatedScales; ++scale) {
     double mean = 0.0;
-    for (const auto& of_item : true_means()) mean += of_item[scale] / static_cast<double>(kRatedItems);
+    for (const auto& of_item : true_means())
+      mean += of_item[scale] / static_cast<double>(kRatedItems);
     double squares = 0.0;
     for (const auto& of_item : true_means()) {
       squares += (of_item[scale] - mean) * (of_item[scale] - mean);
@@ -198,7 +199,8 @@ FirstComponent first_component() {
     for (std::size_t a = 0; a < kRatedScales; ++a) {
       for (std::size_t b = 0; b < kRatedScales; ++b) {
         double correlation = 0.0;
-        for (std::size_t item = 0; item < kRatedItems; ++item) correlation += z[a][item] * z[b][item];
+        for (std::size_t item = 0; item < kRatedItems; ++item)
+          correlation += z[a][item] * z[b][item];
         next[a] += correlation * axis[b];
       }
     }

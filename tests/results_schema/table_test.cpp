@@ -74,7 +74,8 @@ TEST(Table, SaysWhereItIsWrong) {
   EXPECT_EQ(refusal_of_tsv("a\tb\ta\n"),
             "file.tsv:1:3: the column name \"a\" occurs twice; rename one of the columns");
   EXPECT_EQ(refusal_of_tsv("a\t\n"), "file.tsv:1:2: the column has no name; give it one");
-  EXPECT_EQ(refusal_of_tsv(""), "file.tsv:1:1: the header line is missing; add a line with the names of the columns");
+  EXPECT_EQ(refusal_of_tsv(""),
+            "file.tsv:1:1: the header line is missing; add a line with the names of the columns");
 }
 
 TEST(Table, RefusesARowOfAnotherLength) {
@@ -173,7 +174,8 @@ TEST(SavFile, CutsOnlyWhatSpssCannotHoldAndSaysSo) {
 TEST(Names, AreOrderedByValueWhereTheyAreNumbers) {
   std::vector<std::string> names{"wood", "5e-05", "brick", "0.001", "4.6e-05", "5.3e-05"};
   std::sort(names.begin(), names.end(), precedes_by_value);
-  EXPECT_EQ(names, (std::vector<std::string>{"4.6e-05", "5e-05", "5.3e-05", "0.001", "brick", "wood"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"4.6e-05", "5e-05", "5.3e-05", "0.001", "brick", "wood"}));
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ struct TestSentence {
   bool has_mean_interval = false;  ///< the 95 % CI is that of a mean proportion
   bool has_effect = false;
   bool is_significant = false;
-  std::optional<double> p{};            ///< corrected, where the test belongs to a family
+  std::optional<double> p{};  ///< corrected, where the test belongs to a family
   /// The smallest attainable p, corrected, where it exceeds 5 %; and the number of participants with a difference other than
   /// zero with which significance would be possible, where it is known.
   std::optional<double> unattainable_p{};

@@ -234,7 +234,8 @@ std::vector<AnalysisOutcome> outcomes_of(const Study& study,
           outcome.remarks.push_back(phrase(
               "Analysis",
               "Each repetition presents other textures than the others: repetitions and textures "
-              "cannot be distinguished. Differences between repetitions and changes over the trials "
+              "cannot be distinguished. Differences between repetitions and changes over the "
+              "trials "
               "are also differences between textures, and there is no reliability over "
               "repetitions."));
         }

@@ -153,10 +153,9 @@ Phrase roc_text(const DiscriminationResults& results, const RatedLevels& levels,
     const auto p = found.value("lr.equal.variance.p", id);
     if (area == nullptr || !area->value || !effect || !ratio) continue;
     const auto with_limits = [](const Phrase& text, const Finding& of) {
-      return of.low && of.high
-                 ? phrase("Analysis", "%1 (95 % CI [%2, %3])")
-                       .with(text, reading_number(*of.low), reading_number(*of.high))
-                 : text;
+      return of.low && of.high ? phrase("Analysis", "%1 (95 % CI [%2, %3])")
+                                     .with(text, reading_number(*of.low), reading_number(*of.high))
+                               : text;
     };
     Phrase one(stated_quantity(place.second, results.study.task.varied.unit));
     if (const Finding* const mean = found.find("uv.az.mean", id); mean != nullptr && mean->value) {

@@ -134,15 +134,15 @@ void ask_other_textures(const CrossedResponses& crossed, AnalysisOutcome& outcom
                     [](const TextureResponse& one) { return one.is_hit; }));
   const std::size_t rarer = std::min(hits, crossed.responses.size() - hits);
   if (rarer > 0 && rarer < kFewestOfEach) {
-    add_no_crossed_model(hits == rarer ? "near_floor" : "near_ceiling",
-                         "it needs at least " + std::to_string(kFewestOfEach) +
-                             " responses of either kind (correct or of the target, and the others), "
-                             "which determine how much participants and textures differ; there "
-                             "are " +
-                             std::to_string(hits) + " and " +
-                             std::to_string(crossed.responses.size() - hits) +
-                             "; add participants or trials",
-                         outcome);
+    add_no_crossed_model(
+        hits == rarer ? "near_floor" : "near_ceiling",
+        "it needs at least " + std::to_string(kFewestOfEach) +
+            " responses of either kind (correct or of the target, and the others), "
+            "which determine how much participants and textures differ; there "
+            "are " +
+            std::to_string(hits) + " and " + std::to_string(crossed.responses.size() - hits) +
+            "; add participants or trials",
+        outcome);
     return;
   }
   std::vector<Finding> findings = fitted(crossed, nullptr);
@@ -162,7 +162,8 @@ void ask_other_textures(const CrossedResponses& crossed, AnalysisOutcome& outcom
              "participants and textures, by maximum likelihood with the Laplace approximation, "
              "or by numerical integration where one SD is estimated as 0; t test and CI of the "
              "fixed intercept, with the degrees of freedom of the smaller sample (participants or "
-             "textures), also where its SD is estimated as 0. In simulations with 5 to 20 participants and SDs "
+             "textures), also where its SD is estimated as 0. In simulations with 5 to 20 "
+             "participants and SDs "
              "of 0.5 and 1, among the studies with an estimate, the coverage of the 95 % CI was 95 "
              "to 100 % with four textures and 90 to 100 % with ten.");
   add_question(outcome, kCrossed,

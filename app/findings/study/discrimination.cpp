@@ -199,10 +199,11 @@ void test_equality(const GatheredAnswers& gathered, const DiscriminationResults&
     keep_tests(findings, true, outcome);
     const FoundNumbers tested(findings);
     tests.add("point_of_subjective_equality", about, tested, kWilcoxonP, both("pse", "standard"));
-    tests.leave_out(of_condition - estimated,
-                    phrase("Analysis",
-                           "Participants without a point of subjective equality within the presented "
-                           "levels are left out of its test"));
+    tests.leave_out(
+        of_condition - estimated,
+        phrase("Analysis",
+               "Participants without a point of subjective equality within the presented "
+               "levels are left out of its test"));
     drop_ties(estimated, both("pse", "standard"), tested, tests);
   }
 }

@@ -48,9 +48,8 @@ Phrase mean_thresholds_text(const DiscriminationResults& results, const std::str
 
 /// Whether the mean of a condition is neither an upper nor a lower bound, and therefore not reported.
 bool has_no_bound(const DiscriminationResults& results, const std::string& quantity) {
-  return std::any_of(results.means.begin(), results.means.end(), [&](const Finding& mean) {
-    return mean.quantity == quantity && !mean.value;
-  });
+  return std::any_of(results.means.begin(), results.means.end(),
+                     [&](const Finding& mean) { return mean.quantity == quantity && !mean.value; });
 }
 
 /// "wood: 12.3 µm; metal: 14 µm; ratio metal / wood: 1.14 (95 % CI …)", over the participants with all conditions.
@@ -82,9 +81,10 @@ Phrase with_left_out_participants(const Phrase& answer, const DiscriminationResu
   std::set<std::uint32_t> people{};
   for (const auto& function : results.functions) people.insert(function.person);
   if (people.size() == complete) return answer;
-  return phrase("Analysis",
-                "%1 Left out: %2 of %3 participants, who do not have a threshold within the presented "
-                "levels in every condition; the comparison does not describe them.")
+  return phrase(
+             "Analysis",
+             "%1 Left out: %2 of %3 participants, who do not have a threshold within the presented "
+             "levels in every condition; the comparison does not describe them.")
       .with(answer, std::to_string(people.size() - complete), std::to_string(people.size()));
 }
 
@@ -96,11 +96,12 @@ Phrase with_fixed_lapses(const Phrase& answer, const DiscriminationResults& resu
         .with(answer);
   }
   if (results.study.task.is_performance) return answer;
-  return phrase("Analysis",
-                "%1 The JNDs and their CIs take the lapse rates of 2 % as known: for participants "
-                "who never lapse, simulated JNDs were too small by 11 to 13 %, and the CI of the "
-                "mean contained the true JND in 41 to 66 % of the studies (94 % with lapse rates of "
-                "2 %).")
+  return phrase(
+             "Analysis",
+             "%1 The JNDs and their CIs take the lapse rates of 2 % as known: for participants "
+             "who never lapse, simulated JNDs were too small by 11 to 13 %, and the CI of the "
+             "mean contained the true JND in 41 to 66 % of the studies (94 % with lapse rates of "
+             "2 %).")
       .with(answer);
 }
 
@@ -258,10 +259,11 @@ void ask_conditions(const DiscriminationResults& results, const StudyTests& test
   const Phrase question = phrase("Analysis", "Do the thresholds differ between the conditions?");
   const Phrase method =
       results.conditions.size() == 2
-          ? phrase("Analysis",
-                   "Wilcoxon signed-rank test of the thresholds of the participants with a threshold "
-                   "in both conditions. Ratio: geometric mean of the same participants' ratios, with "
-                   "a t-based CI on the logarithmic scale.")
+          ? phrase(
+                "Analysis",
+                "Wilcoxon signed-rank test of the thresholds of the participants with a threshold "
+                "in both conditions. Ratio: geometric mean of the same participants' ratios, with "
+                "a t-based CI on the logarithmic scale.")
           : phrase("Analysis",
                    "Friedman test of the thresholds of the participants with a threshold in every "
                    "condition.");
@@ -273,13 +275,13 @@ void ask_conditions(const DiscriminationResults& results, const StudyTests& test
   const Finding* const shown = ratios.empty() ? mean : ratios.front();
   const std::size_t complete = mean == nullptr ? 0 : mean->n;
   if (test != nullptr && has_too_few_differences(*test)) {
-    add_question(outcome, name.c_str(), question,
-                 with_left_out_participants(
-                     phrase("Analysis", "Not tested: %1. Geometric mean thresholds: %2.")
-                         .with(words_of_cell("status", test->status),
-                               compared_thresholds_text(results)),
-                     results, complete),
-                 method, kMeanThresholds, shown);
+    add_question(
+        outcome, name.c_str(), question,
+        with_left_out_participants(
+            phrase("Analysis", "Not tested: %1. Geometric mean thresholds: %2.")
+                .with(words_of_cell("status", test->status), compared_thresholds_text(results)),
+            results, complete),
+        method, kMeanThresholds, shown);
     return;
   }
   if (test == nullptr || !test->p) {
@@ -300,13 +302,12 @@ void ask_conditions(const DiscriminationResults& results, const StudyTests& test
                                       results, complete);
   };
   const Sayings sayings{
-      with_numbers(phrase("Analysis",
-                          "Yes: geometric mean thresholds of %1 participants: %2 (%3).")),
+      with_numbers(
+          phrase("Analysis", "Yes: geometric mean thresholds of %1 participants: %2 (%3).")),
       with_numbers(phrase("Analysis",
                           "Not significantly: geometric mean thresholds of %1 participants: %2 "
                           "(%3). This does not show that they are equal.")),
-      with_numbers(
-          phrase("Analysis", "Geometric mean thresholds of %1 participants: %2 (%3)."))};
+      with_numbers(phrase("Analysis", "Geometric mean thresholds of %1 participants: %2 (%3)."))};
   add_question(outcome, name.c_str(), question, said_of(*test, sayings), method, kMeanThresholds,
                shown);
 }

@@ -52,11 +52,12 @@ void add_geometric(const char* quantity, const std::string& key, const std::vect
 
 /// A word in place of a mean that would not be a bound.
 void add_no_mean(const char* quantity, const std::string& key, std::size_t n, FindingList& list) {
-  list.word(quantity, key, code_of(MeanOfThresholds::no_bound),
-            "thresholds are missing that do not all lie on the same side of the presented levels, so "
-            "that the mean of the others is neither an upper nor a lower bound: present levels on "
-            "both sides of every threshold",
-            {.n = n});
+  list.word(
+      quantity, key, code_of(MeanOfThresholds::no_bound),
+      "thresholds are missing that do not all lie on the same side of the presented levels, so "
+      "that the mean of the others is neither an upper nor a lower bound: present levels on "
+      "both sides of every threshold",
+      {.n = n});
 }
 
 /// Why a mean has no interval; nothing where no threshold is left out.
@@ -104,11 +105,11 @@ std::vector<Finding> compared_thresholds(const DiscriminationResults& results) {
   for (std::size_t condition = 0; condition < results.conditions.size(); ++condition) {
     std::vector<double> numbers{};
     for (const auto& own : complete) numbers.push_back(own[condition]);
-    list.number("geomean." + quantity, results.conditions[condition],
-                geometric_mean(numbers).mean,
-                {.n = complete.size(),
-                 .method = "geometric mean over the participants with a threshold in every condition",
-                 .unit = unit.empty() ? "1" : unit});
+    list.number(
+        "geomean." + quantity, results.conditions[condition], geometric_mean(numbers).mean,
+        {.n = complete.size(),
+         .method = "geometric mean over the participants with a threshold in every condition",
+         .unit = unit.empty() ? "1" : unit});
   }
   if (results.conditions.size() == 2) {
     std::vector<double> ratios{};
@@ -116,8 +117,9 @@ std::vector<Finding> compared_thresholds(const DiscriminationResults& results) {
     constexpr double kConfidenceOfRatio = 0.95;
     const GeometricMean ratio = geometric_mean(ratios, kConfidenceOfRatio);
     Basis basis{.n = ratio.n,
-                .method = "geometric mean of the ratios of the participants with a threshold in both "
-                          "conditions; t interval on the log scale",
+                .method =
+                    "geometric mean of the ratios of the participants with a threshold in both "
+                    "conditions; t interval on the log scale",
                 .interval = ratio.interval};
     if (ratio.interval) basis.confidence = kConfidenceOfRatio;
     list.number("ratio." + quantity, both(results.conditions[1], results.conditions[0]), ratio.mean,

@@ -114,11 +114,12 @@ void add_mean_rows(const DiscriminationResults& results, Table& table) {
       const std::string status = code_of(left_out.mean());
       const std::string geometric = column.geometric_mean == nullptr ? "" : column.geometric_mean;
       const auto [geometric_low, geometric_high] = means.interval(geometric, condition);
-      table.rows.push_back({condition, std::string(column.column),
-                            static_cast<std::int64_t>(mean->n), cell_of(mean->value), low, high,
-                            mean->unit, means.cell(geometric, condition), geometric_low,
-                            geometric_high, left_out.missing() == 0 ? Cell{} : Cell{static_cast<std::int64_t>(left_out.missing())},
-                            status.empty() ? Cell{} : Cell{status}});
+      table.rows.push_back(
+          {condition, std::string(column.column), static_cast<std::int64_t>(mean->n),
+           cell_of(mean->value), low, high, mean->unit, means.cell(geometric, condition),
+           geometric_low, geometric_high,
+           left_out.missing() == 0 ? Cell{} : Cell{static_cast<std::int64_t>(left_out.missing())},
+           status.empty() ? Cell{} : Cell{status}});
     }
   }
 }
@@ -477,12 +478,13 @@ Phrase note_on_means(const std::vector<DiscriminationResults>& all) {
   if (!leaves_out) return note;
   return phrase("Analysis", "%1 %2")
       .with(note,
-            phrase("Analysis",
-                   "A mean that leaves out thresholds is an upper bound if all of these lie below the "
-                   "presented levels, a lower bound if all lie above, and otherwise neither and not "
-                   "reported. It has no CI: in simulations in which 27 and 34 % of the thresholds "
-                   "were left out, the t-based CI of the others contained the true mean in 75 and "
-                   "48 % of the studies."));
+            phrase(
+                "Analysis",
+                "A mean that leaves out thresholds is an upper bound if all of these lie below the "
+                "presented levels, a lower bound if all lie above, and otherwise neither and not "
+                "reported. It has no CI: in simulations in which 27 and 34 % of the thresholds "
+                "were left out, the t-based CI of the others contained the true mean in 75 and "
+                "48 % of the studies."));
 }
 
 Phrase note_on_hits_of(const DiscriminationStudy& study) {
@@ -553,13 +555,13 @@ Phrase note_on_catch_trials(const GatheredAnswers& gathered) {
 void add_discrimination_tables(const GatheredAnswers& gathered,
                                const std::vector<DiscriminationResults>& all,
                                AnalysisOutcome& outcome) {
-  NamedTable means{kMeanThresholds,
-                   phrase("Analysis", "Mean thresholds"),
-                   {{"condition", "measure", "persons", "mean", "mean_low", "mean_high", "unit",
-                     "geometric_mean", "geometric_mean_low", "geometric_mean_high", "left_out",
-                     "status"},
-                    {}},
-                   note_on_means(all)};
+  NamedTable means{
+      kMeanThresholds,
+      phrase("Analysis", "Mean thresholds"),
+      {{"condition", "measure", "persons", "mean", "mean_low", "mean_high", "unit",
+        "geometric_mean", "geometric_mean_low", "geometric_mean_high", "left_out", "status"},
+       {}},
+      note_on_means(all)};
   NamedTable thresholds{kThresholds,
                         phrase("Analysis", "Thresholds of the participants"),
                         {{"participant", "condition"}, {}},

@@ -68,7 +68,8 @@ std::map<std::string, std::string> reported_peaks(const AnalysisOutcome& outcome
     const auto low = number("peak_m_low");
     const auto high = number("peak_m_high");
     if (low && high) {
-      text += ", 95 % CI [" + reading_quantity(*low, "m") + ", " + reading_quantity(*high, "m") + ']';
+      text +=
+          ", 95 % CI [" + reading_quantity(*low, "m") + ", " + reading_quantity(*high, "m") + ']';
     }
     if (const auto p = number("p_interior")) text += ", " + reading_p(*p);
     peaks[*condition] = text;
@@ -127,7 +128,8 @@ EstimateSentence exponents_sentence(const AnalysisOutcome& outcome) {
   if (means.empty()) return {.text = text};
   if (!text.empty()) text += ' ';
   constexpr int kDecimals = 2;
-  return {.text = text + (means.size() == 1 ? std::string("The mean slope") : std::string("Mean slopes")) +
+  return {.text = text +
+                  (means.size() == 1 ? std::string("The mean slope") : std::string("Mean slopes")) +
                   " of log estimate on " + (is_of_spacings ? "log spacing" : "log predictor") +
                   " (exponent of a power function) " + (means.size() == 1 ? "was " : "were ") +
                   all_estimates(means, "all",
@@ -150,10 +152,10 @@ EstimateSentence pairs_sentence(const AnalysisOutcome& outcome) {
         reading_percent);
   const std::vector<const Finding*> zetas = numbers_among(outcome, "consistency", "mean.zeta");
   if (!zetas.empty()) {
-    sentences.push_back("The mean coefficient of consistence was ζ = " +
-                        one_estimate(*zetas.front(), "",
-                                     [](double value) { return reading_bounded(value); }) +
-                        ", N = " + reading_count(zetas.front()->n) + '.');
+    sentences.push_back(
+        "The mean coefficient of consistence was ζ = " +
+        one_estimate(*zetas.front(), "", [](double value) { return reading_bounded(value); }) +
+        ", N = " + reading_count(zetas.front()->n) + '.');
   }
   std::string text{};
   for (const std::string& sentence : sentences) text += (text.empty() ? "" : " ") + sentence;

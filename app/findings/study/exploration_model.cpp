@@ -255,8 +255,10 @@ Phrase note_on_models() {
       "level of a condition, per 10 trials of a block, per block or per session. The tests are "
       "exploratory and uncorrected. Tests are liberal and CIs too narrow where participants differ "
       "in these effects, which the models do not include: in simulations of ratings whose effects "
-      "varied over participants (SDs of half and one residual SD) the F test had Type I error rates "
-      "of 17 and 33 % at α = .05. The position in a block is a covariate; its ratio is reported for "
+      "varied over participants (SDs of half and one residual SD) the F test had Type I error "
+      "rates "
+      "of 17 and 33 % at α = .05. The position in a block is a covariate; its ratio is reported "
+      "for "
       "blocks of ten trials or more, because it would otherwise be an extrapolation.");
 }
 

@@ -139,11 +139,10 @@ Phrase with_left_out_thresholds(Phrase answer, const DiscriminationResults& resu
                             ? sides
                             : phrase("Analysis", "%1; %2").with(sides, meaning_of(left_out));
     const std::string of = std::to_string(left_out.of);
-    answer =
-        results.conditions.size() > 1
-            ? phrase("Analysis", "%1 Left out of %2 thresholds in the condition %3: %4.")
-                  .with(answer, of, words_of_condition(condition), what)
-            : phrase("Analysis", "%1 Left out of %2 thresholds: %3.").with(answer, of, what);
+    answer = results.conditions.size() > 1
+                 ? phrase("Analysis", "%1 Left out of %2 thresholds in the condition %3: %4.")
+                       .with(answer, of, words_of_condition(condition), what)
+                 : phrase("Analysis", "%1 Left out of %2 thresholds: %3.").with(answer, of, what);
   }
   return answer;
 }

@@ -53,7 +53,7 @@ void ask_items(std::size_t fewest, bool equal_size, const FoundNumbers& found,
                           "Not significantly above chance: on average %1 of a participant's items "
                           "were matched correctly (%2), compared with a chance level of %3; "
                           "permutation test over participants, %4.")),
-      mean->n == 1 ? of_one
+      mean->n == 1                                ? of_one
       : test->is_significant() && contains_chance ? with_contradiction(plain)
                                                   : plain};
   add_question(
@@ -125,9 +125,10 @@ void ask_confused_pairs(const AnalysisOutcome& made, std::size_t people, Analysi
       outcome, "confusions", phrase("Analysis", "Which textures are confused with each other?"),
       times == 0 ? phrase("Analysis", "No texture was confused with another.")
       : as_often > 1 && static_cast<std::size_t>(as_often) <= kMostNamed
-          ? phrase("Analysis",
-                   "The following pairs are confused equally often, and none more often: %1; number "
-                   "of confusions of each, counted in both directions: %2.")
+          ? phrase(
+                "Analysis",
+                "The following pairs are confused equally often, and none more often: %1; number "
+                "of confusions of each, counted in both directions: %2.")
                 .with(names, std::to_string(times))
       : as_often > 1
           ? phrase("Analysis",

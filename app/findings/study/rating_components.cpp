@@ -103,21 +103,20 @@ void add_rating_components(const GatheredAnswers& gathered, const std::vector<Ra
       analysis_of(kComponents, "components", profiles_of(gathered, scales, items));
   std::erase_if(findings, [loaded](const Finding& finding) {
     const bool is_of_items = finding.quantity == "loading" ||
-                             finding.quantity == "loading.corrected" ||
-                             finding.quantity == "score";
+                             finding.quantity == "loading.corrected" || finding.quantity == "score";
     return is_of_items && component_number(component_in(finding.key)) > loaded;
   });
   const FoundNumbers found(findings);
   keep_findings(findings, outcome);
   const std::vector<const Finding*> eigenvalues = found.all("eigenvalue");
   if (eigenvalues.empty() || !eigenvalues.front()->value) return;
-  NamedTable components{kComponents,
-                        phrase("Analysis", "Principal components of the scales"),
-                        {{"component", "eigenvalue", "proportion", "proportion_corrected",
-                          "proportion_corrected_low", "proportion_corrected_high", "limit",
-                          "retained"},
-                         {}},
-                        note_on_components(items.size(), loaded)};
+  NamedTable components{
+      kComponents,
+      phrase("Analysis", "Principal components of the scales"),
+      {{"component", "eigenvalue", "proportion", "proportion_corrected", "proportion_corrected_low",
+        "proportion_corrected_high", "limit", "retained"},
+       {}},
+      note_on_components(items.size(), loaded)};
   const double retained = found.value("retained").value_or(0.0);
   for (const Finding* const eigenvalue : eigenvalues) {
     const auto number = static_cast<double>(components.table.rows.size() + 1);
@@ -130,20 +129,19 @@ void add_rating_components(const GatheredAnswers& gathered, const std::vector<Ra
   }
   outcome.tables.push_back(std::move(components));
   if (loaded == 0) return;
-  NamedTable loadings{kLoadings,
-                      phrase("Analysis", "Loadings of the scales and scores of the items"),
-                      {{"of", "name", "component", "value", "corrected", "corrected_low",
-                        "corrected_high"},
-                       {}},
-                      note_on_loadings(items.size(), loaded, eigenvalues.size())};
+  NamedTable loadings{
+      kLoadings,
+      phrase("Analysis", "Loadings of the scales and scores of the items"),
+      {{"of", "name", "component", "value", "corrected", "corrected_low", "corrected_high"}, {}},
+      note_on_loadings(items.size(), loaded, eigenvalues.size())};
   for (const char* const quantity : {"loading", "score"}) {
     for (const Finding* const finding : found.all(quantity)) {
       const std::string corrected = std::string(quantity) + ".corrected";
       const auto [low, high] = found.interval(corrected, finding->key);
-      loadings.table.rows.push_back(
-          {std::string(quantity), finding->key.substr(0, finding->key.rfind('|')),
-           component_in(finding->key), cell_of(finding->value),
-           found.cell(corrected, finding->key), low, high});
+      loadings.table.rows.push_back({std::string(quantity),
+                                     finding->key.substr(0, finding->key.rfind('|')),
+                                     component_in(finding->key), cell_of(finding->value),
+                                     found.cell(corrected, finding->key), low, high});
     }
   }
   outcome.tables.push_back(std::move(loadings));

@@ -28,7 +28,7 @@ struct ConstructScores {
 
 /// Reverse-keyed scores are reflected: minimum + maximum − score.
 ConstructScores construct_scores(const std::vector<const RatedScale*>& scales,
-                          const ConstructDeclaration& construct) {
+                                 const ConstructDeclaration& construct) {
   std::set<std::pair<std::uint32_t, std::string>> cells{};
   for (const RatedScale* const scale : scales) {
     for (const auto& [of, mean] : scale->means) cells.insert(of);
@@ -41,9 +41,8 @@ ConstructScores construct_scores(const std::vector<const RatedScale*>& scales,
       const auto found = scale->means.find(cell);
       std::optional<double>& score = row.emplace_back();
       if (found == scale->means.end()) continue;
-      score = construct.is_reversed(scale->name)
-                  ? scale->minimum + scale->maximum - found->second
-                  : found->second;
+      score = construct.is_reversed(scale->name) ? scale->minimum + scale->maximum - found->second
+                                                 : found->second;
     }
   }
   return made;
@@ -56,8 +55,9 @@ std::vector<Finding> construct_alpha(const std::string& name, const ConstructSco
               .method = "Cronbach's α of " + std::to_string(alpha.items) + " scales over " +
                         std::to_string(alpha.respondents) +
                         " combinations of a participant and an item",
-              .undefined = "all combinations of a participant and an item have the same sum, or "
-                           "there are fewer than two: add participants or items"};
+              .undefined =
+                  "all combinations of a participant and an item have the same sum, or "
+                  "there are fewer than two: add participants or items"};
   if (alpha.value) {
     basis.interval = cronbach_alpha_interval(given.scores, given.cluster);
     if (basis.interval) {
@@ -101,10 +101,11 @@ void ask(const std::string& name, const ConstructDeclaration& construct, const F
                  .with(reading_bounded(*alpha.value), std::to_string(alpha.n), scales);
   }
   if (alpha.value && *alpha.value < 0.0) {
-    answer = phrase("Analysis",
-                    "%1 α is negative where scales point in opposite directions: check which of them "
-                    "are reverse-keyed.")
-                 .with(answer);
+    answer =
+        phrase("Analysis",
+               "%1 α is negative where scales point in opposite directions: check which of them "
+               "are reverse-keyed.")
+            .with(answer);
   }
   add_question(
       outcome, ("construct_" + name).c_str(),

@@ -58,8 +58,8 @@ void add_odds(const RatedScale& scale, const FoundNumbers& found, Table& table) 
 void add_differences(const RatedScale& scale, const FoundNumbers& found, Table& table) {
   const std::string& reference = scale.items.front();
   for (const std::string& item : scale.items) {
-    const Finding* const pair = found.find(
-        "pair.diff", both(scale.name, both(kRatedItem, both(reference, item))));
+    const Finding* const pair =
+        found.find("pair.diff", both(scale.name, both(kRatedItem, both(reference, item))));
     if (pair == nullptr || !pair->value) continue;
     const auto negated = [](const std::optional<double>& number) {
       return number ? Cell{0.0 - *number} : Cell{};
@@ -70,7 +70,7 @@ void add_differences(const RatedScale& scale, const FoundNumbers& found, Table& 
 }
 
 bool is_of_differences(const Finding& finding) {
-  constexpr std::array<std::string_view, 10> kKept{"F",   "df1", "df2",       "p",     "p.GG",
+  constexpr std::array<std::string_view, 10> kKept{"F",      "df1", "df2",       "p",      "p.GG",
                                                    "eps.GG", "ges", "pair.diff", "status", "pes"};
   return std::find(kKept.begin(), kKept.end(), finding.quantity) != kKept.end();
 }
@@ -88,23 +88,26 @@ RatingModels::RatingModels()
     : ordinal_{kOrdinal,
                phrase("Analysis", "Cumulative link mixed model of the ratings on each scale"),
                {{"scale", "item", "reference", "log_odds"}, {}},
-               phrase(
-                   "Analysis",
-                   "Log odds ratio of a higher rating, relative to the reference: proportional "
-                   "odds, items as fixed effects, participants as random intercepts. Every response "
-                   "counts. There are no CIs and no p values: the model assumes the same effects of "
-                   "the items for all participants, and in simulations in which these varied with an "
-                   "SD of 0.5 its likelihood-ratio test had a Type I error rate of 21 % at α = "
-                   ".05.")},
-      differences_{kDifferences,
-                   phrase("Analysis", "Differences of the mean ratings on each scale"),
-                   {{"scale", "item", "reference", "persons", "difference", "difference_low",
-                     "difference_high"},
-                    {}},
-                   phrase("Analysis",
-                          "Differences of the participants’ mean ratings to the reference, over the "
-                          "participants who rated every item, with t-based 95 % CIs of the paired "
-                          "differences, uncorrected.")} {}
+               phrase("Analysis",
+                      "Log odds ratio of a higher rating, relative to the reference: proportional "
+                      "odds, items as fixed effects, participants as random intercepts. Every "
+                      "response "
+                      "counts. There are no CIs and no p values: the model assumes the same "
+                      "effects of "
+                      "the items for all participants, and in simulations in which these varied "
+                      "with an "
+                      "SD of 0.5 its likelihood-ratio test had a Type I error rate of 21 % at α = "
+                      ".05.")},
+      differences_{
+          kDifferences,
+          phrase("Analysis", "Differences of the mean ratings on each scale"),
+          {{"scale", "item", "reference", "persons", "difference", "difference_low",
+            "difference_high"},
+           {}},
+          phrase("Analysis",
+                 "Differences of the participants’ mean ratings to the reference, over the "
+                 "participants who rated every item, with t-based 95 % CIs of the paired "
+                 "differences, uncorrected.")} {}
 
 void RatingModels::add(const GatheredAnswers& gathered, const RatedScale& scale, StudyTests& tests,
                        AnalysisOutcome& outcome) {

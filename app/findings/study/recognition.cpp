@@ -141,7 +141,7 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
           phrase("Analysis",
                  "Not significantly above chance: on average %1 of a participant's responses were "
                  "correct (%2), compared with a chance level of %3; %4.")),
-      mean->n == 1 ? of_one
+      mean->n == 1                                                ? of_one
       : test->is_significant() && holds_in_interval(*mean, level) ? with_contradiction(plain)
                                                                   : plain};
   add_question(outcome, "right", question, said_of(*test, sayings), method, "shares", mean);

@@ -247,7 +247,8 @@ bool repetitions_are_textures(const GatheredAnswers& gathered) {
   for (const GatheredAnswer& answer : gathered.answers) {
     const std::uint32_t column = gathered.column_of(answer);
     const bool has_column = !gathered.word(column).empty();
-    std::set<std::uint32_t>& own = textures[{has_column ? column : 0, has_column ? 0 : answer.repetition}];
+    std::set<std::uint32_t>& own =
+        textures[{has_column ? column : 0, has_column ? 0 : answer.repetition}];
     for (const FeltSurface& surface : gathered.surfaces_of(answer)) {
       if (!gathered.word(surface.texture).empty()) own.insert(surface.texture);
     }

@@ -287,7 +287,7 @@ void ask_preference(const Selection& selection, const FoundNumbers& choice,
   const Phrase tested =
       is_of_one_participant(*test)
           ? phrase("Analysis", "%1. This cannot be tested with one participant.")
-      : !test->p        ? phrase("Analysis", "%1.")
+      : !test->p ? phrase("Analysis", "%1.")
       : test->role != TestRole::confirmatory
           ? phrase("Analysis", "%1. Exploratory test of equal proportions: %2.")
       : test->shows()

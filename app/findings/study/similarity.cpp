@@ -87,11 +87,12 @@ void add_pairs_table(const std::vector<std::string>& items, const FoundNumbers& 
       kDissimilarities,
       phrase("Analysis", "Mean dissimilarities of the pairs"),
       {{"item", "other", "persons", "mean", "mean_low", "mean_high", "distance", "disparity"}, {}},
-      phrase("Analysis",
-             "Dissimilarity: the distance of the rating from the end of the scale for identical "
-             "surfaces, mean over participants with a t-based 95 % CI; both orders together. "
-             "Distance: in the configuration. Disparity: the regression of the distances on the mean "
-             "dissimilarities, isotonic for non-metric and proportional for metric scaling.")};
+      phrase(
+          "Analysis",
+          "Dissimilarity: the distance of the rating from the end of the scale for identical "
+          "surfaces, mean over participants with a t-based 95 % CI; both orders together. "
+          "Distance: in the configuration. Disparity: the regression of the distances on the mean "
+          "dissimilarities, isotonic for non-metric and proportional for metric scaling.")};
   for (std::size_t i = 0; i < items.size(); ++i) {
     for (std::size_t j = i + 1; j < items.size(); ++j) {
       const std::string key = items[i] + '|' + items[j];

@@ -63,10 +63,11 @@ CoincidingItems coinciding_items(const FoundNumbers& found) {
 
 std::optional<Phrase> remark_on_degenerate_solution(const FoundNumbers& found) {
   if (is_metric(found)) {
-    return phrase("Analysis",
-                  "The non-metric configuration is degenerate (different disparities: %1): it shows "
-                  "which items form clusters, and neither their distances nor the number of "
-                  "dimensions. The configuration of metric scaling is reported instead.")
+    return phrase(
+               "Analysis",
+               "The non-metric configuration is degenerate (different disparities: %1): it shows "
+               "which items form clusters, and neither their distances nor the number of "
+               "dimensions. The configuration of metric scaling is reported instead.")
         .with(fixed(found.value("ordinal.disparities").value_or(0.0), 0));
   }
   const CoincidingItems same = coinciding_items(found);
@@ -158,9 +159,8 @@ EstimateSentence configuration_sentence(const AnalysisOutcome& outcome) {
   const FoundNumbers found(own);
   const std::size_t dimensions = dimensions_in(found);
   const auto stress = stress_of_configuration(found);
-  const auto metric = is_metric(found)
-                          ? std::nullopt
-                          : found.value("stress.ratio", std::to_string(dimensions));
+  const auto metric =
+      is_metric(found) ? std::nullopt : found.value("stress.ratio", std::to_string(dimensions));
   if (dimensions == 0 || !stress) return {};
   std::string text = "The configuration in " + std::to_string(dimensions) +
                      " dimensions had a stress-1 of " + stress_text(*stress);

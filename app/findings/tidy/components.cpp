@@ -34,8 +34,9 @@ std::string first_missing_score(const Eigen::MatrixXd& values,
 struct ComponentTables {
   std::vector<std::string> items{};
   std::vector<std::string> scales{};
-  std::vector<Eigen::MatrixXd> of_people{};  ///< by participant, where the table has the column `subject`
-  Eigen::MatrixXd values{};                  ///< items × scales, means over participants
+  std::vector<Eigen::MatrixXd>
+      of_people{};           ///< by participant, where the table has the column `subject`
+  Eigen::MatrixXd values{};  ///< items × scales, means over participants
 };
 
 /// Scores, NaN where there is none, by participant where the table has them.
@@ -78,8 +79,8 @@ std::vector<Finding> components_findings(const TidyInput& input) {
   const Eigen::Index columns = values.cols();
   FindingList findings{};
   const auto n = static_cast<std::size_t>(rows);
-  const Basis basis{.n = n,
-                    .method = "principal components of the correlations of the scales over the items"};
+  const Basis basis{
+      .n = n, .method = "principal components of the correlations of the scales over the items"};
   const auto refuse = [&](const char* word, const std::string& status) {
     findings.word("eigenvalue", "", word, status, basis);
     return findings.take();
@@ -105,8 +106,7 @@ std::vector<Finding> components_findings(const TidyInput& input) {
                               std::to_string(noise.data_sets) + " tables of random numbers"};
   findings.count("retained", "", noise.retained, limit);
   const double confidence = input.options.confidence();
-  const std::optional<ComponentJackknife> jackknife =
-      component_jackknife(of_people, confidence);
+  const std::optional<ComponentJackknife> jackknife = component_jackknife(of_people, confidence);
   const auto add_corrected = [&](const char* quantity, const std::string& key,
                                  const std::optional<ComponentEstimate>& estimate) {
     if (!estimate) return;

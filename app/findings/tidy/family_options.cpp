@@ -155,7 +155,8 @@ void FamilyOptions::add(const std::string& name, const std::string& text) {
   }
   OptionValue value{};
   const Json json = Json::parse(text, nullptr, false);
-  const std::optional<double> number_without_zero = number_in(text);  // ".3", which JSON does not know
+  const std::optional<double> number_without_zero =
+      number_in(text);  // ".3", which JSON does not know
   if (!json.is_discarded()) {
     value = value_of(json);
   } else if (number_without_zero && std::isfinite(*number_without_zero)) {

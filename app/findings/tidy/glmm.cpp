@@ -329,8 +329,9 @@ class CrossedFindings final {
       proportion(fit, normal_limit(confidence_) * fit.standard_error(0), "Wald's");
       return;
     }
-    const SampledError error = intercept_error(fit, table_.participants_are_sampled ? table_.participants : 0,
-                                               table_.items_are_sampled ? table_.items : 0);
+    const SampledError error =
+        intercept_error(fit, table_.participants_are_sampled ? table_.participants : 0,
+                        table_.items_are_sampled ? table_.items : 0);
     const std::string method =
         "t with the degrees of freedom of the smaller sample (participants or items); standard "
         "error corrected for the bias of the variances";

@@ -290,10 +290,11 @@ class MixedFindings final {
     number("lmm.F", term.name, test.F, "F of all levels of a factor");
     number("lmm.F.df1", term.name, test.df1, "degrees of freedom of the effect");
     number("lmm.F.df2", term.name, test.df2, "Satterthwaite's degrees of freedom");
-    number("lmm.F.p", term.name, test.p,
-           "F test of all levels of a factor, Satterthwaite; in simulations in which neither "
-           "levels nor participants differed the Type I error rate at α = .05 was up to 7 %, and with "
-           "effects that vary over participants (SDs of half and one residual SD) 17 and 33 %");
+    number(
+        "lmm.F.p", term.name, test.p,
+        "F test of all levels of a factor, Satterthwaite; in simulations in which neither "
+        "levels nor participants differed the Type I error rate at α = .05 was up to 7 %, and with "
+        "effects that vary over participants (SDs of half and one residual SD) 17 and 33 %");
   }
 
   const MixedTable& table_;

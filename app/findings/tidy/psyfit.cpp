@@ -110,7 +110,8 @@ std::size_t draws_of(const FamilyOptions& options) {
 }
 
 constexpr const char* kNoDegreesOfFreedom =
-    "the function has as many parameters as there are levels, so that the goodness of fit cannot be "
+    "the function has as many parameters as there are levels, so that the goodness of fit cannot "
+    "be "
     "tested: present more levels";
 
 /// Whether a threshold lies beyond all levels with trials.

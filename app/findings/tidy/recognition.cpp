@@ -28,7 +28,7 @@ struct Trials {
   std::vector<std::string> labels{};
   ConfusionCounts counts{};
   std::vector<HitCount> participants{};
-  std::vector<std::string> names{};  ///< of those participants
+  std::vector<std::string> names{};                ///< of those participants
   std::vector<std::vector<LabelPair>> answered{};  ///< by participant
   std::size_t missing = 0;
 };

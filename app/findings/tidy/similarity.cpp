@@ -42,7 +42,8 @@ std::vector<Property> properties_in(const TidyTable& table, const std::vector<st
   const std::vector<std::optional<double>> values = table.numbers("value");
   std::vector<Property> properties{};
   for (const std::string& name : names.names)
-    properties.push_back({.name = name, .values = std::vector<std::optional<double>>(items.size())});
+    properties.push_back(
+        {.name = name, .values = std::vector<std::optional<double>>(items.size())});
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (of.codes[row] == LabelColumn::kMissing)
       table.refuse(row, "item", "the item is missing; enter it, or remove the row");
@@ -116,9 +117,7 @@ class SimilarityFindings {
 
  private:
   Basis basis(const std::string& method) const { return {.n = raters_.size(), .method = method}; }
-  std::string pair_key(Eigen::Index i, Eigen::Index j) const {
-    return both(item(i), item(j));
-  }
+  std::string pair_key(Eigen::Index i, Eigen::Index j) const { return both(item(i), item(j)); }
   const std::string& item(Eigen::Index i) const {
     return judged_.items[static_cast<std::size_t>(i)];
   }
@@ -165,7 +164,8 @@ class SimilarityFindings {
     mean_correlation("orders.mean", all_orders, of_orders);
     const std::vector<std::optional<double>> agreement = agreement_with_others(raters_);
     std::vector<double> known{};
-    const std::string with_others = "correlation with the mean judgements of the other participants";
+    const std::string with_others =
+        "correlation with the mean judgements of the other participants";
     for (std::size_t s = 0; s < agreement.size(); ++s) {
       if (!agreement[s]) continue;
       list_.number("agreement.r", names_[s], *agreement[s], basis(with_others));
@@ -186,10 +186,9 @@ class SimilarityFindings {
       differences.push_back(*different - *same);
     }
     if (differences.empty()) return;
-    add_mean_of_group("identical.mean", "", identical,
-                      {.confidence = confidence_,
-                       .of = "mean judgement of pairs of an item with itself"},
-                      list_);
+    add_mean_of_group(
+        "identical.mean", "", identical,
+        {.confidence = confidence_, .of = "mean judgement of pairs of an item with itself"}, list_);
     add_mean_of_group("identical.difference", "", differences,
                       {.confidence = confidence_,
                        .of = "judgement of different items minus that of identical ones, mean"},
@@ -197,8 +196,9 @@ class SimilarityFindings {
     const OneSampleT t = one_sample_t(differences, {.confidence = confidence_});
     const Basis paired{.n = differences.size(),
                        .method = "paired t test of different and identical pairs",
-                       .undefined = "the test needs two participants with different values: add "
-                                    "participants"};
+                       .undefined =
+                           "the test needs two participants with different values: add "
+                           "participants"};
     list_.number("t.p.two", "identical", t.test ? t.test->p : kUndefined, paired);
     list_.number("t", "identical", t.test ? t.test->t : kUndefined, paired);
     list_.number("df", "identical", t.test ? t.test->df : kUndefined, paired);
@@ -214,8 +214,7 @@ class SimilarityFindings {
         }
         if (own.empty()) continue;
         add_mean_of_group("dissimilarity", pair_key(i, j), own,
-                          {.confidence = confidence_,
-                           .of = "mean dissimilarity over participants"},
+                          {.confidence = confidence_, .of = "mean dissimilarity over participants"},
                           list_);
       }
     }
@@ -275,7 +274,8 @@ class SimilarityFindings {
                                std::to_string(maps_.size()) + " for " +
                                std::to_string(judged_.items.size()) + " items; correct it");
     }
-    const std::optional<DimensionChoice> choice = dimensions_by_cross_validation(raters_, maps_, level_);
+    const std::optional<DimensionChoice> choice =
+        dimensions_by_cross_validation(raters_, maps_, level_);
     const Basis cross = basis(
         "leave-one-participant-out cross-validation: root mean square error of the prediction");
     if (choice) {
@@ -296,11 +296,11 @@ class SimilarityFindings {
                  cross);
     }
     const Eigen::Index chosen = choice ? choice->chosen : 2;
-    dimensions_ = wanted_ ? static_cast<Eigen::Index>(*wanted_)
-                          : std::max<Eigen::Index>(2, chosen);
-    list_.count("dimensions", "", static_cast<std::uint64_t>(dimensions_),
-                basis(wanted_ ? "dimensions of the configuration, as stated"
-                              : "dimensions of the configuration: by cross-validation, at least 2"));
+    dimensions_ = wanted_ ? static_cast<Eigen::Index>(*wanted_) : std::max<Eigen::Index>(2, chosen);
+    list_.count(
+        "dimensions", "", static_cast<std::uint64_t>(dimensions_),
+        basis(wanted_ ? "dimensions of the configuration, as stated"
+                      : "dimensions of the configuration: by cross-validation, at least 2"));
     list_.truth("dimensions.too.many", "", items() < items_for(dimensions_),
                 basis("fewer than 4·R + 1 items for R dimensions"));
     list_.count("dimensions.items", "", static_cast<std::uint64_t>(items_for(dimensions_)),
@@ -320,13 +320,13 @@ class SimilarityFindings {
     for (const ShepardPoint& pair : shepard_diagram(mean_, map.points, level_)) {
       const std::string key = pair_key(pair.first, pair.second);
       list_.number("distance", key, pair.distance, of_map);
-      list_.number("disparity", key, pair.disparity,
-                   basis(level_ == ScalingLevel::ratio
-                             ? "proportional regression of the distances on the mean dissimilarities"
-                             : "isotonic regression of the distances on the mean dissimilarities"));
+      list_.number(
+          "disparity", key, pair.disparity,
+          basis(level_ == ScalingLevel::ratio
+                    ? "proportional regression of the distances on the mean dissimilarities"
+                    : "isotonic regression of the distances on the mean dissimilarities"));
     }
-    const auto regions = bootstrap_regions(raters_, map, level_,
-                                           {.confidence = confidence_});
+    const auto regions = bootstrap_regions(raters_, map, level_, {.confidence = confidence_});
     const Basis of_region =
         basis("bootstrap over participants, configurations aligned by Procrustes rotation");
     if (!regions) {
@@ -346,11 +346,12 @@ class SimilarityFindings {
   }
 
   void chance() {
-    const StressByChance stress = stress_by_chance(raters_, {.dimensions = dimensions_, .level = level_});
-    const Basis permuted =
-        basis("permutation test of the stress, judgements permuted over the pairs within "
-              "participants, " +
-              way_of_counting(stress.drawn));
+    const StressByChance stress =
+        stress_by_chance(raters_, {.dimensions = dimensions_, .level = level_});
+    const Basis permuted = basis(
+        "permutation test of the stress, judgements permuted over the pairs within "
+        "participants, " +
+        way_of_counting(stress.drawn));
     list_.number("stress.perm.observed", "", stress.observed, permuted);
     list_.number("stress.perm.mean", "", stress.mean, permuted);
     list_.number("stress.perm.p05", "", stress.p05, permuted);
@@ -370,7 +371,8 @@ class SimilarityFindings {
       complete.push_back(raters_[s].values);
       names.push_back(names_[s]);
     }
-    const Basis model{.n = complete.size(), .method = "INDSCAL of the participants who judged every pair"};
+    const Basis model{.n = complete.size(),
+                      .method = "INDSCAL of the participants who judged every pair"};
     if (complete.size() < 2) {
       list_.word("indscal.fit.mean", "", "too_few",
                  "weights of participants require two participants who judged every pair: add "
@@ -389,16 +391,19 @@ class SimilarityFindings {
     list_.number("indscal.fit.mean", "", found->total_fit, model);
     for (std::size_t s = 0; s < names.size(); ++s) {
       const auto row = static_cast<Eigen::Index>(s);
-      list_.number("indscal.fit", names[s], found->fit(row),
-                   {.n = complete.size(), .method = "INDSCAL: proportion of the participant's scalar products that is fitted"});
+      list_.number(
+          "indscal.fit", names[s], found->fit(row),
+          {.n = complete.size(),
+           .method = "INDSCAL: proportion of the participant's scalar products that is fitted"});
       for (Eigen::Index axis = 0; axis < dimensions_; ++axis)
         list_.number("indscal.weight", both(names[s], axis_name(axis)), found->weights(row, axis),
                      {.n = complete.size(), .method = "INDSCAL: weight of the dimension"});
     }
     for (Eigen::Index i = 0; i < items(); ++i) {
       for (Eigen::Index axis = 0; axis < dimensions_; ++axis)
-        list_.number("indscal.position", both(item(i), axis_name(axis)), found->points(i, axis),
-                     {.n = complete.size(), .method = "INDSCAL: common configuration, sum of squares 1"});
+        list_.number(
+            "indscal.position", both(item(i), axis_name(axis)), found->points(i, axis),
+            {.n = complete.size(), .method = "INDSCAL: common configuration, sum of squares 1"});
     }
   }
 
@@ -427,9 +432,10 @@ class SimilarityFindings {
         continue;
       }
       const Basis regression{.n = judged_.items.size(),
-                             .method = "regression of the property on the positions; items "
-                                       "permuted, " +
-                                       way_of_counting(fit->drawn)};
+                             .method =
+                                 "regression of the property on the positions; items "
+                                 "permuted, " +
+                                 way_of_counting(fit->drawn)};
       list_.number("property.r2", property.name, fit->r_squared, regression);
       list_.number("property.perm.p", property.name, fit->p, regression);
       list_.count("property.draws", property.name, fit->drawn, regression);
@@ -450,9 +456,10 @@ class SimilarityFindings {
     const std::optional<Protest> all = protest(map().points, together);
     if (!all) return;
     const Basis rotation{.n = judged_.items.size(),
-                         .method = "Procrustes rotation of the standardised properties; items "
-                                   "permuted (PROTEST), " +
-                                   way_of_counting(all->drawn)};
+                         .method =
+                             "Procrustes rotation of the standardised properties; items "
+                             "permuted (PROTEST), " +
+                             way_of_counting(all->drawn)};
     list_.number("protest.r2", "", all->r_squared, rotation);
     list_.number("protest.p", "", all->p, rotation);
     list_.count("protest.draws", "", all->drawn, rotation);

@@ -76,8 +76,11 @@ std::string exploration_method(const AnalysisOutcome& outcome, Sources& sources)
          " with random intercepts of participants, fitted by restricted maximum likelihood; "
          "degrees "
          "of freedom are Satterthwaite’s" +
-         cited("Satterthwaite 1946", sources) + ", and the tests are exploratory. They assume the same effects for all participants and are "
-         "liberal otherwise (Type I error rates of 17 and 33 % at α = .05 in simulations of ratings "
+         cited("Satterthwaite 1946", sources) +
+         ", and the tests are exploratory. They assume the same effects for all participants and "
+         "are "
+         "liberal otherwise (Type I error rates of 17 and 33 % at α = .05 in simulations of "
+         "ratings "
          "whose effects varied with SDs of half and one residual SD).";
 }
 

@@ -122,14 +122,13 @@ TEST(ThresholdFigures, ExplainOnlyTheThresholdsThatAreDrawn) {
                         "delta method."));
   EXPECT_THAT(figure_named(figures, "psychometric_p2").note.english(),
               Not(HasSubstr("Open symbols")));
-  EXPECT_THAT(figure_named(figures, "thresholds").note.english(),
-              HasSubstr("there are no CIs"));
-  EXPECT_EQ(note_on_functions({.percent_correct = "75",
-                               .intervals = FunctionsNote::Intervals::none})
-                .english(),
-            "Filled symbols: proportions correct, larger for more trials. Curves: "
-            "maximum-likelihood psychometric functions. Open symbols: thresholds, the level of 75 % "
-            "correct, without CIs.");
+  EXPECT_THAT(figure_named(figures, "thresholds").note.english(), HasSubstr("there are no CIs"));
+  EXPECT_EQ(
+      note_on_functions({.percent_correct = "75", .intervals = FunctionsNote::Intervals::none})
+          .english(),
+      "Filled symbols: proportions correct, larger for more trials. Curves: "
+      "maximum-likelihood psychometric functions. Open symbols: thresholds, the level of 75 % "
+      "correct, without CIs.");
 }
 
 TEST(ThresholdFigures, HaveTheSameAxisForAllParticipants) {

@@ -17,12 +17,13 @@ constexpr std::array kRatingClaims{
     TestClaim{"rated_pairs", "", "The item %1 was rated significantly higher than %2%4",
               "The item %1 was rated significantly lower than %2%4",
               "The ratings of %1 and %2%4 were not significantly different"},
-    TestClaim{"rating_model", "",
-              "The mean ratings on the scale “%1” differed significantly between the items in the "
-              "analysis of variance",
-              "",
-              "The mean ratings on the scale “%1” did not differ significantly between the items in "
-              "the analysis of variance"},
+    TestClaim{
+        "rating_model", "",
+        "The mean ratings on the scale “%1” differed significantly between the items in the "
+        "analysis of variance",
+        "",
+        "The mean ratings on the scale “%1” did not differ significantly between the items in "
+        "the analysis of variance"},
     TestClaim{"accompanying_scales", "",
               "The ratings on the scale “%1” were significantly higher with correct than with "
               "incorrect responses to the question “%2”",
