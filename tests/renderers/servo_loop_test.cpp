@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -336,16 +337,27 @@ TEST_F(ServoLoopTest, LatchesADeviceThatDoesNotTakeForces) {
   EXPECT_TRUE(lost.has(TickFlag::device_lost));
 }
 
-TEST_F(ServoLoopTest, LatchesAPositionThatIsNotFinite) {
+TEST_F(ServoLoopTest, LatchesAReadingOfWhichAnyNumberIsNotFinite) {
   feel();
-  device.probe.position_m.x = kNan;
-  expect_latched(Fault::not_finite, tick());
-}
-
-TEST_F(ServoLoopTest, LatchesAVelocityThatIsNotFinite) {
-  feel();
-  device.probe.velocity_m_per_s.y = kInfinity;
-  expect_latched(Fault::not_finite, tick());
+  const ProbeState good = device.probe;
+  const auto number = [this](int i) -> double& {
+    ProbeState& probe = device.probe;
+    if (i < 3) return probe.position_m[i];
+    if (i < 6) return probe.velocity_m_per_s[i - 3];
+    if (i < 9) return probe.angular_velocity_rad_per_s[i - 6];
+    return probe.orientation[i - 9];
+  };
+  for (int i = 0; i < 13; ++i) {
+    // The last is infinite only as the record has it, in single precision.
+    for (const double value : {kNan, kInfinity, -kInfinity, 1e39}) {
+      SCOPED_TRACE("number " + std::to_string(i) + ": " + std::to_string(value));
+      number(i) = value;
+      expect_latched(Fault::not_finite, tick());
+      device.probe = good;
+      loop.clear_fault(Fault::not_finite);
+      EXPECT_FALSE(tick().has(TickFlag::fault_latched));
+    }
+  }
 }
 
 // A recording has floats, in which a finite number of 1e40, the penetration here, is infinite.
@@ -382,12 +394,46 @@ TEST_F(ServoLoopTest, LimitsAForceThatIsFiniteAsItIsStored) {
   EXPECT_LE(record.sent.force_N.z, device.limits().force_N);
 }
 
-TEST_F(ServoLoopTest, LatchesAProbeThatLeavesTheWorkspace) {
+TEST_F(ServoLoopTest, LatchesAProbeThatLeavesTheWorkspaceOnAnySide) {
   feel();
   device.probe.position_m.x = 0.119;  // within the margin of 20 mm
   EXPECT_EQ(tick().sent.force_N.z, 1.0);
-  device.probe.position_m.x = -0.121;
-  expect_latched(Fault::workspace_left, tick());
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      SCOPED_TRACE("axis " + std::to_string(axis) + ", side " + std::to_string(side));
+      device.probe.position_m = {};
+      device.probe.position_m[axis] = 0.119 * side;
+      EXPECT_FALSE(tick().has(TickFlag::fault_latched));
+      device.probe.position_m[axis] = 0.121 * side;
+      expect_latched(Fault::workspace_left, tick());
+      device.probe.position_m = {};
+      loop.clear_fault(Fault::workspace_left);
+    }
+  }
+}
+
+// Binary fractions: what is compared is exact.
+TEST(ServoLoop, LetsAProbeReachTheMarginOfTheWorkspaceExactly) {
+  constexpr double kReach_m = 0.125;
+  constexpr double kMargin_m = 0.015625;
+  ScriptedDevice device({.name = "scripted",
+                         .workspace_minimum_m = glm::dvec3(-kReach_m),
+                         .workspace_maximum_m = glm::dvec3(kReach_m),
+                         .peak_force_N = 100.0,
+                         .maximum_speed_m_per_s = kInfinity,
+                         .may_rest_exactly = true});
+  RecordRing records{16};
+  ServoLoop loop(device, records, {.workspace_margin_m = kMargin_m});
+  std::int64_t now_ns = 0;
+  const auto fault_at = [&](double z_m) {
+    device.probe.position_m.z = z_m;
+    now_ns += 1'000'000;
+    loop.tick(now_ns, now_ns);
+    return loop.status().fault;
+  };
+  EXPECT_EQ(fault_at(kReach_m + kMargin_m), Fault::none);
+  EXPECT_EQ(fault_at(-kReach_m - kMargin_m), Fault::none);
+  EXPECT_EQ(fault_at(-kReach_m - kMargin_m - 0x1p-20), Fault::workspace_left);
 }
 
 TEST_F(ServoLoopTest, CountsATickThatBeginsMoreThanAPeriodLate) {
@@ -404,6 +450,19 @@ TEST_F(ServoLoopTest, LatchesMoreThanAHundredMissesWithinASecond) {
   feel();
   for (int i = 0; i < 100; ++i) EXPECT_EQ(tick(1'000'001).sent.force_N.z, 1.0) << i;
   expect_latched(Fault::repeated_misses, tick(1'000'001));
+}
+
+// A hundred and one misses: the first and the last a second apart, and before that a nanosecond more.
+TEST_F(ServoLoopTest, CountsTheMissesOfExactlyASecond) {
+  for (const std::int64_t longer_ns : {1, 0}) {
+    ticks(1100);
+    tick(1'000'001);
+    ticks(900);
+    for (int i = 0; i < 99; ++i) tick(1'000'001);
+    EXPECT_EQ(loop.status().fault, Fault::none);
+    tick(1'000'001 + longer_ns);
+    EXPECT_EQ(loop.status().fault, longer_ns > 0 ? Fault::none : Fault::repeated_misses);
+  }
 }
 
 TEST_F(ServoLoopTest, ForgivesMissesThatAreRare) {
