@@ -234,6 +234,20 @@ TEST(ReadingCheck, JudgesTheMotionOverTheWholePauseOfTheLine) {
   EXPECT_EQ(check.judge(reading_at(now_ns += 1'000'000, 0.5), Origin::repeated), Verdict::lost);
 }
 
+// Over 10 ms, in the arithmetic of the check: the limit to the last bit.
+TEST(ReadingCheck, AcceptsExactlyTheSpeedOfTheDevice) {
+  constexpr double kSpeed_m_per_s = 5.0;
+  constexpr std::int64_t kTime_ns = 10'000'000;
+  const double farthest_m = kSpeed_m_per_s * (1e-9 * static_cast<double>(kTime_ns));
+  ReadingCheck at_limit(kSpeed_m_per_s);
+  at_limit.judge(reading_at(0, 0.0), Origin::fresh);
+  EXPECT_EQ(at_limit.judge(reading_at(kTime_ns, farthest_m), Origin::fresh), Verdict::plausible);
+  ReadingCheck beyond(kSpeed_m_per_s);
+  beyond.judge(reading_at(0, 0.0), Origin::fresh);
+  EXPECT_EQ(beyond.judge(reading_at(kTime_ns, std::nextafter(farthest_m, 1.0)), Origin::fresh),
+            Verdict::held);
+}
+
 TEST(ReadingCheck, AcceptsEveryReadingOfAHandThatMayJump) {
   ReadingCheck check(std::numeric_limits<double>::infinity());
   check.judge(reading_at(0, 0.0), Origin::fresh);
