@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
+#include <string>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,6 +16,7 @@
 
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
+#include "tests/results_schema/sync_watch.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
@@ -25,12 +29,36 @@ std::ptrdiff_t files_in(const TemporaryFolder& folder) {
   return std::distance(std::filesystem::directory_iterator(folder.path()), {});
 }
 
+/// The folder, and files in it whose names begin with these and have further characters.
+testing::Matcher<std::set<std::filesystem::path>> synced_as(
+    const TemporaryFolder& folder, const std::vector<std::string>& beginnings) {
+  std::vector<testing::Matcher<std::filesystem::path>> paths{folder.path()};
+  for (const std::string& beginning : beginnings) {
+    paths.push_back(
+        testing::ResultOf([](const std::filesystem::path& path) { return path.string(); },
+                          testing::AllOf(testing::StartsWith((folder / beginning).string()),
+                                         testing::EndsWith(".tmp"))));
+  }
+  return testing::UnorderedElementsAreArray(paths);
+}
+
 TEST(AtomicFile, HoldsWhatWasWritten) {
   const TemporaryFolder folder;
   const std::string content("a\0b\r\n", 5);
   write_file(folder / "file", content, Overwrite::refuse);
   EXPECT_EQ(read_file(folder / "file"), content);
   EXPECT_EQ(files_in(folder), 1);
+}
+
+// The content first, while the file still has another name; then the name.
+TEST(AtomicFile, IsOnTheDiskBeforeItGetsItsName) {
+  for (const bool is_new : {true, false}) {
+    const TemporaryFolder folder;
+    if (!is_new) write_file(folder / "file", "old", Overwrite::refuse);
+    const SyncWatch watch;
+    write_file(folder / "file", "new", is_new ? Overwrite::refuse : Overwrite::allow);
+    EXPECT_THAT(watch.synced(), synced_as(folder, {"file."}));
+  }
 }
 
 TEST(AtomicFile, RefusesToOverwriteUnlessTold) {
@@ -113,6 +141,13 @@ TEST(FilesWrittenTogether, AreThereWithEachOtherOrAsTheyWere) {
                ResultsError);
   EXPECT_EQ(read_file(folder / "a") + read_file(folder / "b"), "34");
   EXPECT_EQ(files_in(folder), 2);
+}
+
+TEST(FilesWrittenTogether, AreOnTheDiskBeforeTheyGetTheirNames) {
+  const TemporaryFolder folder;
+  const SyncWatch watch;
+  write_files_together({{folder / "a", "1"}, {folder / "b", "2"}}, Overwrite::refuse);
+  EXPECT_THAT(watch.synced(), synced_as(folder, {"a.", "b."}));
 }
 
 TEST(FilesWrittenTogether, AreCompletedByTheSameCall) {

@@ -11,6 +11,7 @@
 
 #include "results_schema/sha256.h"
 #include "tests/results_schema/rows_for_tests.h"
+#include "tests/results_schema/sync_watch.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
@@ -40,6 +41,17 @@ TEST(Study, IsNotMadeInAFolderThatHoldsSomething) {
   EXPECT_FALSE(Study::exists(folder.path()));
   EXPECT_THROW(Study::create(folder / "nameless", ""), std::invalid_argument);
   EXPECT_FALSE(std::filesystem::exists(folder / "nameless"));
+}
+
+// Each commit: the first in a log also syncs the beginning of the log, whatever is asked of the others.
+TEST(Study, HasSyncedAnAttemptWhenItReturns) {
+  const TemporaryFolder folder;
+  StudyWithSession made = study_with_session(folder / "s", 3);
+  for (int trial = 1; trial <= 3; ++trial) {
+    const SyncWatch watch;
+    made.study.add_attempt(made.session_id, some_attempt(trial));
+    EXPECT_THAT(watch.synced(), testing::Contains(folder / "s/study.sqlite-wal")) << trial;
+  }
 }
 
 TEST(Study, GivesBackParticipantsByLabel) {

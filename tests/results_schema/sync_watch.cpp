@@ -1,4 +1,4 @@
-// The test program's own fsync comes before the C library's.
+// The test program's own fsync and fdatasync come before the C library's.
 
 #include "tests/results_schema/sync_watch.h"
 
@@ -14,6 +14,14 @@ namespace {
 std::mutex sync_mutex;
 bool is_watching_syncs = false;
 std::set<std::filesystem::path> noted_syncs;
+
+void note_sync(int descriptor) {
+  const std::lock_guard lock(sync_mutex);
+  if (!is_watching_syncs) return;
+  std::error_code unknown;
+  noted_syncs.insert(
+      std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(descriptor), unknown));
+}
 
 }  // namespace
 
@@ -36,13 +44,11 @@ std::set<std::filesystem::path> SyncWatch::synced() const {
 }  // namespace asperity
 
 extern "C" int fsync(int descriptor) {
-  {
-    const std::lock_guard lock(asperity::sync_mutex);
-    if (asperity::is_watching_syncs) {
-      std::error_code unknown;
-      asperity::noted_syncs.insert(
-          std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(descriptor), unknown));
-    }
-  }
+  asperity::note_sync(descriptor);
   return static_cast<int>(::syscall(SYS_fsync, descriptor));
+}
+
+extern "C" int fdatasync(int descriptor) {
+  asperity::note_sync(descriptor);
+  return static_cast<int>(::syscall(SYS_fdatasync, descriptor));
 }

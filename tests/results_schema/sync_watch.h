@@ -7,7 +7,7 @@
 
 namespace asperity {
 
-/// While it lives, every call of fsync(2) in this process is noted, and made. One at a time.
+/// While it lives, every call of fsync(2) and fdatasync(2) in this process, SQLite's included, is noted, and made. One at a time.
 class SyncWatch final {
  public:
   SyncWatch();
@@ -15,6 +15,7 @@ class SyncWatch final {
   SyncWatch(const SyncWatch&) = delete;
   SyncWatch& operator=(const SyncWatch&) = delete;
 
+  /// By the names that they had when they were synced.
   std::set<std::filesystem::path> synced() const;
 };
 
