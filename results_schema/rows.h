@@ -351,9 +351,10 @@ enum class OutputKind { export_, public_export, report, copy };
 
 struct OutputRow {
   OutputKind kind = OutputKind::export_;
-  std::string path{};  ///< absolute, where it was written
+  std::string
+      path{};  ///< absolute, where it was written; empty where it contained the label of a deleted participant
   std::string program_version{};
-  std::string made_utc{};  ///< empty: now
+  std::string made_utc{};  ///< empty: it is being made, or its program was killed
 };
 
 /// What becomes of the data of a participant who withdraws.
@@ -375,6 +376,13 @@ struct WithdrawalRow {
   int attempts = 0;
   int answers = 0;     ///< to trials and to questions of sessions
   int recordings = 0;  ///< files
+};
+
+/// What a withdrawal did, and what it left to the user.
+struct Withdrawal {
+  WithdrawalRow row{};
+  /// That may contain data of the participant: of a person those made since they were added, otherwise all that were made.
+  std::vector<OutputRow> outputs{};
 };
 
 const char* text_of(Verdict verdict) noexcept;

@@ -9,9 +9,6 @@
 namespace asperity {
 namespace {
 
-/// Long enough for a queue of sessions that sync to a slow disk; a lock held longer is a defect.
-constexpr int kBusyTimeout_ms = 60'000;
-
 /// A path as SQLite's URI syntax wants it.
 std::string uri_of(const std::filesystem::path& file, const char* parameters) {
   constexpr const char* kDigits = "0123456789ABCDEF";

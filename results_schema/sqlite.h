@@ -17,6 +17,9 @@ struct sqlite3_stmt;
 
 namespace asperity {
 
+/// Long enough for a queue of sessions that sync to a slow disk; a lock held longer is a defect.
+inline constexpr int kBusyTimeout_ms = 60'000;
+
 /// One connection. Every failure is a ResultsError that names the study and explains the failure.
 class Database final {
  public:

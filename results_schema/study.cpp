@@ -19,6 +19,7 @@
 #include "results_schema/part_folder.h"
 #include "results_schema/sha256.h"
 #include "results_schema/sqlite.h"
+#include "results_schema/study_deletion.h"
 #include "results_schema/study_sharing.h"
 #include "results_schema/study_store.h"
 
@@ -196,6 +197,7 @@ void Study::Store::connect() {
   check_identity();
   seal.emplace(folder, *database);
   if (schema_version < migrations.back().version) bring_up_to_date();
+  complete_deletions();
 }
 
 void Study::Store::bring_up_to_date() {
@@ -396,10 +398,27 @@ Access Study::access() const noexcept { return store_->access; }
 int Study::schema_version() const noexcept { return store_->schema_version; }
 
 void Study::read_at_one_moment(const std::function<void()>& reading) const {
-  store_->read([&reading](Database&) {
+  if (store_->inside_read) {
     reading();
-    return true;
-  });
+    return;
+  }
+  // What is read of one moment names files, which go with the participant. A result without them is right, and better.
+  for (;;) {
+    std::int64_t deletions = 0;
+    const auto is_overtaken = [this, &deletions] {
+      return store_->read(number_of_deletions) != deletions;
+    };
+    try {
+      store_->read([&](Database& database) {
+        deletions = number_of_deletions(database);
+        reading();
+        return true;
+      });
+      if (!is_overtaken()) return;
+    } catch (const std::exception&) {
+      if (!is_overtaken()) throw;
+    }
+  }
 }
 
 std::string Study::name() const {
@@ -421,6 +440,14 @@ void Study::add_participant(const ParticipantRow& participant) {
     throw ResultsError("\"" + label +
                            "\" is not a participant label; it must consist of 1 to 32 letters and "
                            "digits (0-9, A-Z, a-z)",
+                       store_->folder);
+  }
+  Statement unfinished(database, "SELECT 1 FROM withdrawal WHERE label = ?");
+  if (unfinished.bind(label).step()) {
+    throw ResultsError("the study " + store_->folder.string() + " cannot have a participant " +
+                           label +
+                           " yet: the deletion of the data under this label is not complete. Close "
+                           "the study, then open it again for writing, which completes it",
                        store_->folder);
   }
   Statement statement(database,

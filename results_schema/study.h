@@ -114,9 +114,12 @@ class Study final {
   /// In place of what there was.
   void set_metadata(const StudyMetadata& metadata);
 
-  /// What was made of the study, in the order of making.
-  void add_output(const OutputRow& output);
-  std::vector<OutputRow> outputs() const;
+  /// Lists what is about to be made of the study, so that a withdrawal from then on knows of it; `made_utc` is ignored.
+  /// Returns its id.
+  std::int64_t begin_output(const OutputRow& output);
+  void end_output(std::int64_t id);        ///< it is complete, from now on for ever
+  void remove_output(std::int64_t id);     ///< it was not made
+  std::vector<OutputRow> outputs() const;  ///< in the order of listing
 
   /// `created_utc` may be empty: the time of the call.
   void add_participant(const ParticipantRow& participant);
@@ -124,18 +127,19 @@ class Study final {
   std::optional<ParticipantRow> participant(const std::string& label) const;
   std::vector<ParticipantRow> participants() const;  ///< by label
 
-  /// What the study holds of a participant: counts as in WithdrawalRow.
+  /// What the study holds of a participant: counts as in WithdrawalRow. Of one whose deletion was interrupted, what it held.
   WithdrawalRow counts_of_participant(const std::string& label) const;
   /// A participant withdraws, for good. With `kept` all their sessions are excluded, none can be begun, resumed or
   /// included again, and their counterbalancing rows are free. With `deleted` nothing of them is left in the folder:
-  /// rows, recordings, files named after them, the study from before a migration (`study.sqlite.version-*`),
-  /// which holds them as well, and the free pages of the database. One who withdrew before can still be deleted.
-  /// Returns what was stored, with its counts.
+  /// rows, recordings, files named after them, the paths of outputs that contain the label, the study from before a
+  /// migration (`study.sqlite.version-*`), which holds them as well, and the free pages of the database. One who withdrew
+  /// before can still be deleted. Returns what was stored, with its counts.
   ///
-  /// When a deletion fails half way, all that is left is still found under the label, and a second call completes it.
+  /// The rows go in one transaction. When the deletion fails after that, or its program is killed, it is completed by the
+  /// next program that opens the study for writing, or by a second call; until then no participant can have the label.
   /// Errors: ResultsError for a label that is not there, a session of theirs that is running, an empty `decided_by`, a
   /// file that cannot be removed, another program that reads for so long that the database's log cannot be emptied.
-  WithdrawalRow withdraw(const std::string& label, const WithdrawalRow& withdrawal);
+  Withdrawal withdraw(const std::string& label, const WithdrawalRow& withdrawal);
   std::vector<WithdrawalRow> withdrawals() const;  ///< in the order of withdrawing
 
   /// The row of this content, added if it is new. Returns its id. `source_sha256` is that of
@@ -238,7 +242,8 @@ class Study final {
   std::optional<std::string> solution(const std::string& key) const;
 
   /// Runs `reading`; what it reads of this study is of one moment, whatever sessions write meanwhile. Begins again
-  /// where the file turns out to have changed under it, so `reading` must set its results, not add to them.
+  /// where the file turns out to have changed under it, or data of a participant were deleted meanwhile, so that `reading`
+  /// must set its results, not add to them.
   void read_at_one_moment(const std::function<void()>& reading) const;
 
   /// A consistent copy of a study that may be in use, into a folder that does not exist yet.

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
+#include <exception>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <set>
 
 #include <sqlite3.h>
@@ -14,6 +17,7 @@
 #include "results_schema/seal.h"
 #include "results_schema/sha256_stream.h"
 #include "results_schema/study.h"
+#include "results_schema/study_deletion.h"
 #include "results_schema/study_sharing.h"
 #include "results_schema/study_store.h"
 
@@ -94,9 +98,13 @@ void refuse_links_on(const std::filesystem::path& study, const std::filesystem::
 
 void copy_files(const std::filesystem::path& from, const std::filesystem::path& to) {
   std::map<std::string, std::set<std::string>> vouched;
+  std::set<std::filesystem::path> being_deleted;
   {
     Database copy(to, database_in(to), Database::Mode::read_write);
     vouched = checksums_by_path(copy);
+    for (const UnfinishedDeletion& deletion : unfinished_deletions(copy)) {
+      for (const auto& file : files_of_label(from, deletion.label)) being_deleted.insert(file);
+    }
   }
   for (const auto& [path, sha256] : vouched) {
     refuse_links_on(from, path);
@@ -109,6 +117,12 @@ void copy_files(const std::filesystem::path& from, const std::filesystem::path& 
   }
   for (const auto& entry : entries_below(from)) {
     const std::filesystem::path relative = entry.path().lexically_relative(from);
+    // A folder comes before its content.
+    if (being_deleted.contains(entry.path()) ||
+        being_deleted.contains(entry.path().parent_path())) {
+      being_deleted.insert(entry.path());
+      continue;
+    }
     if (!is_loose_file(relative) || vouched.contains(relative.string())) continue;
     refuse_link(from, relative);
     if (entry.is_directory()) continue;
@@ -122,6 +136,28 @@ void copy_files(const std::filesystem::path& from, const std::filesystem::path& 
     if (entry.is_directory()) sync_folder(entry.path());
   }
   sync_folder(to);
+}
+
+/// A copy of a study whose deletion is under way has the label and free pages.
+void complete_deletions_of(Database& copy) {
+  for (const UnfinishedDeletion& deletion : unfinished_deletions(copy)) {
+    complete_deletion(copy, deletion, std::chrono::milliseconds{0});
+  }
+}
+
+/// The study lists the copy that is being made at `path`; to the copy it is the study itself.
+void remove_itself_from_outputs(Database& copy, const std::filesystem::path& path) {
+  std::vector<std::int64_t> ids;
+  Statement output(copy, "SELECT id, path FROM output WHERE kind = 'copy' AND made_utc IS NULL");
+  while (output.step()) {
+    std::int64_t id = 0;
+    std::string listed;
+    output.read(id, listed);
+    if (std::filesystem::weakly_canonical(listed) == path) ids.push_back(id);
+  }
+  for (const std::int64_t id : ids) {
+    Statement(copy, "DELETE FROM output WHERE id = ?").bind(id).run();
+  }
 }
 
 }  // namespace
@@ -158,15 +194,30 @@ void Study::copy_to(const std::filesystem::path& folder) const {
                        from);
   }
   refuse_link(from, database_in(from).filename());
-  PartFolder part(to, kOwnersFolder);
-  store_->read([&part](Database& database) {
-    Database copy(part.content(), database_in(part.content()), Database::Mode::create);
-    copy_pages(database, copy);
-    return true;
-  });
-  copy_files(from, part.content());
-  seal_new(part.content());
-  part.take_place();
+  std::optional<PartFolder> part;
+  // Rows of one moment, with files that go with the participant: once more, without them, where data are deleted meanwhile.
+  for (bool is_whole = false; !is_whole;) {
+    part.emplace(to, kOwnersFolder);
+    const std::filesystem::path& content = part->content();
+    const std::int64_t deletions = store_->read([&content](Database& database) {
+      Database copy(content, database_in(content), Database::Mode::create);
+      copy_pages(database, copy);
+      return number_of_deletions(database);
+    });
+    try {
+      copy_files(from, content);
+      is_whole = store_->read(number_of_deletions) == deletions;
+    } catch (const std::exception&) {
+      if (store_->read(number_of_deletions) == deletions) throw;
+    }
+  }
+  {
+    Database copy(part->content(), database_in(part->content()), Database::Mode::read_write);
+    remove_itself_from_outputs(copy, to);
+    complete_deletions_of(copy);
+  }
+  seal_new(part->content());
+  part->take_place();
 }
 
 }  // namespace asperity

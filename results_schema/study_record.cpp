@@ -3,6 +3,7 @@
 #include <array>
 
 #include "results_schema/study.h"
+#include "results_schema/study_deletion.h"
 #include "results_schema/study_store.h"
 
 namespace asperity {
@@ -37,27 +38,41 @@ void Study::set_metadata(const StudyMetadata& metadata) {
   transaction.commit();
 }
 
-void Study::add_output(const OutputRow& output) {
+std::int64_t Study::begin_output(const OutputRow& output) {
+  Statement insertion(store_->writable(),
+                      "INSERT INTO output (kind, path, program_version) VALUES (?, ?, ?) "
+                      "RETURNING id");
+  insertion.bind(text_of(output.kind), output.path, output.program_version);
+  std::int64_t id = 0;
+  if (insertion.step()) insertion.read(id);
+  insertion.run();
+  return id;
+}
+
+void Study::end_output(std::int64_t id) {
   Statement(store_->writable(),
-            "INSERT INTO output (kind, path, program_version, made_utc) VALUES (?, ?, ?, "
-            "coalesce(nullif(?, ''), strftime('%Y-%m-%dT%H:%M:%fZ', 'now')))")
-      .bind(text_of(output.kind), output.path, output.program_version, output.made_utc)
+            "UPDATE output SET made_utc = strftime('%Y-%m-%dT%H:%M:%fZ', 'now') WHERE id = ?")
+      .bind(id)
       .run();
 }
 
-std::vector<OutputRow> Study::outputs() const {
-  return store_->read([](Database& database) {
-    Statement statement(database,
-                        "SELECT kind, path, program_version, made_utc FROM output ORDER BY id");
-    std::vector<OutputRow> rows;
-    while (statement.step()) {
-      OutputRow& row = rows.emplace_back();
-      std::string kind;
-      statement.read(kind, row.path, row.program_version, row.made_utc);
-      row.kind = enum_of(kind, kOutputKinds, "output.kind");
-    }
-    return rows;
-  });
+void Study::remove_output(std::int64_t id) {
+  Statement(store_->writable(), "DELETE FROM output WHERE id = ?").bind(id).run();
+}
+
+std::vector<OutputRow> Study::outputs() const { return store_->read(outputs_in); }
+
+std::vector<OutputRow> outputs_in(Database& database) {
+  Statement statement(database,
+                      "SELECT kind, path, program_version, made_utc FROM output ORDER BY id");
+  std::vector<OutputRow> rows;
+  while (statement.step()) {
+    OutputRow& row = rows.emplace_back();
+    std::string kind;
+    statement.read(kind, row.path, row.program_version, row.made_utc);
+    row.kind = enum_of(kind, kOutputKinds, "output.kind");
+  }
+  return rows;
 }
 
 }  // namespace asperity

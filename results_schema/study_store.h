@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <exception>
 #include <filesystem>
 #include <future>
 #include <memory>
@@ -10,11 +11,13 @@
 #include <span>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "results_schema/migrations.h"
 #include "results_schema/seal.h"
 #include "results_schema/sqlite.h"
 #include "results_schema/study.h"
+#include "results_schema/study_deletion.h"
 
 namespace asperity {
 
@@ -53,11 +56,20 @@ struct Study::Store {
         const Snapshot snapshot(*database);
         auto result = function(*database);
         if (!is_outdated()) return result;
-      } catch (const ResultsError&) {
+      } catch (const std::exception&) {  // of whatever made no sense of a file that was changing
         if (!is_outdated()) throw;
       }
     }
   }
+
+  struct InterruptedDeletion {
+    UnfinishedDeletion deletion{};
+    std::vector<OutputRow> outputs{};
+    bool is_complete = false;  ///< by this opening of the study
+  };
+  /// Of a label that no participant has.
+  std::optional<InterruptedDeletion> interrupted_deletion(Database& of,
+                                                          const std::string& label) const;
 
   std::filesystem::path folder;
   Access access = Access::read_only;
@@ -68,6 +80,12 @@ struct Study::Store {
   std::optional<Stamp> immutable_since{};
   int schema_version = 0;  ///< of the file
   bool inside_read = false;
+  /// By this opening of the study: a repeated command is told that it is done.
+  struct CompletedDeletion {
+    UnfinishedDeletion deletion{};
+    std::vector<OutputRow> outputs{};  ///< before paths were blanked
+  };
+  std::vector<CompletedDeletion> completed_deletions{};
   std::shared_future<StudyCondition> condition{};  ///< invalid until it is requested
   std::stop_source end_of_condition{};             ///< the destructor does not wait for it
 
@@ -93,6 +111,7 @@ struct Study::Store {
   void connect();
   void connect_for_reading();
   void bring_up_to_date();
+  void complete_deletions() noexcept;
   void read_up_to_date_in_memory(const Stamp& before);
   void check_identity();
   void follow_writers();

@@ -19,6 +19,7 @@
 #include "results_schema/seal.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
+#include "results_schema/study_deletion.h"
 #include "results_schema/study_store.h"
 #include "results_schema/table_rules.h"
 
@@ -425,10 +426,13 @@ std::vector<std::string> Study::verify(const std::function<void(double)>& progre
 
 std::vector<std::string> Study::leftovers() const {
   std::set<std::string> known;
-  for (const VouchedFile& file :
-       store_->read([](Database& database) { return vouched_files(database); })) {
-    known.insert(file.path);
-  }
+  bool is_deleting = false;
+  store_->read([&](Database& database) {
+    known.clear();
+    for (const VouchedFile& file : vouched_files(database)) known.insert(file.path);
+    is_deleting = !unfinished_deletions(database).empty();
+    return true;
+  });
   const std::filesystem::path& study = store_->folder;
   std::vector<std::string> leftovers;
   for (const auto& entry : entries_below(study)) {
@@ -450,6 +454,11 @@ std::vector<std::string> Study::leftovers() const {
                           "study, remove it, or keep it as the record of an attempt that is not "
                           "stored");
     }
+  }
+  if (is_deleting) {
+    leftovers.emplace_back(
+        "study.sqlite: the deletion of a participant's data is not complete: it is being done, or "
+        "its program crashed. The next program that writes to the study completes it");
   }
   if (!has_seal(study)) {
     leftovers.push_back(

@@ -25,11 +25,12 @@ void add_copy(CLI::App& program, Job& job) {
       ->required();
   command->callback([options, &job] {
     job = [options] {
-      Study::read_beside_writers();  // record_output() is one, in this process
+      Study::read_beside_writers();  // ListedOutput is one, in this process
       const Study study = Study::open(options->study, Access::read_only);
+      ListedOutput listed(study, OutputKind::copy, options->folder);
       study.copy_to(options->folder);
       say("copied " + options->study + " to " + options->folder);
-      say_unrecorded(record_output(study, OutputKind::copy, options->folder));
+      say_unrecorded(listed.complete());
       return 0;
     };
   });

@@ -127,7 +127,7 @@ void add_export(CLI::App& program, Job& job) {
   command->footer("--public:\n" + wrapped_text(publication_text_of_any_study(), kColumns, "  "));
   command->callback([options, &job] {
     job = [options] {
-      Study::read_beside_writers();  // record_output() is one, in this process
+      Study::read_beside_writers();  // ListedOutput is one, in this process
       const Study study = Study::open(options->study, Access::read_only);
       const InterruptWatch interrupt;
       const ModelRegistry models = built_in_models();
@@ -138,6 +138,9 @@ void add_export(CLI::App& program, Job& job) {
       wanted.overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
       wanted.formats = formats_in(options->formats, wanted.audience);
       wanted.questions_for_public = {options->questions.begin(), options->questions.end()};
+      ListedOutput listed(study,
+                          options->published ? OutputKind::public_export : OutputKind::export_,
+                          options->out);
       ExportOutcome outcome{};
       {
         Progress progress("exporting");
@@ -165,9 +168,7 @@ void add_export(CLI::App& program, Job& job) {
             (metadata.authors.empty() ? " --author \"Family, Given\"" : "") +
             (metadata.license ? "" : " --license CC-BY-4.0"));
       }
-      say_unrecorded(
-          record_output(study, options->published ? OutputKind::public_export : OutputKind::export_,
-                        options->out));
+      say_unrecorded(listed.complete());
       const auto has = [&](ExportFormat format) { return wanted.formats.contains(format); };
       if (has(ExportFormat::bids) && !has(ExportFormat::physio)) {
         say(std::string("the recordings were left out; --formats ") +

@@ -39,8 +39,9 @@ void add_report(CLI::App& program, Job& job) {
         throw WrongUsage(error.what());
       }
       const InterruptWatch interrupt;
-      Study::read_beside_writers();  // record_output() is one, in this process
+      Study::read_beside_writers();  // ListedOutput is one, in this process
       const Study study = Study::open(options->study, Access::read_only);
+      ListedOutput listed(study, OutputKind::report, options->out);
       const LettersWithoutWindows letters;
       bool written = false;
       {
@@ -61,7 +62,7 @@ void add_report(CLI::App& program, Job& job) {
       }
       say("the report is in " + options->out);
       say_condition(study);
-      say_unrecorded(record_output(study, OutputKind::report, options->out));
+      say_unrecorded(listed.complete());
       return 0;
     };
   });

@@ -56,12 +56,17 @@ bool is_confirmed(const std::string& label, const std::string& confirmed,
 
 void name_outputs(const std::vector<OutputRow>& outputs) {
   if (outputs.empty()) return;
-  std::cout << "outputs made from the study since the participant was added; they were not "
-               "changed. Delete those that contain data of the participant, and repeat the "
-               "export or the report if needed:\n";
+  std::cout << "outputs of the study that may contain data of the participant; they were not "
+               "changed. Delete those that contain such data, and repeat the export or the report "
+               "if needed:\n";
   for (const OutputRow& output : outputs) {
-    std::cout << "  " << local_time_text(output.made_utc) << "  "
-              << kind_words(output.kind).english() << "  " << output.path << '\n';
+    const bool is_complete = !output.made_utc.empty();
+    std::cout << "  " << (is_complete ? local_time_text(output.made_utc) : "(not complete)  ")
+              << "  " << kind_words(output.kind).english() << "  "
+              << (output.path.empty()
+                      ? "(its path contained the label of another participant, and was removed)"
+                      : output.path)
+              << '\n';
   }
 }
 
@@ -112,15 +117,14 @@ void add_withdraw(CLI::App& program, Job& job) {
             "repeat the command and type the label");
         return 1;
       }
-      const std::vector<OutputRow> outputs = outputs_of_participant(study, options->label);
-      study.withdraw(options->label,
-                     {.data = options->deletes ? WithdrawnData::deleted : WithdrawnData::kept,
-                      .reason = options->reason,
-                      .decided_by = options->by.empty() ? name_of_user() : options->by});
-      std::cout << options->label << " has withdrawn: " << held(counts)
+      const Withdrawal done = study.withdraw(
+          options->label, {.data = options->deletes ? WithdrawnData::deleted : WithdrawnData::kept,
+                           .reason = options->reason,
+                           .decided_by = options->by.empty() ? name_of_user() : options->by});
+      std::cout << options->label << " has withdrawn: " << held(done.row)
                 << (options->deletes ? " deleted" : " kept and excluded from every analysis")
                 << '\n';
-      name_outputs(outputs);
+      name_outputs(outputs_of_withdrawal(done, options->label));
       return 0;
     };
   });

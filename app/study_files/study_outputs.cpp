@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/study_files/program.h"
+#include "app/study_files/study_condition.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/table.h"
 
@@ -21,6 +22,8 @@ bool has_labels_of_study(const std::filesystem::path& path) {
 /// report does not list all of them, and a file that was moved cannot be read.
 bool is_without(const OutputRow& output, const std::string& label) {
   const std::filesystem::path path = output.path;
+  // What is being made takes the place of another one at the end; a path that was blanked leads nowhere.
+  if (output.made_utc.empty() || path.empty()) return false;
   try {
     switch (output.kind) {
       case OutputKind::export_:
@@ -58,24 +61,47 @@ Phrase kind_words(OutputKind kind) {
   return {};
 }
 
-std::optional<Phrase> record_output(const Study& study, OutputKind kind,
-                                    const std::filesystem::path& path) {
-  if (!Study::can_be_written(study.folder())) {
-    return phrase("StudyOutputs",
-                  "The study is read-only: it does not list %1 among its outputs. Keep a note of "
-                  "it in case a participant withdraws.")
-        .with(path.string());
+ListedOutput::ListedOutput(const Study& study, OutputKind kind, const std::filesystem::path& path)
+    : study_(study.folder()) {
+  if (!Study::can_be_written(study_)) {
+    unlisted_ = phrase("StudyOutputs",
+                       "The study is read-only: it does not list %1 among its outputs. Keep a note "
+                       "of it in case a participant withdraws.")
+                    .with(path.string());
+    return;
   }
   try {
-    Study::open(study.folder(), Access::read_write)
-        .add_output({.kind = kind,
-                     .path = std::filesystem::absolute(path).lexically_normal().string(),
-                     .program_version = program_version()});
+    // Found before the writer, which leaves a checksum of what it finds.
+    refuse_if_broken(study);
+    entry_ = Study::open(study_, Access::read_write)
+                 .begin_output({.kind = kind,
+                                .path = std::filesystem::absolute(path).lexically_normal().string(),
+                                .program_version = program_version()});
   } catch (const std::exception& error) {
-    return phrase("StudyOutputs",
-                  "%1 is complete, but the study does not list it; keep a note of it in case a "
-                  "participant withdraws. The reason is: %2")
-        .with(path.string(), phrase_of(error));
+    unlisted_ = phrase("StudyOutputs",
+                       "%1 is complete, but the study does not list it; keep a note of it in case "
+                       "a participant withdraws. The reason is: %2")
+                    .with(path.string(), phrase_of(error));
+  }
+}
+
+ListedOutput::~ListedOutput() {
+  if (!entry_) return;
+  try {
+    Study::open(study_, Access::read_write).remove_output(*entry_);
+  } catch (const std::exception&) {
+    // Then it stays listed as incomplete.
+  }
+}
+
+std::optional<Phrase> ListedOutput::complete() {
+  if (!entry_) return unlisted_;
+  const std::int64_t entry = *entry_;
+  entry_.reset();
+  try {
+    Study::open(study_, Access::read_write).end_output(entry);
+  } catch (const std::exception&) {
+    // It is listed, which is what counts when a participant withdraws, although as incomplete.
   }
   return {};
 }
@@ -88,13 +114,21 @@ std::vector<OutputRow> outputs_of_participant(const Study& study, const std::str
             "; use a label from the page Participants or from participants.tsv of an export",
         study.folder());
   }
-  // The dates of a virtual participant are those of a simulated calendar.
-  const std::string& since = participant->created_utc;
-  const bool is_dated = !participant->is_virtual;
-  std::vector<OutputRow> outputs{};
-  for (OutputRow& output : study.outputs()) {
-    const bool may_hold_them = is_dated ? output.made_utc >= since : !is_without(output, label);
-    if (may_hold_them) outputs.push_back(std::move(output));
+  Withdrawal withdrawal{.row = {.is_virtual = participant->is_virtual}, .outputs = study.outputs()};
+  if (!participant->is_virtual) {
+    std::erase_if(withdrawal.outputs, [&participant](const OutputRow& output) {
+      return !output.made_utc.empty() && output.made_utc < participant->created_utc;
+    });
+  }
+  return outputs_of_withdrawal(withdrawal, label);
+}
+
+std::vector<OutputRow> outputs_of_withdrawal(const Withdrawal& withdrawal,
+                                             const std::string& label) {
+  std::vector<OutputRow> outputs = withdrawal.outputs;
+  // The dates of a virtual participant are those of a simulated calendar, and do not tell.
+  if (withdrawal.row.is_virtual) {
+    std::erase_if(outputs, [&label](const OutputRow& output) { return is_without(output, label); });
   }
   return outputs;
 }

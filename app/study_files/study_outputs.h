@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,19 +13,39 @@
 
 namespace asperity {
 
-/// Stores in the study that `path` was made from it, so that it can be found when a participant
-/// withdraws. Call it when the output is complete. Returns the reason where it is not stored, for
-/// example because the study is read-only here.
-std::optional<Phrase> record_output(const Study& study, OutputKind kind,
-                                    const std::filesystem::path& path);
+/// An output that is being made, in the list of its study. It is listed before anything is read for it, so that a participant
+/// who withdraws while it is made is told of it. An output that is not completed is taken off the list; one whose program was
+/// killed stays there as incomplete.
+///
+/// To be made before the study is read for the output. Opens the study for writing, each time for a moment; a reader in the
+/// same process must be one that reads beside writers (Study::read_beside_writers).
+class ListedOutput final {
+ public:
+  /// Where it cannot be listed, because the study is read-only or damaged, `complete` states so.
+  ListedOutput(const Study& study, OutputKind kind, const std::filesystem::path& path);
+  ListedOutput(const ListedOutput&) = delete;
+  ListedOutput& operator=(const ListedOutput&) = delete;
+  ~ListedOutput();
+
+  /// The output is complete. Returns the reason where the study does not list it.
+  std::optional<Phrase> complete();
+
+ private:
+  std::filesystem::path study_{};
+  std::optional<std::int64_t> entry_{};
+  std::optional<Phrase> unlisted_{};
+};
 
 /// "public export": the kind of output in lists.
 Phrase kind_words(OutputKind kind);
 
-/// The recorded outputs that may contain a participant's data. To be called before the participant's
-/// rows are deleted: for a person, the outputs made since they were added. A simulated participant
-/// has no real date; for those, the outputs that contain the label or cannot be read now.
+/// The listed outputs that may contain a participant's data: for a person, the outputs made since they were added. A
+/// simulated participant has no real date; for those, the outputs that contain the label or cannot be read now.
 /// Errors: ResultsError for an unknown label.
 std::vector<OutputRow> outputs_of_participant(const Study& study, const std::string& label);
+
+/// The same of the outputs that a withdrawal has found.
+std::vector<OutputRow> outputs_of_withdrawal(const Withdrawal& withdrawal,
+                                             const std::string& label);
 
 }  // namespace asperity

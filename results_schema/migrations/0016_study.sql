@@ -345,16 +345,18 @@ CREATE TABLE decision (
 ) STRICT;
 CREATE INDEX decision_attempt ON decision (session_id, trial, attempt);
 
--- What left the study and may contain data of participants.
+-- What left the study and may contain data of participants, listed before the first row is read for it. made_utc is empty
+-- until it is complete; path is empty where it contained the label of a participant whose data were deleted.
 CREATE TABLE output (
   id              INTEGER PRIMARY KEY,
   kind            TEXT NOT NULL CHECK (kind <> '' AND kind NOT GLOB '*[^a-z_]*'),
-  path            TEXT NOT NULL CHECK (path <> ''),
+  path            TEXT NOT NULL,
   program_version TEXT NOT NULL,
-  made_utc        TEXT NOT NULL CHECK (made_utc GLOB '????-??-??T??:??:??*Z')
+  made_utc        TEXT CHECK (made_utc GLOB '????-??-??T??:??:??*Z')
 ) STRICT;
 
--- That a participant withdrew, without stating which: of those whose data were deleted nothing else remains.
+-- That a participant withdrew, without stating which: of those whose data were deleted nothing else remains. label: of a
+-- deletion that is not complete.
 CREATE TABLE withdrawal (
   id            INTEGER PRIMARY KEY,
   data          TEXT NOT NULL CHECK (data IN ('kept', 'deleted')),
@@ -365,7 +367,8 @@ CREATE TABLE withdrawal (
   sessions      INTEGER NOT NULL CHECK (sessions >= 0),
   attempts      INTEGER NOT NULL CHECK (attempts >= 0),
   answers       INTEGER NOT NULL CHECK (answers >= 0),
-  recordings    INTEGER NOT NULL CHECK (recordings >= 0)
+  recordings    INTEGER NOT NULL CHECK (recordings >= 0),
+  label         TEXT CHECK (label IS NULL OR (label <> '' AND data = 'deleted'))
 ) STRICT;
 
 -- A cache of solved matching problems; what an attempt used is in its presentation.
@@ -519,16 +522,29 @@ CREATE TRIGGER decision_no_replace BEFORE INSERT ON decision
 WHEN EXISTS (SELECT 1 FROM decision WHERE id = NEW.id)
 BEGIN SELECT RAISE(ABORT, 'a decision is append-only'); END;
 
+CREATE TRIGGER output_has_a_path BEFORE INSERT ON output
+WHEN NEW.path = ''
+BEGIN SELECT RAISE(ABORT, 'an output has a path'); END;
 CREATE TRIGGER output_no_update BEFORE UPDATE ON output
-BEGIN SELECT RAISE(ABORT, 'an output is append-only'); END;
+WHEN NEW.id IS NOT OLD.id OR NEW.kind IS NOT OLD.kind OR NEW.program_version IS NOT OLD.program_version
+  OR (NEW.made_utc IS NOT OLD.made_utc AND OLD.made_utc IS NOT NULL)
+  OR (NEW.path IS NOT OLD.path AND NOT (NEW.path = '' AND EXISTS (
+        SELECT 1 FROM withdrawal WHERE instr(OLD.path, label) > 0)))
+BEGIN SELECT RAISE(ABORT, 'an output is completed once, and only a withdrawal blanks its path'); END;
 CREATE TRIGGER output_no_delete BEFORE DELETE ON output
+WHEN OLD.made_utc IS NOT NULL
 BEGIN SELECT RAISE(ABORT, 'an output is append-only'); END;
 CREATE TRIGGER output_no_replace BEFORE INSERT ON output
 WHEN EXISTS (SELECT 1 FROM output WHERE id = NEW.id)
 BEGIN SELECT RAISE(ABORT, 'an output is append-only'); END;
 
 CREATE TRIGGER withdrawal_no_update BEFORE UPDATE ON withdrawal
-BEGIN SELECT RAISE(ABORT, 'a withdrawal is append-only'); END;
+WHEN NEW.label IS NOT NULL OR NEW.id IS NOT OLD.id OR NEW.data IS NOT OLD.data
+  OR NEW.is_virtual IS NOT OLD.is_virtual OR NEW.reason IS NOT OLD.reason
+  OR NEW.decided_by IS NOT OLD.decided_by OR NEW.withdrawn_utc IS NOT OLD.withdrawn_utc
+  OR NEW.sessions IS NOT OLD.sessions OR NEW.attempts IS NOT OLD.attempts
+  OR NEW.answers IS NOT OLD.answers OR NEW.recordings IS NOT OLD.recordings
+BEGIN SELECT RAISE(ABORT, 'of a withdrawal only the label may be blanked'); END;
 CREATE TRIGGER withdrawal_no_delete BEFORE DELETE ON withdrawal
 BEGIN SELECT RAISE(ABORT, 'a withdrawal is append-only'); END;
 CREATE TRIGGER withdrawal_no_replace BEFORE INSERT ON withdrawal
@@ -549,6 +565,9 @@ BEGIN SELECT RAISE(ABORT, 'a participant with sessions cannot be removed'); END;
 CREATE TRIGGER participant_no_replace BEFORE INSERT ON participant
 WHEN EXISTS (SELECT 1 FROM participant WHERE id = NEW.id OR label = NEW.label)
 BEGIN SELECT RAISE(ABORT, 'there is a participant of this label'); END;
+CREATE TRIGGER participant_is_not_being_deleted BEFORE INSERT ON participant
+WHEN EXISTS (SELECT 1 FROM withdrawal WHERE label = NEW.label)
+BEGIN SELECT RAISE(ABORT, 'the deletion of the data under this label is not complete'); END;
 
 CREATE TRIGGER session_only_changes_state BEFORE UPDATE ON session
 WHEN NEW.id IS NOT OLD.id OR NEW.participant_id IS NOT OLD.participant_id

@@ -2,8 +2,10 @@
 
 #include "tests/results_schema/failing_vfs.h"
 
+#include <csignal>
 #include <new>
 #include <stdexcept>
+#include <unistd.h>
 
 namespace asperity {
 
@@ -36,7 +38,7 @@ struct FailingVfs::Methods {
   static int sync(sqlite3_file* base, int flags) {
     FailingVfs& owner = *file(base).owner;
     const bool failed_before = owner.has_failed_;
-    const bool fails = owner.fault_ == Fault::broken_disk && owner.next_operation() != SQLITE_OK;
+    const bool fails = owner.fault_ != Fault::disk_full && owner.next_operation() != SQLITE_OK;
     if (!fails) return of(base).xSync(real(base), flags);
     if (!failed_before) owner.has_failed_in_sync_ = true;
     return SQLITE_IOERR_FSYNC;
@@ -108,6 +110,7 @@ int FailingVfs::next_operation() {
     return SQLITE_OK;
   }
   has_failed_ = true;
+  if (fault_ == Fault::killed) ::kill(::getpid(), SIGKILL);
   return fault_ == Fault::disk_full ? SQLITE_FULL : SQLITE_IOERR_WRITE;
 }
 

@@ -1,4 +1,5 @@
-// A disk that fails when told to: SQLite's own file system with one write or sync going wrong.
+// A disk that fails when told to: SQLite's own file system with one write or sync going wrong, or with a program that is
+// killed before it.
 
 #pragma once
 
@@ -11,7 +12,7 @@ namespace asperity {
 /// While it lives every database that is opened uses it.
 class FailingVfs final {
  public:
-  enum class Fault { disk_full, broken_disk };
+  enum class Fault { disk_full, broken_disk, killed };
 
   FailingVfs();
   ~FailingVfs();
@@ -19,7 +20,7 @@ class FailingVfs final {
   FailingVfs& operator=(const FailingVfs&) = delete;
 
   /// The `n`-th write, sync or truncation from now on fails, and, as on a disk that is full, all
-  /// after it, until `heal`.
+  /// after it, until `heal`. With `killed` this process ends instead, as by kill -9.
   void fail_from(int n, Fault fault);
   void heal();
   /// Whether the failure has happened.

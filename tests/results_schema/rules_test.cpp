@@ -83,7 +83,7 @@ void fill(const std::filesystem::path& folder) {
   study.add_attempt(second, of_second);
   study.end_session(second, SessionState::stopped, kNow);
   study.add_participant({.label = "Person"});
-  study.add_output({.kind = OutputKind::report, .path = "/report.pdf"});
+  study.end_output(study.begin_output({.kind = OutputKind::report, .path = "/report.pdf"}));
   study.add_participant({.label = "Withdrawn"});
   study.withdraw("Withdrawn", {.data = WithdrawnData::deleted, .decided_by = "somebody"});
   const std::int64_t completed = study.add_session(some_session(1), some_plan(1));
@@ -325,18 +325,32 @@ std::vector<Forbidden> forbidden_statements() {
        "UPDATE participant SET withdrawn = 0 WHERE label = 'Person'"},
       {"session of a withdrawn participant", session("2", "1", "'run'")},
       {"update output", "UPDATE output SET path = '/elsewhere'"},
+      {"blank the path of an output without a withdrawal", "UPDATE output SET path = ''"},
+      {"complete an output again", "UPDATE output SET made_utc = '2027-01-01T00:00:00Z'"},
+      {"incomplete output again", "UPDATE output SET made_utc = NULL"},
+      {"output without a path",
+       "INSERT INTO output VALUES (NULL,'report','','0','2026-01-01T00:00:00Z')"},
       {"delete output", "DELETE FROM output"},
       {"replace output",
        "INSERT OR REPLACE INTO output VALUES (1,'report','/r','0','2026-01-01T00:00:00Z')"},
       {"output of no kind", "INSERT INTO output VALUES (NULL,'','/r','0','2026-01-01T00:00:00Z')"},
       {"update withdrawal", "UPDATE withdrawal SET sessions = 0"},
+      {"label of a withdrawal that is complete", "UPDATE withdrawal SET label = 'P01'"},
+      {"label of a withdrawal whose data are kept",
+       "INSERT INTO withdrawal VALUES "
+       "(NULL,'kept',0,'other','x','2026-01-01T00:00:00Z',0,0,0,0,'P77')"},
+      {"participant whose data are being deleted",
+       "INSERT INTO withdrawal VALUES "
+       "(NULL,'deleted',0,'other','x','2026-01-01T00:00:00Z',0,0,0,0,'P77'); "
+       "INSERT INTO participant VALUES "
+       "(NULL,'P77',0,NULL,NULL,NULL,'{}','2026-01-01T00:00:00Z',0)"},
       {"delete withdrawal", "DELETE FROM withdrawal"},
       {"replace withdrawal",
        "INSERT OR REPLACE INTO withdrawal VALUES "
-       "(1,'kept',0,'other','x','2026-01-01T00:00:00Z',0,0,0,0)"},
+       "(1,'kept',0,'other','x','2026-01-01T00:00:00Z',0,0,0,0,NULL)"},
       {"withdrawal that nobody decided",
        "INSERT INTO withdrawal VALUES "
-       "(NULL,'kept',0,'other','','2026-01-01T00:00:00Z',0,0,0,0)"},
+       "(NULL,'kept',0,'other','','2026-01-01T00:00:00Z',0,0,0,0,NULL)"},
       {"virtual no more", "UPDATE participant SET is_virtual = 0 WHERE label = 'P01'"},
       {"another label", "UPDATE participant SET label = 'P99' WHERE label = 'P01'"},
       {"participant with sessions removed", "DELETE FROM participant WHERE label = 'P01'"},
@@ -398,6 +412,13 @@ TEST_P(Rules, AllowWhatIsAsItShouldBe) {
   EXPECT_EQ(tool.run("DELETE FROM participant WHERE label = 'Person'"), "");
   EXPECT_EQ(tool.run(session("1", "4", "'run'")), "");
   EXPECT_EQ(tool.run("UPDATE session SET state = 'stopped' WHERE id = 1"), "");
+  EXPECT_EQ(tool.run("INSERT INTO output VALUES (NULL,'copy','/of/P77','0',NULL)"), "");
+  EXPECT_EQ(tool.run("INSERT INTO withdrawal VALUES "
+                     "(NULL,'deleted',0,'other','x','2026-01-01T00:00:00Z',0,0,0,0,'P77')"),
+            "");
+  EXPECT_EQ(tool.run("UPDATE output SET path = '' WHERE path = '/of/P77'"), "");
+  EXPECT_EQ(tool.run("UPDATE withdrawal SET label = NULL WHERE label = 'P77'"), "");
+  EXPECT_EQ(tool.run("DELETE FROM output WHERE made_utc IS NULL"), "");
 }
 
 // Without any one of the triggers, with everything else switched off, some forbidden statement

@@ -1,96 +1,47 @@
 // A participant who withdraws: nothing of them is used, or nothing of them is left.
 
-#include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
-#include "results_schema/atomic_file.h"
-#include "results_schema/recording.h"
-#include "tests/results_schema/rows_for_tests.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/results_schema/removal_fault.h"
+#include "tests/results_schema/study_of_two.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
 
-const WithdrawalRow kDeletion{.data = WithdrawnData::deleted,
-                              .reason = WithdrawalReason::consent_withdrawn,
-                              .decided_by = "R. Keeper"};
-const WithdrawalRow kKept{.data = WithdrawnData::kept, .decided_by = "R. Keeper"};
+class WithdrawalFromAStudy : public StudyOfTwo {};
 
-/// Two participants with a completed session each: what is told of one can be told from the other.
-class Withdrawal : public testing::Test {
- protected:
-  void SetUp() override {
-    Study study = Study::create(path_, "fixture");
-    const std::int64_t protocol = study.add_protocol(some_protocol());
-    for (const std::string label : {"Wanda7", "Stays1"}) {
-      ParticipantRow participant = some_participant(label);
-      participant.is_virtual = false;
-      participant.answers_json = R"({"hand":"secret)" + label + R"("})";
-      study.add_participant(participant);
-      SessionRow session = some_session(protocol);
-      session.participant = label;
-      session.mode = SessionMode::run;
-      session.counterbalance_row = label == "Wanda7" ? 1 : 0;
-      const std::int64_t id = study.add_session(session, some_plan(2));
-      study.begin_segment(id, 1'000'000'000);
-      study.add_session_answer(
-          id, {.question = "why", .answer = "free words of " + label, .source = "keyboard"});
-      study.add_event(id, {.time_ns = 2, .kind = "note", .text = label + " sneezed"});
-      for (int trial = 1; trial <= 2; ++trial) {
-        AttemptRow attempt = some_attempt(trial);
-        attempt.responses.at(0).answer = "answer of " + label;
-        const std::string name = "recordings/" + label + "/1-" + std::to_string(trial) + ".asprec";
-        RecordingWriter writer(
-            path_, name,
-            {.rate_Hz = 10.0, .columns = {{.name = "x_m", .unit = "m", .meaning = label}}});
-        const float x_m = 0.5F;
-        writer.append(2'000'000'000, &x_m);
-        attempt.recording = writer.finish();
-        study.add_attempt(id, attempt);
-      }
-      study.add_decision(id, {.trial = 1,
-                              .attempt = 1,
-                              .verdict = Verdict::flag,
-                              .reason = "odd of " + label,
-                              .decided_by = "R. Keeper"});
-      study.end_segment(id, 1, 5'000'000'000, "completed");
-      study.end_session(id, SessionState::completed, "2026-01-01T10:00:00Z");
-      write_file(path_ / ("sheet-" + label + ".png"), label, Overwrite::refuse);
-    }
-    write_file(path_ / "study.sqlite.version-4", "Wanda7 as an older program left it",
-               Overwrite::refuse);
-    // As a session leaves it that was killed.
-    std::filesystem::create_directory(path_ / "locks");
-    write_file(path_ / "locks" / "session-Wanda7.lock", "", Overwrite::refuse);
+/// Another program's change, past the rules that the statement drops.
+void run_sql(const std::filesystem::path& study, const std::string& sql) {
+  sqlite3* handle = nullptr;
+  ASSERT_EQ(sqlite3_open((study / "study.sqlite").c_str(), &handle), SQLITE_OK);
+  EXPECT_EQ(sqlite3_exec(handle, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
+      << sqlite3_errmsg(handle);
+  sqlite3_close(handle);
+}
+
+/// While it lives SQLite does not overwrite what is removed unless it is told to; some distributions build it so that it does.
+class SqliteThatKeepsWhatIsRemoved final {
+ public:
+  SqliteThatKeepsWhatIsRemoved() { sqlite3_auto_extension(reinterpret_cast<void (*)()>(&change)); }
+  ~SqliteThatKeepsWhatIsRemoved() {
+    sqlite3_cancel_auto_extension(reinterpret_cast<void (*)()>(&change));
   }
+  SqliteThatKeepsWhatIsRemoved(const SqliteThatKeepsWhatIsRemoved&) = delete;
+  SqliteThatKeepsWhatIsRemoved& operator=(const SqliteThatKeepsWhatIsRemoved&) = delete;
 
-  /// The files of the folder that hold the words, in their content or name.
-  std::vector<std::string> files_with(const std::string& words) const {
-    std::vector<std::string> found{};
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(path_)) {
-      const std::string name = entry.path().lexically_relative(path_).string();
-      std::string content = name;
-      if (entry.is_regular_file()) {
-        std::ifstream file(entry.path(), std::ios::binary);
-        content.append(std::istreambuf_iterator<char>(file), {});
-      }
-      if (content.find(words) != std::string::npos) found.push_back(name);
-    }
-    return found;
+ private:
+  static int change(sqlite3* handle, const char**, const void*) {
+    return sqlite3_exec(handle, "PRAGMA secure_delete = OFF", nullptr, nullptr, nullptr);
   }
-
-  Study open() const { return Study::open(path_, Access::read_write); }
-
-  TemporaryFolder folder_{};
-  std::filesystem::path path_ = folder_ / "study";
 };
 
-TEST_F(Withdrawal, DeletesEveryTraceOfTheParticipantFromTheFolder) {
+TEST_F(WithdrawalFromAStudy, DeletesEveryTraceOfTheParticipantFromTheFolder) {
   ASSERT_THAT(files_with("Wanda7"), testing::SizeIs(testing::Ge(5U)));
   open().withdraw("Wanda7", kDeletion);
   EXPECT_THAT(files_with("Wanda7"), testing::IsEmpty());
@@ -100,7 +51,7 @@ TEST_F(Withdrawal, DeletesEveryTraceOfTheParticipantFromTheFolder) {
   EXPECT_THAT(study.leftovers(), testing::IsEmpty());
 }
 
-TEST_F(Withdrawal, DeletesNothingOfTheOthers) {
+TEST_F(WithdrawalFromAStudy, DeletesNothingOfTheOthers) {
   const auto rows_of_other = [this] {
     const Study study = Study::open(path_, Access::read_only);
     std::vector<std::string> words{};
@@ -131,7 +82,7 @@ TEST_F(Withdrawal, DeletesNothingOfTheOthers) {
   EXPECT_EQ(rows_of_other(), before);
 }
 
-TEST_F(Withdrawal, LeavesARowThatCountsWithoutNaming) {
+TEST_F(WithdrawalFromAStudy, LeavesARowThatCountsWithoutNaming) {
   open().withdraw("Wanda7", kDeletion);
   const std::vector<WithdrawalRow> rows = Study::open(path_, Access::read_only).withdrawals();
   ASSERT_EQ(rows.size(), 1U);
@@ -146,7 +97,7 @@ TEST_F(Withdrawal, LeavesARowThatCountsWithoutNaming) {
   EXPECT_EQ(rows[0].withdrawn_utc.back(), 'Z');
 }
 
-TEST_F(Withdrawal, FreesTheCounterbalancingRow) {
+TEST_F(WithdrawalFromAStudy, FreesTheCounterbalancingRow) {
   const auto rows_used = [this] {
     return Study::open(path_, Access::read_only).counterbalance_counts(some_protocol().name, 2);
   };
@@ -157,7 +108,7 @@ TEST_F(Withdrawal, FreesTheCounterbalancingRow) {
   EXPECT_THAT(rows_used(), testing::ElementsAre(1, 0));
 }
 
-TEST_F(Withdrawal, KeepsDataThatNothingUses) {
+TEST_F(WithdrawalFromAStudy, KeepsDataThatNothingUses) {
   open().withdraw("Wanda7", kKept);
   Study study = open();
   EXPECT_TRUE(study.participant("Wanda7")->withdrawn);
@@ -171,7 +122,7 @@ TEST_F(Withdrawal, KeepsDataThatNothingUses) {
   EXPECT_THAT(study.verify({}), testing::IsEmpty());
 }
 
-TEST_F(Withdrawal, IsFinal) {
+TEST_F(WithdrawalFromAStudy, IsFinal) {
   open().withdraw("Wanda7", kKept);
   Study study = open();
   const SessionRow session = study.sessions().back();
@@ -187,12 +138,13 @@ TEST_F(Withdrawal, IsFinal) {
       says("stay excluded"));
   SessionRow next = some_session(session.protocol_id);
   next.participant = "Wanda7";
-  EXPECT_THAT([&] { study.add_session(next, some_plan(1)); }, says("has a withdrawal of participant"));
+  EXPECT_THAT([&] { study.add_session(next, some_plan(1)); },
+              says("has a withdrawal of participant"));
   EXPECT_THAT([&] { study.withdraw("Wanda7", kKept); }, says("already"));
   EXPECT_NO_THROW(study.withdraw("Wanda7", kDeletion));
 }
 
-TEST_F(Withdrawal, RefusesALabelThatIsNotThereAndARunningSession) {
+TEST_F(WithdrawalFromAStudy, RefusesALabelThatIsNotThereAndARunningSession) {
   Study study = open();
   EXPECT_THAT([&] { study.withdraw("P99", kDeletion); },
               testing::ThrowsMessage<ResultsError>(testing::HasSubstr("no participant P99")));
@@ -204,15 +156,125 @@ TEST_F(Withdrawal, RefusesALabelThatIsNotThereAndARunningSession) {
   EXPECT_TRUE(std::filesystem::exists(path_ / "recordings" / "Wanda7"));
 }
 
-TEST_F(Withdrawal, CanBeRepeatedWhereFilesCouldNotBeRemoved) {
-  const std::filesystem::path recordings = path_ / "recordings";
-  // As an interrupted deletion leaves them, with only some of the files removed.
-  std::filesystem::remove_all(recordings / "Wanda7");
+TEST_F(WithdrawalFromAStudy, DeletesWhereFilesAreMissing) {
+  std::filesystem::remove_all(path_ / "recordings" / "Wanda7");
   open().withdraw("Wanda7", kDeletion);
   EXPECT_THAT(files_with("Wanda7"), testing::IsEmpty());
 }
 
-TEST_F(Withdrawal, LeavesTheRulesInForce) {
+TEST_F(WithdrawalFromAStudy, StatesWhenItIsRepeatedThatItIsComplete) {
+  EXPECT_THAT(refusal_of<ResultsError>([&] { open().withdraw("nobody", kDeletion); }),
+              testing::Not(testing::HasSubstr("complete")));
+  open().withdraw("Wanda7", kDeletion);
+  EXPECT_THAT(
+      refusal_of<ResultsError>([&] { open().withdraw("Wanda7", kDeletion); }),
+      testing::AllOf(testing::HasSubstr("has no participant Wanda7"),
+                     testing::HasSubstr("last deletion"), testing::HasSubstr("is complete")));
+}
+
+TEST_F(WithdrawalFromAStudy, IsUnfinishedUntilEveryFileIsRemoved) {
+  {
+    const RemovalFault fault("recordings/Wanda7", 1, RemovalFault::Kind::error);
+    EXPECT_THAT(refusal_of<ResultsError>([&] { open().withdraw("Wanda7", kDeletion); }),
+                testing::AllOf(testing::HasSubstr("is not complete"),
+                               testing::HasSubstr("recordings/Wanda7"),
+                               testing::HasSubstr("repeat the deletion")));
+    Study study = open();  // and tries in vain
+    EXPECT_FALSE(study.participant("Wanda7"));
+    EXPECT_THAT(study.verify({}), testing::IsEmpty());
+    EXPECT_THAT(study.leftovers(),
+                testing::Contains(testing::HasSubstr("the deletion of a participant's data")));
+    EXPECT_THAT(
+        refusal_of<ResultsError>([&] { study.add_participant(some_participant("Wanda7")); }),
+        testing::HasSubstr("is not complete"));
+    EXPECT_THAT(refusal_of<ResultsError>([&] { study.withdraw("Wanda7", kDeletion); }),
+                testing::HasSubstr("is not complete"));
+  }
+  Study study = open();
+  EXPECT_THAT(files_with("Wanda7"), testing::IsEmpty()) << "whoever writes completes it";
+  const WithdrawalRow counts = study.counts_of_participant("Wanda7");
+  EXPECT_EQ(counts.attempts, 2);
+  EXPECT_EQ(study.withdraw("Wanda7", kDeletion).row.recordings, 2) << "the repeated command";
+  EXPECT_EQ(study.withdrawals().size(), 1U);
+  study.add_participant(some_participant("Wanda7"));
+}
+
+TEST_F(WithdrawalFromAStudy, LeavesNothingInACopyThatIsMadeMeanwhile) {
+  const RemovalFault fault(path_ / "recordings/Wanda7", 1, RemovalFault::Kind::error);
+  EXPECT_THROW(open().withdraw("Wanda7", kDeletion), ResultsError);
+  ASSERT_THAT(files_with("Wanda7"), testing::Contains("logs/Wanda7/session-01.txt"));
+  Study::open(path_, Access::read_only).copy_to(folder_ / "copy");
+  path_ = folder_ / "copy";
+  EXPECT_THAT(files_with("Wanda7"), testing::IsEmpty());
+  EXPECT_THAT(Study::open(path_, Access::read_only).verify({}), testing::IsEmpty());
+}
+
+// Before the file is compacted, which a full disk may prevent.
+TEST_F(WithdrawalFromAStudy, OverwritesTheRowsThatItRemoves) {
+  ASSERT_THAT(files_with("free words of Wanda7"), testing::ElementsAre("study.sqlite"));
+  const SqliteThatKeepsWhatIsRemoved keeping;
+  const RemovalFault fault("recordings/Wanda7", 1, RemovalFault::Kind::error);
+  EXPECT_THROW(open().withdraw("Wanda7", kDeletion), ResultsError);
+  EXPECT_THAT(files_with("free words of Wanda7"), testing::IsEmpty());
+}
+
+TEST_F(WithdrawalFromAStudy, LeavesNothingInPagesThatWereFreeBefore) {
+  run_sql(path_,
+          "PRAGMA secure_delete = OFF; CREATE TABLE scratch (words TEXT); "
+          "WITH RECURSIVE n (i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 200) "
+          "INSERT INTO scratch SELECT 'scratch of Wanda7 ' || hex(zeroblob(400)) FROM n; "
+          "DROP TABLE scratch");
+  ASSERT_THAT(files_with("scratch of Wanda7"), testing::ElementsAre("study.sqlite"));
+  open().withdraw("Wanda7", kDeletion);
+  EXPECT_THAT(files_with("Wanda7"), testing::IsEmpty());
+}
+
+TEST_F(WithdrawalFromAStudy, RefusesADamagedStudyInWhichOthersRowsWouldGoToo) {
+  run_sql(path_,
+          "PRAGMA foreign_keys = OFF; DROP TRIGGER participant_no_delete; "
+          "DELETE FROM participant WHERE label = 'Stays1'");
+  Study study = open();
+  EXPECT_THAT(refusal_of<ResultsError>([&] { study.withdraw("Wanda7", kDeletion); }),
+              testing::HasSubstr("refer to rows that do not exist"));
+  EXPECT_TRUE(study.participant("Wanda7"));
+  for (const std::int64_t session : {1, 2}) {
+    EXPECT_EQ(study.attempts(session).size(), 2U) << session;
+  }
+  EXPECT_TRUE(std::filesystem::exists(path_ / "recordings" / "Wanda7"));
+  EXPECT_TRUE(study.withdrawals().empty());
+}
+
+TEST_F(WithdrawalFromAStudy, BlanksThePathsOfOutputsThatContainTheLabel) {
+  Study study = open();
+  const std::vector<std::string> paths{"/out/Wanda7.html", "/out/reportWanda7.pdf", "/out/Wanda71",
+                                       "/out/LWanda7",     "/Wanda7/tables",        "/out/tables"};
+  for (const std::string& path : paths) {
+    study.end_output(study.begin_output({.kind = OutputKind::report, .path = path}));
+  }
+  const Withdrawal done = study.withdraw("Wanda7", kDeletion);
+  ASSERT_EQ(done.outputs.size(), paths.size());
+  EXPECT_EQ(done.outputs[0].path, paths[0]) << "it is reported before it is blanked";
+  std::vector<std::string> left;
+  for (const OutputRow& output : study.outputs()) left.push_back(output.path);
+  EXPECT_THAT(left,
+              testing::ElementsAre("", "", "/out/Wanda71", "/out/LWanda7", "", "/out/tables"));
+}
+
+TEST_F(WithdrawalFromAStudy, ReportsWhatIsBeingMadeAndWhatWasMadeSinceThePersonWasAdded) {
+  Study study = open();
+  study.end_output(study.begin_output({.kind = OutputKind::report, .path = "/before"}));
+  ParticipantRow late = some_participant("Late1");
+  late.is_virtual = false;
+  late.created_utc = "2096-01-01T00:00:00Z";
+  study.add_participant(late);
+  study.begin_output({.kind = OutputKind::copy, .path = "/being-made"});
+  const std::vector<OutputRow> of_late = study.withdraw("Late1", kDeletion).outputs;
+  ASSERT_EQ(of_late.size(), 1U);
+  EXPECT_EQ(of_late[0].path, "/being-made");
+  EXPECT_EQ(study.withdraw("Wanda7", kKept).outputs.size(), 2U);
+}
+
+TEST_F(WithdrawalFromAStudy, LeavesTheRulesInForce) {
   Study study = open();
   study.withdraw("Wanda7", kDeletion);
   const std::int64_t id = study.sessions().front().id;
@@ -234,9 +296,14 @@ TEST(StudyRecord, KeepsMetadataAndOutputs) {
   study.set_metadata({.authors = {"Somebody else"}, .license = {}, .ethics_approval = {}});
   study.set_metadata(metadata);
   EXPECT_EQ(study.metadata(), metadata);
-  study.add_output(
+  study.remove_output(study.begin_output({.kind = OutputKind::copy, .path = "/tmp/stopped"}));
+  const std::int64_t output = study.begin_output(
       {.kind = OutputKind::public_export, .path = "/tmp/x", .program_version = "0.2.0"});
   ASSERT_EQ(study.outputs().size(), 1U);
+  EXPECT_EQ(study.outputs()[0].made_utc, "");
+  study.end_output(output);
+  EXPECT_EQ(study.outputs()[0].made_utc.back(), 'Z');
+  EXPECT_THROW(study.remove_output(output), ResultsError) << "it was made";
   EXPECT_EQ(study.outputs()[0].kind, OutputKind::public_export);
   EXPECT_EQ(study.outputs()[0].path, "/tmp/x");
   EXPECT_THAT(study.verify({}), testing::IsEmpty());

@@ -43,9 +43,15 @@ with tempfile.TemporaryDirectory() as folder:
     asperity("simulate", study / "protocols" / "chapter_selection.json", "--study", study, "--participants", "4",
              "--seed", "1", "--recordings", "all")
     (study / f"sheet-{LABEL}.png").write_bytes(b"the last question")
+    (study / f"sheet-{LABEL}.png.4711-0.tmp").write_bytes(b"as a program leaves it that is killed")
     (study / "study.sqlite.version-4").write_bytes(b"an older study with " + LABEL.encode())
     before = exported(study, folder / "before")
     asperity("copy", study, folder / "copy")
+    asperity("report", study, "--out", folder / f"{LABEL}.html")
+    again = run("report", study, "--out", folder / f"{LABEL}.html")
+    assert again.returncode == 1 and "already exists" in again.stderr, again
+    refused = run("export", study, "--out", folder / "before")
+    assert refused.returncode == 1 and "is not empty" in refused.stderr, refused
 
     unknown = run("withdraw", study, "nobody", "--delete")
     assert unknown.returncode == 1 and "has no participant nobody" in unknown.stderr, unknown
@@ -62,7 +68,12 @@ with tempfile.TemporaryDirectory() as folder:
     said = asperity("withdraw", study, LABEL, "--delete", "--confirm", LABEL, "--by", "R. Keeper")
     assert "1 session" in said and "deleted" in said, said
     listed = re.findall(r"^  \d{4}-\d\d-\d\d \d\d:\d\d  ([a-z ]+)  (.*)$", said, re.MULTILINE)
-    assert listed == [("export", str(folder / "before")), ("copy of the study", str(folder / "copy"))], said
+    assert listed == [("export", str(folder / "before")), ("copy of the study", str(folder / "copy")),
+                      ("report", str(folder / f"{LABEL}.html"))], said
+    again = run("withdraw", study, LABEL, "--delete", "--confirm", LABEL)
+    assert again.returncode == 1 and f"has no participant {LABEL}; its last deletion" in again.stderr, again
+    assert "is complete" in again.stderr, again
+    assert rows_of(study, "SELECT count(*), count(label) FROM withdrawal") == [(1, 0)]
 
     assert "no problems found" in asperity("verify", study)
     holding = [path for path in study.rglob("*") if LABEL in path.name
@@ -100,7 +111,8 @@ with tempfile.TemporaryDirectory() as folder:
     assert rows_of(study, "SELECT data, reason, sessions FROM withdrawal ORDER BY id") == [
         ("deleted", "consent_withdrawn", 1), ("kept", "not_eligible", 1)]
     assert [kind for (kind,) in rows_of(study, "SELECT kind FROM output ORDER BY id")] == [
-        "export", "export", "copy", "export", "export", "public_export"]
+        "export", "export", "copy", "report", "export", "export", "public_export"], "what was refused is not listed"
+    assert rows_of(study, "SELECT count(*) FROM output WHERE made_utc IS NULL OR path = ''") == [(1,)], "the report's path"
     analysed = asperity("analyze", study, "--json")
     assert KEPT not in analysed and LABEL not in analysed
     assert "2 participants" in asperity("analyze", study), "of four one was deleted and one is not used"

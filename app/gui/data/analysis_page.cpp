@@ -267,12 +267,12 @@ void AnalysisPage::export_to(const QString& folder, const ExportOptions& options
       [study = study_.folder(), to = std::filesystem::path(folder.toStdString()), options](
           const std::stop_token& stop, const BackgroundTask::Progress& progress) {
         const Study own = Study::open(study, Access::read_only);
+        ListedOutput listed(
+            own, is_public(options.audience) ? OutputKind::public_export : OutputKind::export_, to);
         ExportOutcome outcome = export_study(own, built_in_models(), to, options, stop, progress);
         Exported exported{.files = outcome.files.size(), .incomplete = std::move(outcome.warnings)};
         if (exported.files > 0) {
-          exported.unrecorded = record_output(
-              own, is_public(options.audience) ? OutputKind::public_export : OutputKind::export_,
-              to);
+          exported.unrecorded = listed.complete();
           if (const auto missing = missing_metadata(own.metadata())) {
             exported.missing =
                 phrase("AnalysisPage", "%1 Enter them with Study → Metadata…").with(*missing);

@@ -96,8 +96,10 @@ void ReportSaving::save_to(const QString& file, Overwrite overwrite) {
       [study = study_.folder(), path, overwrite](const std::stop_token& stop,
                                                  const BackgroundTask::Progress& progress) {
         const Study own = Study::open(study, Access::read_only);
+        require_report_path(path, overwrite);
+        ListedOutput listed(own, OutputKind::report, path);
         Saved saved{.is_written = write_report(own, path, overwrite, {}, stop, progress)};
-        if (saved.is_written) saved.unrecorded = record_output(own, OutputKind::report, path);
+        if (saved.is_written) saved.unrecorded = listed.complete();
         return saved;
       },
       [this, file](const Saved& saved) {

@@ -32,8 +32,12 @@ QString text_of_outputs(const std::vector<OutputRow>& outputs) {
   QStringList lines{};
   for (const OutputRow& output : outputs) {
     lines << WithdrawDialog::tr("%2, %1: %3")
-                 .arg(words_of(kind_words(output.kind)), text_of_time(output.made_utc),
-                      text(output.path));
+                 .arg(words_of(kind_words(output.kind)),
+                      output.made_utc.empty() ? WithdrawDialog::tr("not complete")
+                                              : text_of_time(output.made_utc),
+                      output.path.empty()
+                          ? WithdrawDialog::tr("(path with the label of another participant)")
+                          : text(output.path));
   }
   return lines.join('\n');
 }
@@ -41,10 +45,7 @@ QString text_of_outputs(const std::vector<OutputRow>& outputs) {
 }  // namespace
 
 WithdrawDialog::WithdrawDialog(OpenStudy& study, const std::string& label, QWidget* parent)
-    : QDialog(parent),
-      study_(study),
-      label_(label),
-      outputs_(outputs_of_participant(study.study(), label)) {
+    : QDialog(parent), study_(study), label_(label) {
   const WithdrawalRow counts = study.study().counts_of_participant(label);
   const bool has_withdrawn = study.study().participant(label)->withdrawn;
   setObjectName("withdraw_dialog");
@@ -106,21 +107,20 @@ WithdrawDialog::WithdrawDialog(OpenStudy& study, const std::string& label, QWidg
   rows->addLayout(form);
   layout->addWidget(question_);
 
-  const QString outputs = text_of_outputs(outputs_);
-  if (!outputs.isEmpty()) {
-    layout->addWidget(make_text(tr("These exports, reports and copies of the study are not "
-                                   "changed. Each may contain data of %1:")
-                                    .arg(text(label)),
-                                this));
-    auto* list = new QPlainTextEdit(outputs, this);
-    list->setObjectName("withdraw_outputs");
-    list->setAccessibleName(tr("Exports, reports and copies"));
-    list->setReadOnly(true);
-    list->setLineWrapMode(QPlainTextEdit::NoWrap);
-    list->setTabChangesFocus(true);
-    list->setFixedHeight(88);
-    layout->addWidget(list);
-  }
+  outputs_caption_ = make_text(tr("These exports, reports and copies of the study are not "
+                                  "changed. Each may contain data of %1:")
+                                   .arg(text(label)),
+                               this);
+  layout->addWidget(outputs_caption_);
+  outputs_ = new QPlainTextEdit(this);
+  outputs_->setObjectName("withdraw_outputs");
+  outputs_->setAccessibleName(tr("Exports, reports and copies"));
+  outputs_->setReadOnly(true);
+  outputs_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  outputs_->setTabChangesFocus(true);
+  outputs_->setFixedHeight(88);
+  layout->addWidget(outputs_);
+  show_outputs(outputs_of_participant(study.study(), label));
   state_ = new StateLabel(this);
   state_->setObjectName("withdraw_state");
   state_->setWordWrap(true);
@@ -154,6 +154,12 @@ void WithdrawDialog::fit_height() {
   resize(std::max(width(), minimumWidth()), height);
 }
 
+void WithdrawDialog::show_outputs(const std::vector<OutputRow>& outputs) {
+  outputs_->setPlainText(text_of_outputs(outputs));
+  outputs_caption_->setVisible(!outputs.empty());
+  outputs_->setVisible(!outputs.empty());
+}
+
 void WithdrawDialog::show_what_is_missing() {
   const bool deletes = delete_->isChecked();
   label_caption_->setEnabled(deletes);
@@ -183,12 +189,15 @@ void WithdrawDialog::withdraw() {
   state_->set_state(State::unknown, wanted.data == WithdrawnData::deleted
                                         ? tr("Deleting the data…")
                                         : tr("Storing the withdrawal…"));
-  work_.run<WithdrawalRow>(
+  work_.run<Withdrawal>(
       [folder = study_.folder(), label = label_, wanted](const std::stop_token&,
                                                          const BackgroundTask::Progress&) {
-        return Study::open(folder, Access::read_write).withdraw(label, wanted);
+        Withdrawal done = Study::open(folder, Access::read_write).withdraw(label, wanted);
+        // With those that were begun since the dialog opened.
+        done.outputs = outputs_of_withdrawal(done, label);
+        return done;
       },
-      [this](const WithdrawalRow& row) { show_done(row); },
+      [this](const Withdrawal& done) { show_done(done); },
       [this](const QString& what) {
         question_->setEnabled(true);
         cancel_->setEnabled(true);
@@ -198,12 +207,14 @@ void WithdrawDialog::withdraw() {
       });
 }
 
-void WithdrawDialog::show_done(const WithdrawalRow& row) {
+void WithdrawDialog::show_done(const Withdrawal& done) {
+  const WithdrawalRow& row = done.row;
   question_->hide();
   do_->hide();
   cancel_->setEnabled(true);
   cancel_->setText(tr("Close"));
   cancel_->setFocus();
+  show_outputs(done.outputs);
   const QString counts = text_of_counts(row);
   state_->set_state(State::fine,
                     row.data == WithdrawnData::deleted

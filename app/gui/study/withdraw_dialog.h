@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <QtWidgets/QDialog>
 
@@ -12,6 +13,7 @@
 class QComboBox;
 class QLabel;
 class QLineEdit;
+class QPlainTextEdit;
 class QPushButton;
 class QRadioButton;
 class QWidget;
@@ -33,15 +35,15 @@ class WithdrawDialog final : public QDialog {
   WithdrawDialog(OpenStudy& study, const std::string& label, QWidget* parent = nullptr);
 
  private:
+  void show_outputs(const std::vector<OutputRow>& outputs);
   void show_what_is_missing();
   void fit_height();
   void withdraw();
-  void show_done(const WithdrawalRow& row);
+  void show_done(const Withdrawal& done);
   void reject() override;
 
   OpenStudy& study_;
   std::string label_{};
-  std::vector<OutputRow> outputs_{};
   QWidget* question_ = nullptr;  ///< hidden once it is done
   QRadioButton* keep_ = nullptr;
   QRadioButton* delete_ = nullptr;
@@ -49,6 +51,8 @@ class WithdrawDialog final : public QDialog {
   QLineEdit* by_ = nullptr;
   QLabel* label_caption_ = nullptr;
   QLineEdit* typed_ = nullptr;
+  QLabel* outputs_caption_ = nullptr;  ///< hidden, like the list, where there are none
+  QPlainTextEdit* outputs_ = nullptr;
   StateLabel* state_ = nullptr;
   QPushButton* cancel_ = nullptr;
   QPushButton* do_ = nullptr;

@@ -13999,6 +13999,14 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>%2, %1: %3</translation>
     </message>
     <message>
+        <source>not complete</source>
+        <translation>nicht vollständig</translation>
+    </message>
+    <message>
+        <source>(path with the label of another participant)</source>
+        <translation>(Pfad mit dem Kürzel einer anderen Versuchsperson)</translation>
+    </message>
+    <message>
         <source>Exports, reports and copies</source>
         <translation>Exporte, Berichte und Kopien</translation>
     </message>

@@ -27,8 +27,9 @@ class Withdrawing : public QuietHome {
     window_.resize(1280, 720);
     window_.show();
     folder_ = lively_study();
-    Study::open(folder_, Access::read_write)
-        .add_output({.kind = OutputKind::public_export, .path = "/data/rough-surfaces-public"});
+    Study study = Study::open(folder_, Access::read_write);
+    study.end_output(study.begin_output(
+        {.kind = OutputKind::public_export, .path = "/data/rough-surfaces-public"}));
     ASSERT_TRUE(window_.open_study(folder_));
   }
 

@@ -1,0 +1,67 @@
+// The deletion of a participant's data from a study, in steps that can be repeated. Seen by this folder only.
+
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "results_schema/rows.h"
+#include "results_schema/sqlite.h"
+
+namespace asperity {
+
+/// A deletion whose rows are gone and whose last step is not done.
+///
+/// The steps are: (1) the rows go in one transaction, which stores the withdrawal with the label; (2) the files go; (3) the
+/// database is compacted, and its log emptied into it; (4) the label is blanked, in the paths of outputs as well; (5) the log
+/// is emptied again. Whatever interrupts them, the label in the row of the withdrawal states until (4) that they are to be
+/// done again. The rows go first so that a reader finds a participant with all their files, or neither.
+struct UnfinishedDeletion {
+  std::int64_t withdrawal = 0;  ///< the id of its row
+  std::string label{};
+};
+
+/// How many deletions the study has begun: another number than before means that rows and files may have gone meanwhile.
+std::int64_t number_of_deletions(Database& database);
+
+std::vector<UnfinishedDeletion> unfinished_deletions(Database& database);
+
+struct DeletedRows {
+  UnfinishedDeletion deletion{};
+  std::vector<OutputRow> outputs{};  ///< as `outputs_since_added`, at that moment
+};
+
+/// Step (1). `row` receives its time. Errors: ResultsError, and nothing is changed; also where rows refer to rows that do
+/// not exist.
+DeletedRows delete_rows(Database& database, const std::string& label, WithdrawalRow& row);
+
+/// The other steps. Waits for readers of the log no longer than `patience`. Errors: ResultsError; what was done stays done.
+/// The caller holds the lock `kDeletionLock`.
+void complete_deletion(Database& database, const UnfinishedDeletion& deletion,
+                       std::chrono::milliseconds patience);
+
+/// Names no participant: a program that is killed leaves its file.
+inline constexpr const char* kDeletionLock = "withdrawal";
+
+/// What may be in a study's folder under a label, with the leftovers of killed programs.
+std::vector<std::filesystem::path> files_of_label(const std::filesystem::path& study,
+                                                  const std::string& label);
+
+/// Removes a file, or a folder with its content; nothing is no error.
+void remove_tree(const std::filesystem::path& path);
+
+/// `label` of a deletion that is not complete. `row` receives its time. Returns the id.
+std::int64_t insert_withdrawal(Database& database, WithdrawalRow& row,
+                               const std::optional<std::string>& label);
+
+/// In the order of listing.
+std::vector<OutputRow> outputs_in(Database& database);
+/// Of a participant who is a person those that are not complete or were made since they were added; otherwise all, because
+/// the dates of a virtual participant are those of a simulated calendar.
+std::vector<OutputRow> outputs_since_added(Database& database, const std::string& label);
+
+}  // namespace asperity
