@@ -372,29 +372,33 @@ ExportOutcome export_study(const Study& study, const ModelRegistry& models, cons
   if (options.has_age_bands && !is_public(options.audience)) {
     throw std::invalid_argument("has_age_bands applies to public exports only");
   }
-  ExportFolder making(folder, options.overwrite);
-  const OwnScales own_scales(study, stop);
-  const CatchDecisions decisions(study, stop);
-  if (stop.stop_requested()) return {};
+  std::optional<ExportFolder> making(std::in_place, folder, options.overwrite);
+  bool has_begun = false;
   bool stopped = false;
   ExportOutcome outcome{};
   std::string publication{};
+  // All of one moment: what was written is discarded where the study has changed under it.
+  const auto export_one_moment = [&] {
+    if (std::exchange(has_begun, true)) making.emplace(folder, options.overwrite);
+    outcome = {};
+    const OwnScales own_scales(study, stop);
+    const CatchDecisions decisions(study, stop);
+    stopped = stop.stop_requested();
+    if (stopped) return;
+    StudyExport walk(study, models, *making, options, own_scales, decisions);
+    stopped = !walk.walk(stop, progress);
+    if (stopped) return;
+    walk.finish(outcome);
+    publication = walk.publication();
+  };
   read_unless_broken(
-      study,
-      [&] {
-        StudyExport walk(study, models, making, options, own_scales, decisions);
-        stopped = !walk.walk(stop, progress);
-        if (stopped) return;
-        walk.finish(outcome);
-        publication = walk.publication();
-      },
-      stop);
+      study, [&] { study.read_at_one_moment(export_one_moment); }, stop);
   if (stopped) return {};
-  making.write("README.txt",
-               export_readme(options, remark_on(study), outcome.warnings, publication));
-  making.write("import.R", import_script_for_r());
-  making.write("import.py", import_script_for_python());
-  outcome.files = making.take_place();
+  making->write("README.txt",
+                export_readme(options, remark_on(study), outcome.warnings, publication));
+  making->write("import.R", import_script_for_r());
+  making->write("import.py", import_script_for_python());
+  outcome.files = making->take_place();
   return outcome;
 }
 

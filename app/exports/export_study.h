@@ -32,6 +32,9 @@ struct ExportOutcome {
 /// that state this. Files for direct analysis (the wide table, the SPSS files, the datasets) contain sessions of human
 /// participants at the top level; pilot sessions are in `pilot/`, those of virtual participants in `virtual/`.
 ///
+/// Everything is of one moment of the study. Where a participant's data are deleted meanwhile, the export begins again, and
+/// does not contain them.
+///
 /// If the file of the study was changed, README.txt begins with a warning (Study::condition).
 ///
 /// Memory: one session, and the wide table. Errors: those of ExportFolder; ResultsError for a damaged study.

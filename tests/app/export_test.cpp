@@ -8,6 +8,7 @@
 #include <stop_token>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -817,6 +818,29 @@ TEST(Export, ReadsAStudyThatMayNotBeWritten) {
   const Study reader = Study::open(made.folder(), Access::read_only);
   export_study(reader, built_in_models(), made.beside("out"), {});
   EXPECT_EQ(table_in(made.beside("out"), "participants.tsv").rows.size(), 2u);
+}
+
+// The deletion does not wait for a reader that holds no lock, and changes the file under it.
+TEST(Export, BeginsAgainWithoutAParticipantWhoseDataAreDeletedMeanwhile) {
+  MadeUpStudy made;
+  fill(made);
+  const std::filesystem::path closed = made.beside("closed");
+  made.study().copy_to(closed);
+  const Study reader = Study::open(closed, Access::read_only);
+  bool is_deleted = false;
+  const auto delete_anna = [&](double) {
+    if (std::exchange(is_deleted, true)) return;
+    Study::open(closed, Access::read_write)
+        .withdraw("anna", {.data = WithdrawnData::deleted, .decided_by = "R. Keeper"});
+  };
+  export_study(reader, built_in_models(), made.beside("out"), {}, {}, delete_anna);
+  ASSERT_TRUE(is_deleted);
+  for (const char* const name : {"participants", "sessions", "attempts", "responses", "events"}) {
+    const Table table = table_in(made.beside("out"), std::string(name) + ".tsv");
+    for (const std::vector<Cell>& row : table.rows) EXPECT_EQ(row[0], Cell{"virtual0001"}) << name;
+  }
+  EXPECT_EQ(table_in(made.beside("out"), "participants.tsv").rows.size(), 1U);
+  EXPECT_THAT(names_in(made.beside("out")), Not(Contains("wide.csv"))) << "there is nobody else";
 }
 
 }  // namespace
