@@ -1,7 +1,10 @@
 // asperity verify: does a study hold what it says?
 
+#include <algorithm>
+#include <exception>
 #include <iostream>
 #include <memory>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
@@ -13,6 +16,28 @@
 #include "app/tasks/verify_study.h"
 
 namespace asperity {
+
+namespace {
+
+/// An older copy brings those back whose data were deleted.
+void say_what_copies_contain(const Study& study) {
+  std::string deleted_utc{};
+  try {
+    for (const WithdrawalRow& row : study.withdrawals()) {
+      if (row.data == WithdrawnData::deleted) {
+        deleted_utc = std::max(deleted_utc, row.withdrawn_utc);
+      }
+    }
+  } catch (const std::exception&) {
+    return;  // too damaged to be read
+  }
+  if (deleted_utc.empty()) return;
+  std::cout << "Copies made before " << local_time_text(deleted_utc)
+            << " contain data that participants have had deleted. Use a later copy, or withdraw "
+               "these participants again from the restored study\n";
+}
+
+}  // namespace
 
 void add_verify(CLI::App& program, Job& job) {
   struct Options {
@@ -64,6 +89,7 @@ void add_verify(CLI::App& program, Job& job) {
       if (result.problems.size() > result.plugin_problems) {
         std::cout << "Restore damaged data from a copy of the study, unless the problem states "
                      "another remedy\n";
+        say_what_copies_contain(study);
       }
       return result.problems.empty() ? 0 : 1;
     });

@@ -380,11 +380,18 @@ void add_failure_of(const std::function<void()>& check, std::vector<std::string>
   }
 }
 
-}  // namespace
+/// Zero also where it cannot be read, which the checks report.
+std::size_t number_of_withdrawals(const Study& study) {
+  try {
+    return study.withdrawals().size();
+  } catch (const std::exception&) {
+    return 0;
+  }
+}
 
-VerifyResult verify_study(Study& study, const ModelBuilds& builds, bool replay_too,
-                          const std::stop_token& asked_to_stop,
-                          const std::function<void(double)>& progress) {
+VerifyResult verify_once(Study& study, const ModelBuilds& builds, bool replay_too,
+                         const std::stop_token& asked_to_stop,
+                         const std::function<void(double)>& progress) {
   VerifyResult result{};
   std::stop_source end{};
   const std::stop_callback end_when_asked(asked_to_stop, [&end] { end.request_stop(); });
@@ -532,6 +539,18 @@ VerifyResult verify_study(Study& study, const ModelBuilds& builds, bool replay_t
         "another program or system: compared within each model's declared tolerance");
   }
   return result;
+}
+
+}  // namespace
+
+VerifyResult verify_study(Study& study, const ModelBuilds& builds, bool replay_too,
+                          const std::stop_token& asked_to_stop,
+                          const std::function<void(double)>& progress) {
+  for (;;) {
+    const std::size_t withdrawals = number_of_withdrawals(study);
+    VerifyResult result = verify_once(study, builds, replay_too, asked_to_stop, progress);
+    if (result.problems.empty() || number_of_withdrawals(study) == withdrawals) return result;
+  }
 }
 
 }  // namespace asperity

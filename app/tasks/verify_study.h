@@ -31,6 +31,9 @@ struct VerifyResult {
 /// A build of a plug-in with which attempts were rendered and that is not among `builds` is one problem for all of its attempts,
 /// which are not replayed. Plans with it are checked nevertheless, from the declaration that the session stored.
 ///
+/// The threads read the study at different moments. Where problems are found and a participant withdrew meanwhile, whose rows
+/// or files may have been read by one of them only, everything is checked again.
+///
 /// A study that is open for reading is checked by as many threads as the machine has, eight at
 /// most; with `replay_too` only by the caller's. The results and their order do not depend on the
 /// number of threads. `progress` is called by the caller's thread; an exception from it ends the

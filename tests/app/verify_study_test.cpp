@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -75,6 +76,25 @@ TEST(VerifyStudy, TellsItsCallersThreadHowFarItIs) {
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   EXPECT_GE(told.back(), 0.9);
   EXPECT_LE(told.back(), 1.0);
+}
+
+TEST(VerifyStudy, ChecksAgainWhereAParticipantWithdrewMeanwhile) {
+  MadeUpStudy made;
+  fill_with_unplanned_sessions(made);
+  const std::filesystem::path closed = made.beside("closed");
+  made.study().copy_to(closed);
+  const NoMoreThreads none;
+  Study study = Study::open(closed, Access::read_only);
+  bool is_deleted = false;
+  const std::vector<std::string> problems =
+      verify_study(study, built_in_models(), false, {}, [&](double) {
+        if (std::exchange(is_deleted, true)) return;
+        Study::open(closed, Access::read_write)
+            .withdraw("p100", {.data = WithdrawnData::deleted, .decided_by = "R. Keeper"});
+      }).problems;
+  ASSERT_TRUE(is_deleted);
+  EXPECT_EQ(problems.size(), static_cast<std::size_t>(kPeople - 1));
+  EXPECT_THAT(problems, testing::Each(testing::Not(testing::HasSubstr("p100"))));
 }
 
 // A window that is closed meanwhile says so by throwing: that is no fault of the study.
