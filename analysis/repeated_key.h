@@ -26,7 +26,7 @@ std::optional<std::string> repeated_key(std::string_view text) {
     }
     return true;
   };
-  static_cast<void>(Json::parse(text, note, /*allow_exceptions=*/false));
+  [[maybe_unused]] const Json read = Json::parse(text, note, /*allow_exceptions=*/false);
   return repeated;
 }
 

@@ -13,6 +13,7 @@
 
 #include <sqlite3.h>
 
+#include "results_schema/error_text.h"
 #include "results_schema/file_system.h"
 #include "results_schema/folder_entries.h"
 #include "results_schema/recording.h"
@@ -254,9 +255,8 @@ void check_file(const std::filesystem::path& study, const VouchedFile& file, Fin
       const bool is_absent = !error || error == std::errc::no_such_file_or_directory ||
                              error == std::errc::not_a_directory;
       findings.push_back(
-          start +
-          (is_absent ? "the file is missing; restore it from a copy of the study"
-                     : "the file cannot be read: " + error.message() + "; check its permissions"));
+          start + (is_absent ? "the file is missing; restore it from a copy of the study"
+                             : "the file cannot be read: " + text_of_error_number(error.value())));
     } else if (sha256_of_file(path) != file.sha256) {
       findings.push_back(
           start + "it has changed since its row was written (its SHA-256 differs)" +

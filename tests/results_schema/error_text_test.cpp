@@ -50,7 +50,7 @@ TEST(ErrorText, HasNoWordsOfALibrary) {
               AllOf(HasSubstr("does not start another thread or process"),
                     HasSubstr("close other programs")));
   const std::string message =
-      message_of_thrown([] { static_cast<void>(nlohmann::json::parse("{")); });
+      message_of_thrown([] { [[maybe_unused]] const auto read = nlohmann::json::parse("{"); });
   EXPECT_THAT(message, AllOf(HasSubstr("asperity verify"), Not(HasSubstr("json.exception"))));
 }
 
