@@ -338,6 +338,11 @@ TEST(AccompanyingScale, IsReportedByTheCorrectnessOfTheResponse) {
   EXPECT_DOUBLE_EQ(found.value("mean.score", "sure|which|correctness|correct").value(), 80.0);
   EXPECT_DOUBLE_EQ(found.value("mean.score", "sure|which|correctness|incorrect").value(), 50.0);
   EXPECT_EQ(found.find("mean.score", "sure|which|correctness|incorrect")->n, 3U);
+  // The answer compares the three participants who have both, whose difference is tested.
+  for (const char* const key : {"sure|which|correct", "sure|which|incorrect"}) {
+    ASSERT_NE(found.find("mean.score.compared", key), nullptr) << key;
+    EXPECT_EQ(found.find("mean.score.compared", key)->n, 3U) << key;
+  }
   // By presented item: b is rated 75, 70, 65 and 85.
   EXPECT_DOUBLE_EQ(found.value("mean.score", "sure|which|presented|b").value(), 73.75);
   // Differences 20, 30 and 40: mean 30, SD 10, t = 30 / (10 / √3), d = 3.

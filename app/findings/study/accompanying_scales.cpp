@@ -22,6 +22,7 @@ namespace {
 constexpr const char* kAccompanying = "accompanying";
 constexpr const char* kAccompanyingTest = "accompanying_scales";
 constexpr const char* kMeanOfScale = "mean.score";
+constexpr const char* kComparedMean = "mean.score.compared";
 constexpr const char* kCorrect = "correct";
 constexpr const char* kIncorrect = "incorrect";
 
@@ -85,6 +86,18 @@ TidyInput pairs_of_means(const GatheredAnswers& gathered, const SummedRatings& c
   return input;
 }
 
+/// The means of both columns, over the same participants as the difference.
+std::vector<Finding> means_of_pairs(const TidyInput& pairs, const std::string& about) {
+  FindingList list{};
+  for (const auto& [column, level] : {std::pair{"a", kCorrect}, std::pair{"b", kIncorrect}}) {
+    add_mean_of_group(kComparedMean, both(about, level), pairs.table().all_numbers(column),
+                      {.of = "mean of the participants with correct and incorrect responses"}, list);
+  }
+  std::vector<Finding> findings = list.take();
+  for (Finding& finding : findings) finding.analysis = kAccompanying;
+  return findings;
+}
+
 /// The findings of the family `equivalence` that belong to a paired t test.
 bool is_of_paired_test(const Finding& finding) {
   return finding.quantity == "diff" || finding.quantity == "se" || finding.quantity == "df" ||
@@ -144,7 +157,9 @@ AccompanyingScales::AccompanyingScales(const GatheredAnswers& gathered) {
     TidyInput pairs = pairs_of_means(gathered, correct->second, incorrect->second, scale.name);
     const std::size_t both = pairs.table().rows();
     scale.left_out = groups.begin()->second.of_people.size() - both;
-    if (both > 0) scale.comparison = paired_test(std::move(pairs), scale.about());
+    if (both == 0) continue;
+    scale.compared_means = means_of_pairs(pairs, scale.about());
+    scale.comparison = paired_test(std::move(pairs), scale.about());
   }
   // In the order of the protocol; the questions of the protocol have each name once.
   const auto place = [&gathered](const Scale& scale) {
@@ -216,17 +231,22 @@ Phrase AccompanyingScales::answer_text(const Scale& scale, const StudyTests& tes
         .with(all, correct == nullptr ? phrase("Analysis", "No response was correct.")
                                       : phrase("Analysis", "No response was incorrect."));
   }
-  const Phrase both =
+  const FoundNumbers of_both(scale.compared_means);
+  const auto compared_mean = [&](const char* level, const Finding* own) {
+    const Finding* const found = of_both.find(kComparedMean, both(scale.about(), level));
+    return rating_text(found == nullptr ? *own : *found);
+  };
+  const Phrase means_text =
       phrase("Analysis", "The mean rating is %1 for correct responses and %2 for incorrect ones.")
-          .with(rating_text(*correct), rating_text(*incorrect));
+          .with(compared_mean(kCorrect, correct), compared_mean(kIncorrect, incorrect));
   const FoundNumbers compared(scale.comparison);
   const Finding* const difference = compared.find("diff", scale.about());
   const StudyTests::Test* const test = tests.find(kAccompanyingTest, scale.about());
   if (difference == nullptr || test == nullptr || !test->p) {
-    return phrase("Analysis", "%1 The difference could not be tested.").with(both);
+    return phrase("Analysis", "%1 The difference could not be tested.").with(means_text);
   }
   const auto with_numbers = [&](const Phrase& words) {
-    return words.with(both, rating_text(*difference), reading_count(test->n), p_text(*test));
+    return words.with(means_text, rating_text(*difference), reading_count(test->n), p_text(*test));
   };
   const Sayings sayings{
       with_numbers(phrase("Analysis",
@@ -277,6 +297,7 @@ void AccompanyingScales::report(const StudyTests& tests, AnalysisOutcome& outcom
     }
     keep_findings(scale.findings, outcome);
     keep_findings(scale.comparison, outcome);
+    keep_findings(scale.compared_means, outcome);
     state_means_of(scale, outcome);
     const bool has_comparison = !scale.comparison.empty();
     add_question(
@@ -303,12 +324,9 @@ void AccompanyingScales::report(const StudyTests& tests, AnalysisOutcome& outcom
 }
 
 void AccompanyingScales::state_means_of(const Scale& scale, AnalysisOutcome& outcome) {
-  const FoundNumbers found(scale.findings);
-  const auto mean = [&](const char* level) {
-    return found.find(kMeanOfScale, Scale::Group{.by = "correctness", .level = level}.key(scale));
-  };
-  const Finding* const correct = mean(kCorrect);
-  const Finding* const incorrect = mean(kIncorrect);
+  const FoundNumbers found(scale.compared_means);
+  const Finding* const correct = found.find(kComparedMean, both(scale.about(), kCorrect));
+  const Finding* const incorrect = found.find(kComparedMean, both(scale.about(), kIncorrect));
   if (correct == nullptr || incorrect == nullptr) return;
   state_means(outcome, kAccompanyingTest,
               "means: " + rating_text(*correct).english() + " for correct responses and " +
