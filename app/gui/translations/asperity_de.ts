@@ -2228,10 +2228,6 @@
         <translation>Faktor, mit dem die Amplitude multipliziert wurde, damit die Versuchsperson den Reiz als so rau wie die Referenz beurteilte. below_range und above_range: bei jeder Amplitude rauer oder weniger rau, mit dem Ende des Bereichs dargeboten. unmatched: zu wenige Umkehrpunkte, unverändert dargeboten.</translation>
     </message>
     <message>
-        <source>Geometric means over the participants whose stimulus was matched, with t-based 95 % CIs on the logarithmic scale. The reference has the relative amplitude 1.</source>
-        <translation>Geometrische Mittel über die Versuchspersonen, deren Reiz angeglichen wurde, mit 95-%-KIs der t-Verteilung auf der logarithmischen Skala. Die Referenz hat die relative Amplitude 1.</translation>
-    </message>
-    <message>
         <source>The surfaces were presented at amplitudes of equal roughness; all %1 matches succeeded.</source>
         <translation>Die Oberflächen wurden mit Amplituden gleicher Rauheit dargeboten; alle %1 Angleichungen gelangen.</translation>
     </message>
@@ -2774,6 +2770,10 @@
     <message>
         <source>%1 Nothing is established: p is below .05, but the CI contains the chance level; more participants are needed.</source>
         <translation>%1 Belegt ist nichts: p liegt unter 0,05, aber das KI enthält das Zufallsniveau; es sind mehr Versuchspersonen nötig.</translation>
+    </message>
+    <message>
+        <source>Geometric means over the participants whose stimulus was matched, with t-based 95 % CIs on the logarithmic scale, and without a CI where a match did not succeed: the matched ones are then a selection (for thresholds within the levels such CIs contained the true mean in 48 to 75 % of simulated studies). The reference has the relative amplitude 1.</source>
+        <translation>Geometrische Mittel über die Versuchspersonen, deren Reiz angeglichen wurde, mit t-basierten 95-%-KIs auf der logarithmischen Skala, und ohne KI, wenn eine Angleichung nicht gelang: Die angeglichenen sind dann eine Auswahl (bei Schwellen innerhalb der Stufen enthielten solche KIs den wahren Mittelwert in 48 bis 75 % der simulierten Studien). Der Bezugsreiz hat die relative Amplitude 1.</translation>
     </message>
 </context>
 <context>
