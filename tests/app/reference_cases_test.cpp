@@ -1,6 +1,7 @@
 // Every reference case of our own, through the same way as `analyze --case`.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -9,6 +10,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "analysis/number_text.h"
+#include "analysis/random.h"
 #include "app/findings/tidy/reference_case.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/table.h"
@@ -78,6 +81,43 @@ TEST_P(ReferenceCases, GiveTheNumbersOfR) {
       EXPECT_EQ(found->second, value) << quantities[row] << ' ' << keys[row];
     }
   }
+}
+
+// An interval is about the number next to it.
+TEST_P(ReferenceCases, HaveNoIntervalThatExcludesItsEstimate) {
+  const ReferenceCase read = read_reference_case(all_cases() / GetParam());
+  for (const Finding& finding : tidy_family(read.family).findings(read.input)) {
+    if (!finding.value || !finding.low || !finding.high) continue;
+    const double rounding = 1e-9 * std::max(1.0, std::abs(*finding.value));
+    EXPECT_LE(*finding.low, *finding.value + rounding) << finding.quantity << ' ' << finding.key;
+    EXPECT_GE(*finding.high, *finding.value - rounding) << finding.quantity << ' ' << finding.key;
+  }
+}
+
+// Ten items on eight scales by seven participants, whose deviations make the first proportion of every bootstrap draw too small.
+TEST(Components, HaveNoIntervalThatExcludesItsEstimate) {
+  Random random(61);
+  std::array<double, 10> common{};
+  for (double& one : common) one = random.normal();
+  std::string rows = "subject,item,scale,score\n";
+  for (int person = 0; person < 7; ++person) {
+    for (std::size_t item = 0; item < common.size(); ++item) {
+      for (int scale = 0; scale < 8; ++scale) {
+        rows += std::to_string(person) + ',' + std::to_string(item) + ',' + std::to_string(scale) +
+                ',' + number_text(common[item] + random.normal()) + '\n';
+      }
+    }
+  }
+  TidyInput input{};
+  input.tables.emplace_back(rows, "scores.csv");
+  std::size_t intervals = 0;
+  for (const Finding& finding : components_findings(input)) {
+    if (!finding.low || !finding.high) continue;
+    ++intervals;
+    EXPECT_LE(*finding.low, finding.value.value()) << finding.quantity << ' ' << finding.key;
+    EXPECT_GE(*finding.high, finding.value.value()) << finding.quantity << ' ' << finding.key;
+  }
+  EXPECT_GT(intervals, 8U);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ReferenceCases, testing::ValuesIn(cases()),
