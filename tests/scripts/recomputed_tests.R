@@ -319,7 +319,7 @@ magnitude <- function(answers, felt, of) {
   squares <- function(stratum, row) strata[[stratum]][[1]][row, "Sum Sq"]
   effects <- c(if (several) c(condition = "person:condition"), spacing = "person:spacing",
                if (several) c(interaction = "person:condition:spacing"))
-  errors <- squares("person", 1) + sum(sapply(effects, squares, 2))
+  errors <- sum(sapply(effects, squares, 2))  # the modulus is free: the scales of the participants are removed
   y <- with(cells, tapply(y, list(person, interaction(condition, spacing, lex.order = TRUE)), mean))
   scaled <- function(levels) { h <- contr.helmert(levels); sweep(h, 2, sqrt(colSums(h^2)), "/") }
   average <- function(levels) matrix(1 / sqrt(levels), levels, 1)

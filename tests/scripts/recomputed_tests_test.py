@@ -467,13 +467,12 @@ def magnitude(answers, _):
     y = [[[mean(cells[who, c, s]) for s in spacings] for c in conditions] for who in answers.people]
     if len(y) < 2:
         return {}
-    n, grand = len(y), mean([value for person in y for row in person for value in row])
-    of_people = sum(len(conditions) * len(spacings) * (mean([v for row in person for v in row]) - grand) ** 2 for person in y)
+    n = len(y)
     average_s, average_c = [len(spacings) ** -0.5] * len(spacings), [len(conditions) ** -0.5] * len(conditions)
     of_effect = {"condition": [(c, average_s) for c in contrasts(len(conditions))],
                  "spacing": [(average_c, s) for s in contrasts(len(spacings))],
                  "interaction": [(c, s) for c in contrasts(len(conditions)) for s in contrasts(len(spacings))]}
-    effects, errors = {}, of_people
+    effects, errors = {}, 0.0  # the modulus is free: the scales of the participants are removed, and vary in no stratum
     for name, pairs in of_effect.items():
         z = [[sum(c[i] * s[j] * person[i][j] for i in range(len(c)) for j in range(len(s))) for c, s in pairs] for person in y]
         means = [mean(column) for column in zip(*z)]
