@@ -142,15 +142,18 @@ std::string missing_sentences(const std::vector<Finding>& findings, const std::s
 }  // namespace
 
 EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {
+  std::vector<Finding> all_means{};  // also those that are not reported
   std::vector<Finding> means{};
   for (const Finding& finding : outcome.findings) {
-    if (finding.analysis == kMeanThresholds && finding.value) means.push_back(finding);
+    if (finding.analysis != kMeanThresholds) continue;
+    all_means.push_back(finding);
+    if (finding.value) means.push_back(finding);
   }
   const std::set<std::string> detections = conditions_of_detections(outcome.findings);
   std::string text{};
   const FoundNumbers found(means);
   std::vector<std::string> conditions{};
-  const std::set<std::string> at_unit = conditions_at_unit_sensitivity(found);
+  const std::set<std::string> at_unit = conditions_at_unit_sensitivity(FoundNumbers(all_means));
   for (const char* const quantity :
        {"mean.pse", "geomean.jnd", "geomean.jnd.dprime1", "geomean.jnd.posterior"}) {
     for (const Finding* const mean : found.all(quantity)) {
