@@ -150,7 +150,7 @@ class CrossedLikelihood final {
   bool integrates() const { return model_.likelihood == MarginalLikelihood::quadrature; }
 
   /// What Laplace's approximation lacks: with h the logarithm of an intercept's integrand, û its mode and a = −h''(û), the sum
-  /// over the intercepts of ln(√(a/2π)·∫exp(h(u) − h(û))du), by the trapezoidal rule in t = √a·(u − û).
+  /// over the intercepts of ln(√(a/2π)·∫exp(h(u) − h(û))du), by the trapezoidal rule from û.
   double beyond_laplace(const Eigen::VectorXd& fixed, double sigma_p, double sigma_i,
                         const Mode& at) const {
     const bool of_participants = model_.participants_vary;
@@ -180,19 +180,20 @@ class CrossedLikelihood final {
                           fixed(static_cast<Eigen::Index>(row)) + sigma * mode, model_.link)
                 .weight;
       }
-      constexpr double kStep = 0.25;
+      // A quarter of the standard deviation, and of the interval of u in which a probability passes from 0 to 1.
+      const double step_length = 0.25 / std::max(std::sqrt(curvature), 1.0 + sigma);
       constexpr double kNegligible = -30.0;
       const double highest = log_integrand(mode);
       double ordinates = 1.0;
       for (const double side : {-1.0, 1.0}) {
         for (int step = 1;; ++step) {
-          const double u = mode + side * kStep * step / std::sqrt(curvature);
+          const double u = mode + side * step_length * step;
           const double fall = log_integrand(u) - highest;
           if (!(fall > kNegligible)) break;
           ordinates += std::exp(fall);
         }
       }
-      sum += std::log(kStep * ordinates / std::sqrt(2.0 * std::numbers::pi));
+      sum += std::log(step_length * std::sqrt(curvature / (2.0 * std::numbers::pi)) * ordinates);
     }
     return sum;
   }

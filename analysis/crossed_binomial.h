@@ -18,8 +18,8 @@ enum class BinomialLink { logit, probit };
 
 /// How the intercepts are integrated out. Laplace's approximation overestimates σ and β₀ by more than a factor of 2 where nearly
 /// all responses are hits (236 of 240 of twenty participants: σ 6.46 instead of 2.6). `quadrature` is the trapezoidal rule about
-/// the mode of each intercept, in steps of a quarter of its standard deviation until the integrand is below e⁻³⁰ of its value at
-/// the mode: its error is below 10⁻¹⁰. It requires that one factor alone varies.
+/// the mode of each intercept, in steps of a quarter of its standard deviation at most, until the integrand is below e⁻³⁰ of its
+/// value at the mode: its error is below 10⁻⁹. It requires that one factor alone varies.
 enum class MarginalLikelihood { laplace, quadrature };
 
 /// The responses of one participant to one item under one condition.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -62,7 +64,8 @@ std::string method_in(const char* family, const std::string& quantity, const cha
   }
   TidyInput input{};
   input.tables.emplace_back(rows, "t.csv");
-  input.options.set("fixed", {{"item", {"x", "y"}}});
+  const std::vector<std::pair<std::string, std::vector<std::string>>> fixed{{"item", {"x", "y"}}};
+  input.options.set("fixed", fixed);
   input.options.set("items", std::vector<std::string>{"x", "y"});
   for (const Finding& finding : tidy_family(family).findings(input)) {
     if (finding.quantity == quantity) return finding.method;
