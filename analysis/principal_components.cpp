@@ -165,12 +165,46 @@ Eigen::MatrixXd mean_table(std::span<const Eigen::MatrixXd> participants) {
 
 namespace {
 
-/// The components of the mean table; nothing where a cell is empty or a scale constant.
-std::optional<PrincipalComponents> components_of_means(
+/// Of a matrix of correlations that need not be positive semidefinite.
+struct ComponentParts {
+  Eigen::VectorXd proportion{};
+  Eigen::MatrixXd loadings{};
+};
+
+/// The correlations of the items' means without the deviations of the participants; nothing where these explain all variance of
+/// a scale.
+std::optional<Eigen::MatrixXd> corrected_correlations(
     std::span<const Eigen::MatrixXd> participants) {
   const Eigen::MatrixXd means = mean_table(participants);
-  if (means.hasNaN()) return std::nullopt;
-  return principal_components(means);
+  const Eigen::RowVectorXd of_scales = means.colwise().mean();
+  const Eigen::MatrixXd centred = means.rowwise() - of_scales;
+  Eigen::MatrixXd products = Eigen::MatrixXd::Zero(means.cols(), means.cols());
+  for (const Eigen::MatrixXd& own : participants) {
+    const Eigen::MatrixXd rest =
+        (own - means).rowwise() - (own.colwise().mean() - of_scales).eval();
+    products += rest.transpose() * rest;
+  }
+  const auto n = static_cast<double>(participants.size());
+  const auto items = static_cast<double>(means.rows());
+  const Eigen::MatrixXd covariances =
+      (centred.transpose() * centred - products / ((n - 1.0) * n)) / (items - 1.0);
+  const Eigen::VectorXd variances = covariances.diagonal();
+  if (!(variances.minCoeff() > 0.0)) return std::nullopt;
+  const Eigen::VectorXd scale = variances.cwiseSqrt().cwiseInverse();
+  return Eigen::MatrixXd(scale.asDiagonal() * covariances * scale.asDiagonal());
+}
+
+std::optional<ComponentParts> corrected_parts(std::span<const Eigen::MatrixXd> participants) {
+  const std::optional<Eigen::MatrixXd> r = corrected_correlations(participants);
+  if (!r) return std::nullopt;
+  const EigenAxes axes = eigen_axes(*r);
+  const Eigen::VectorXd values = axes.values.reverse();
+  Eigen::MatrixXd directions = axes.vectors.rowwise().reverse();
+  for (Eigen::Index component = 0; component < directions.cols(); ++component) {
+    directions.col(component) *= sign_of_largest(directions.col(component));
+  }
+  return ComponentParts{.proportion = values / static_cast<double>(values.size()),
+                        .loadings = directions * values.cwiseMax(0.0).cwiseSqrt().asDiagonal()};
 }
 
 double logit(double proportion) { return std::log(proportion / (1.0 - proportion)); }
@@ -189,23 +223,28 @@ std::optional<ComponentEstimate> jackknifed(double of_all, const std::vector<dou
   }
   const OneSampleT t = one_sample_t(pseudo_values, {.confidence = confidence});
   if (!t.test) return std::nullopt;
-  return ComponentEstimate{
-      .corrected = back(t.mean),
-      .interval = {.low = back(t.test->interval.low), .high = back(t.test->interval.high)}};
+  const double half = 0.5 * (t.test->interval.high - t.test->interval.low);
+  return ComponentEstimate{.corrected = back(of_all),
+                           .interval = {.low = back(of_all - half), .high = back(of_all + half)}};
 }
 
 }  // namespace
 
-std::optional<ComponentJackknife> component_jackknife(std::span<const Eigen::MatrixXd> participants,
-                                                      double confidence) {
-  if (participants.size() < kFewestJackknifed) return std::nullopt;
-  const std::optional<PrincipalComponents> of_all = components_of_means(participants);
+std::optional<CorrectedComponents> corrected_components(
+    std::span<const Eigen::MatrixXd> participants, double confidence) {
+  if (participants.size() < kFewestForCorrection) return std::nullopt;
+  refuse_impossible_table(
+      {.rows = participants.front().rows(), .columns = participants.front().cols()});
+  for (const Eigen::MatrixXd& own : participants) {
+    if (own.hasNaN()) return std::nullopt;
+  }
+  const std::optional<ComponentParts> of_all = corrected_parts(participants);
   if (!of_all) return std::nullopt;
-  std::vector<PrincipalComponents> without_one{};
+  std::vector<ComponentParts> without_one{};
   for (std::size_t left_out = 0; left_out < participants.size(); ++left_out) {
     std::vector<Eigen::MatrixXd> others(participants.begin(), participants.end());
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(left_out));
-    std::optional<PrincipalComponents> found = components_of_means(others);
+    std::optional<ComponentParts> found = corrected_parts(others);
     if (!found) return std::nullopt;
     for (Eigen::Index component = 0; component < found->loadings.cols(); ++component) {
       if (found->loadings.col(component).dot(of_all->loadings.col(component)) < 0.0) {
@@ -215,7 +254,7 @@ std::optional<ComponentJackknife> component_jackknife(std::span<const Eigen::Mat
     without_one.push_back(*std::move(found));
   }
   const Eigen::Index p = of_all->loadings.cols();
-  ComponentJackknife answer{};
+  CorrectedComponents answer{};
   std::vector<double> others(without_one.size());
   for (Eigen::Index component = 0; component < p; ++component) {
     std::transform(without_one.begin(), without_one.end(), others.begin(),

@@ -81,36 +81,40 @@ ParallelAnalysis compared_with_noise(const Eigen::VectorXd& eigenvalues,
                                      std::span<const Eigen::VectorXd> of_noise,
                                      double percentile = 0.95);
 
-/// Components of mean ratings as estimates for other participants, by the jackknife over N participants [Efron 1982]. The items
-/// are fixed: the intervals do not generalise to other items.
+/// The components of the items' true means, that is, of means over all participants of whom N are a sample. The items are fixed:
+/// intervals do not generalise to other items.
 ///
-/// The components of observed means are biased: the participants' deviations add σ²/N to the variance of every mean, so that
-/// correlations, first proportions and loadings are too small. With θ the statistic of all participants and θ₍ᵢ₎ that without
-/// participant i, the pseudo-values ψᵢ = N·θ − (N − 1)·θ₍ᵢ₎ have the mean θ_J, whose bias is of the order 1/N² instead of
-/// 1/N, and the interval is θ_J ∓ t·sd(ψ)/√N with N − 1 degrees of freedom. θ is ln(p/(1 − p)) of a proportion p and artanh
-/// of a loading, so that estimates and limits remain possible values. A bootstrap of the participants adds the same bias a second
-/// time, so that its percentiles exclude the estimate.
+/// The components of observed means are biased: the deviations of the participants add the covariances W/N to those of the
+/// means, W being the mean products of participants × items
+///
+///   W_jk = Σ_p Σ_i d_pij·d_pik/((I − 1)·(N − 1)),  d_pij = x_pij − x̄_·ij − x̄_p·j + x̄_··j
+///
+/// so that correlations, the first proportion and loadings are too small. Here the components are those of the correlations of
+/// S − W/N, with the covariances S of the observed means over the I items (the estimate of the items' variance components).
+/// Intervals are by the jackknife over participants [Efron 1982]: with θ the statistic of all participants and θ₍ᵢ₎ that without
+/// participant i, the pseudo-values ψᵢ = N·θ − (N − 1)·θ₍ᵢ₎ have the standard deviation s, and the limits are θ ∓ t·s/√N with
+/// N − 1 degrees of freedom. θ is ln(p/(1 − p)) of a proportion p and artanh of a loading, so that limits remain possible values.
 ///
 /// Components without a participant are reflected so that their loadings have a positive inner product with those of all. They
 /// are not rotated to each other: components whose eigenvalues are close change places, and have wide intervals.
 ///
 /// [Efron 1982] Efron: The jackknife, the bootstrap and other resampling plans. SIAM, chapters 2 and 3.
 struct ComponentEstimate {
-  double corrected = 0.0;  ///< θ_J on the scale of the statistic
+  double corrected = 0.0;
   ConfidenceInterval interval{};
 };
-struct ComponentJackknife {
-  /// By component; nothing where a proportion is 0 or 1 for all participants or without one.
+struct CorrectedComponents {
+  /// By component; nothing where a proportion is not between 0 and 1 for all participants or without one.
   std::vector<std::optional<ComponentEstimate>> proportions{};
-  /// By scale and component, [scale][component]; nothing where a loading is −1, 0 of an empty component, or 1.
+  /// By scale and component, [scale][component]; nothing where a loading is not between −1 and 1, or is 0 in an empty component.
   std::vector<std::vector<std::optional<ComponentEstimate>>> loadings{};
 };
-constexpr std::size_t kFewestJackknifed = 5;
-/// `participants`: a table of items × scales each, NaN where there is no rating. Nothing with fewer than kFewestJackknifed
-/// participants, and where the components of all of them, or without one, are not defined. Throws std::invalid_argument for
-/// tables of different sizes, and as `principal_components` does.
-std::optional<ComponentJackknife> component_jackknife(std::span<const Eigen::MatrixXd> participants,
-                                                      double confidence = 0.95);
+constexpr std::size_t kFewestForCorrection = 5;
+/// `participants`: a table of items × scales each, NaN where there is no rating. Nothing with fewer than kFewestForCorrection
+/// participants, where a rating is missing, and where the participants' deviations explain all variance of the means of a scale.
+/// Throws std::invalid_argument for tables of different sizes, and for impossible ones as `principal_components` does.
+std::optional<CorrectedComponents> corrected_components(
+    std::span<const Eigen::MatrixXd> participants, double confidence = 0.95);
 /// The mean over participants of each cell, over those who have it; NaN where none has.
 Eigen::MatrixXd mean_table(std::span<const Eigen::MatrixXd> participants);
 

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -163,81 +166,114 @@ TEST(ParallelAnalysis, RefusesImpossibleQuestions) {
   EXPECT_THROW(compared_with_noise(eigenvalues, noise), std::invalid_argument);
 }
 
-double correlation(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
-  const Eigen::VectorXd u = x.array() - x.mean();
-  const Eigen::VectorXd v = y.array() - y.mean();
-  return u.dot(v) / std::sqrt(u.squaredNorm() * v.squaredNorm());
+/// Correlation of two scales over the items without the participants' deviations, from sums over cells.
+double corrected_correlation(const std::vector<Eigen::MatrixXd>& participants) {
+  const auto n = static_cast<double>(participants.size());
+  const Eigen::Index items = participants.front().rows();
+  const auto mean_of_cell = [&](Eigen::Index item, Eigen::Index scale) {
+    double sum = 0.0;
+    for (const Eigen::MatrixXd& own : participants) sum += own(item, scale);
+    return sum / n;
+  };
+  const auto product = [&](Eigen::Index j, Eigen::Index k) {
+    double of_means = 0.0;
+    double of_rest = 0.0;
+    const auto grand = [&](Eigen::Index scale) {
+      double sum = 0.0;
+      for (Eigen::Index item = 0; item < items; ++item) sum += mean_of_cell(item, scale);
+      return sum / static_cast<double>(items);
+    };
+    for (Eigen::Index item = 0; item < items; ++item) {
+      of_means += (mean_of_cell(item, j) - grand(j)) * (mean_of_cell(item, k) - grand(k));
+      for (const Eigen::MatrixXd& own : participants) {
+        const auto rest = [&](Eigen::Index scale) {
+          return own(item, scale) - mean_of_cell(item, scale) - own.col(scale).mean() +
+                 grand(scale);
+        };
+        of_rest += rest(j) * rest(k);
+      }
+    }
+    return of_means - of_rest / (n * (n - 1.0));
+  };
+  return product(0, 1) / std::sqrt(product(0, 0) * product(1, 1));
 }
 
 // Two scales with the correlation r have the first proportion p = (1 + r)/2, and ln(p/(1 − p)) = 2·artanh r.
-TEST(ComponentJackknife, OfTwoScalesIsThatOfTheirCorrelation) {
+TEST(CorrectedComponents, OfTwoScalesAreThoseOfTheirCorrectedCorrelation) {
   Random random(11);
   std::vector<Eigen::MatrixXd> participants(6, six_scales().leftCols(2));
   for (Eigen::MatrixXd& own : participants) {
     own.col(1) = own.col(0);
-    for (double& rating : own.reshaped()) rating += random.normal();
+    for (Eigen::Index item = 0; item < own.rows(); ++item)
+      own(item, 1) += 0.8 * static_cast<double>(item % 3);
+    for (double& rating : own.reshaped()) rating += 0.7 * random.normal();
   }
+  const double of_all = 2.0 * std::atanh(corrected_correlation(participants));
   std::vector<double> pseudo_values{};
-  const Eigen::MatrixXd all = mean_table(participants);
-  const double of_all = 2.0 * std::atanh(correlation(all.col(0), all.col(1)));
-  for (const Eigen::MatrixXd& own : participants) {
-    const Eigen::MatrixXd others = (6.0 * all - own) / 5.0;
-    pseudo_values.push_back(6.0 * of_all -
-                            5.0 * 2.0 * std::atanh(correlation(others.col(0), others.col(1))));
+  for (std::size_t left_out = 0; left_out < 6; ++left_out) {
+    std::vector<Eigen::MatrixXd> others = participants;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(left_out));
+    pseudo_values.push_back(6.0 * of_all - 5.0 * 2.0 * std::atanh(corrected_correlation(others)));
   }
   double mean = 0.0;
   for (const double one : pseudo_values) mean += one / 6.0;
   double squares = 0.0;
   for (const double one : pseudo_values) squares += (one - mean) * (one - mean);
   const double half = 2.570581835636314 * std::sqrt(squares / 5.0 / 6.0);  // t of 5 df, 97.5 %
-  const auto jackknife = component_jackknife(participants);
-  ASSERT_TRUE(jackknife && jackknife->proportions.at(0));
-  const ComponentEstimate& first = *jackknife->proportions[0];
+  const auto corrected = corrected_components(participants);
+  ASSERT_TRUE(corrected && corrected->proportions.at(0));
+  const ComponentEstimate& first = *corrected->proportions[0];
   const auto logistic = [](double x) { return 1.0 / (1.0 + std::exp(-x)); };
-  EXPECT_NEAR(first.corrected, logistic(mean), 1e-9);
-  EXPECT_NEAR(first.interval.low, logistic(mean - half), 1e-9);
-  EXPECT_NEAR(first.interval.high, logistic(mean + half), 1e-9);
+  EXPECT_NEAR(first.corrected, logistic(of_all), 1e-9);
+  EXPECT_NEAR(first.interval.low, logistic(of_all - half), 1e-9);
+  EXPECT_NEAR(first.interval.high, logistic(of_all + half), 1e-9);
 }
 
-// Deviations of variance σ² add σ²/N to the variances of means and nothing to their covariances. The scales are equal to
-// their common values but for these deviations: without them the first proportion is 1.
-TEST(ComponentJackknife, MovesTheFirstProportionTowardsThatWithoutTheDeviations) {
-  const Eigen::MatrixXd values = six_scales();
+// Deviations of the size of the items' differences: over 24 studies of eight participants the observed first proportion is too
+// small on average, and the corrected one is not.
+TEST(CorrectedComponents, HaveTheFirstProportionWithoutTheDeviations) {
+  Eigen::MatrixXd values = six_scales().leftCols(3);
+  for (Eigen::Index item = 0; item < values.rows(); ++item) {
+    const double common = values(item, 0);
+    values(item, 1) = common + 1.2 * static_cast<double>(item % 3);
+    values(item, 2) = common - 1.5 * static_cast<double>(item % 2);
+  }
+  const double truth = principal_components(values)->proportion(0);
   Random random(3);
-  std::vector<Eigen::MatrixXd> participants(8, values);
-  for (Eigen::MatrixXd& own : participants) {
-    for (double& rating : own.reshaped()) rating += 1.5 * random.normal();
+  double observed = 0.0;
+  double corrected = 0.0;
+  constexpr int kStudies = 24;
+  for (int study = 0; study < kStudies; ++study) {
+    std::vector<Eigen::MatrixXd> participants(8, values);
+    for (Eigen::MatrixXd& own : participants) {
+      for (double& rating : own.reshaped()) rating += 1.2 * random.normal();
+    }
+    observed += principal_components(mean_table(participants))->proportion(0) / kStudies;
+    const auto found = corrected_components(participants);
+    ASSERT_TRUE(found && found->proportions.at(0));
+    const ComponentEstimate& first = *found->proportions[0];
+    corrected += first.corrected / kStudies;
+    EXPECT_LT(first.interval.low, first.corrected);
+    EXPECT_GT(first.interval.high, first.corrected);
+    EXPECT_LT(first.interval.high, 1.0);
   }
-  const auto of_means = principal_components(mean_table(participants));
-  const auto without = principal_components(values);
-  const auto jackknife = component_jackknife(participants);
-  ASSERT_TRUE(of_means && without && jackknife && jackknife->proportions.at(0));
-  const ComponentEstimate& first = *jackknife->proportions[0];
-  EXPECT_LT(of_means->proportion(0), without->proportion(0));
-  EXPECT_LT(std::abs(first.corrected - without->proportion(0)),
-            std::abs(of_means->proportion(0) - without->proportion(0)));
-  EXPECT_LT(first.interval.low, first.corrected);
-  EXPECT_GT(first.interval.high, first.corrected);
-  EXPECT_LT(first.interval.high, 1.0);
-  for (const auto& of_scale : jackknife->loadings) {
-    if (!of_scale.at(0)) continue;
-    EXPECT_GE(of_scale[0]->interval.low, -1.0);
-    EXPECT_LE(of_scale[0]->interval.high, 1.0);
-  }
+  EXPECT_LT(observed, truth);
+  EXPECT_LT(std::abs(corrected - truth), 0.5 * std::abs(observed - truth));
 }
 
-TEST(ComponentJackknife, NeedsFiveParticipantsAndEveryCell) {
+TEST(CorrectedComponents, NeedFiveParticipantsWithEveryRating) {
   const Eigen::MatrixXd values = six_scales();
   Random random(4);
   std::vector<Eigen::MatrixXd> participants(5, values);
   for (Eigen::MatrixXd& own : participants) {
     for (double& rating : own.reshaped()) rating += 0.5 * random.normal();
   }
-  EXPECT_TRUE(component_jackknife(participants));
-  EXPECT_FALSE(component_jackknife(std::span(participants).first(4)));
+  EXPECT_TRUE(corrected_components(participants));
+  EXPECT_FALSE(corrected_components(std::span(participants).first(4)));
+  participants.front()(0, 0) = std::nan("");
+  EXPECT_FALSE(corrected_components(participants));
   for (Eigen::MatrixXd& own : participants) own(0, 0) = std::nan("");
-  participants.front()(0, 0) = 1.0;  // without this participant the cell is empty
-  EXPECT_FALSE(component_jackknife(participants));
+  participants.front()(0, 0) = 1.0;
   EXPECT_EQ(mean_table(participants)(0, 0), 1.0);
 }
 

@@ -65,10 +65,11 @@ Phrase note_on_components(std::size_t items, std::size_t loaded) {
       "The components are those of the correlations of the scales over the items’ mean ratings. A "
       "component is retained if its eigenvalue and those of all components before it exceed the "
       "limit: the 95th percentile of the eigenvalues of tables of random numbers of the same size "
-      "(parallel analysis). The deviations of single participants make the first proportion of "
-      "observed means too small: corrected proportions and their CIs are by the jackknife over "
-      "participants, with five participants or more; they do not generalise to other items. A "
-      "percentile bootstrap contained the true first proportion in 0 to 32 % of simulations.");
+      "(parallel analysis). The deviations of single participants add variance to observed means, "
+      "so that their first proportion and loadings are too small: corrected values are without "
+      "this variance, with CIs by the jackknife over participants, if five participants or more "
+      "rated every item on every scale. They do not generalise to other items. A percentile "
+      "bootstrap contained the true first proportion in 0 to 32 % of simulations.");
   if (loaded > 0) return note;
   return phrase("Analysis",
                 "%1 Loadings are not reported: they require at least five items per component, and "
@@ -78,9 +79,10 @@ Phrase note_on_components(std::size_t items, std::size_t loaded) {
 
 Phrase note_on_loadings(std::size_t items, std::size_t loaded, std::size_t components) {
   const Phrase note = phrase("Analysis",
-                             "A loading is the correlation of a scale with a component; its "
-                             "corrected value and the CI are by the jackknife over participants. A "
-                             "score is the position of an item on a component.");
+                             "A loading is the correlation of a scale with a component; corrected: "
+                             "without the variance of the participants’ deviations, with a CI by "
+                             "the jackknife over participants. A score is the position of an item "
+                             "on a component.");
   if (loaded >= components) return note;
   return phrase("Analysis",
                 "%1 Only the first components are reported, one for every five of the %2 items.")

@@ -84,9 +84,9 @@ std::string components_text(const AnalysisOutcome& outcome) {
       numbers_ending(outcome, kComponentAnalysis, "proportion.corrected", "C1");
   if (!corrected.empty()) {
     const Finding& jackknifed = *corrected.front();
-    text += " of the items’ means (corrected for bias: " + reading_percent(*jackknifed.value) +
-            ", 95 % CI [" + reading_percent(*jackknifed.low) + ", " +
-            reading_percent(*jackknifed.high) + "])";
+    text += " of the items’ means (without the participants’ deviations: " +
+            reading_percent(*jackknifed.value) + ", 95 % CI [" + reading_percent(*jackknifed.low) +
+            ", " + reading_percent(*jackknifed.high) + "])";
   }
   const auto count = static_cast<std::uint64_t>(*retained.front()->value);
   return text + "; parallel analysis retained " + count_in_words(count) +
@@ -119,8 +119,9 @@ std::string rating_methods_text(const AnalysisOutcome& outcome) {
   if (!numbers_among(outcome, kComponentAnalysis, "eigenvalue").empty()) {
     add("Principal components are those of the correlations of the scales over the items’ mean "
         "ratings; components were "
-        "retained by parallel analysis [Horn 1965], and the bias of the proportions of observed "
-        "means was corrected by the jackknife over the participants [Efron 1982].");
+        "retained by parallel analysis [Horn 1965]. Corrected proportions are without the variance "
+        "that the participants’ deviations add to observed means; their CIs are by the jackknife "
+        "over the participants [Efron 1982].");
   }
   return text;
 }

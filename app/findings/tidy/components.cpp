@@ -106,14 +106,15 @@ std::vector<Finding> components_findings(const TidyInput& input) {
                               std::to_string(noise.data_sets) + " tables of random numbers"};
   findings.count("retained", "", noise.retained, limit);
   const double confidence = input.options.confidence();
-  const std::optional<ComponentJackknife> jackknife = component_jackknife(of_people, confidence);
+  const std::optional<CorrectedComponents> corrected_of =
+      corrected_components(of_people, confidence);
   const auto add_corrected = [&](const char* quantity, const std::string& key,
                                  const std::optional<ComponentEstimate>& estimate) {
     if (!estimate) return;
     Basis corrected{.n = of_people.size(),
                     .method = basis.method +
-                              "; corrected for the bias of observed means by the jackknife over "
-                              "participants, t-based interval of the pseudo-values",
+                              "; without the variance that the participants' deviations add to "
+                              "observed means; t interval of the jackknife over participants",
                     .interval = estimate->interval,
                     .confidence = confidence};
     findings.number(quantity, key, estimate->corrected, std::move(corrected));
@@ -123,13 +124,17 @@ std::vector<Finding> components_findings(const TidyInput& input) {
     const std::string name = component_name(component);
     findings.number("eigenvalue", name, found->eigenvalues(component), basis);
     findings.number("proportion", name, found->proportion(component), basis);
-    if (jackknife) add_corrected("proportion.corrected", name, jackknife->proportions[place]);
+    if (corrected_of) {
+      add_corrected("proportion.corrected", name, corrected_of->proportions[place]);
+    }
     findings.number("parallel.limit", name, noise.limits(component), limit);
     for (Eigen::Index scale = 0; scale < columns; ++scale) {
       const auto of_scale = static_cast<std::size_t>(scale);
       const std::string key = both(scales[of_scale], name);
       findings.number("loading", key, found->loadings(scale, component), basis);
-      if (jackknife) add_corrected("loading.corrected", key, jackknife->loadings[of_scale][place]);
+      if (corrected_of) {
+        add_corrected("loading.corrected", key, corrected_of->loadings[of_scale][place]);
+      }
     }
     for (Eigen::Index item = 0; item < rows; ++item) {
       findings.number("score", both(items[static_cast<std::size_t>(item)], name),

@@ -2704,14 +2704,6 @@
         <translation>Die folgenden Paare werden gleich oft verwechselt, und keines öfter: %1; Zahl der Verwechslungen eines jeden, in beiden Richtungen gezählt: %2.</translation>
     </message>
     <message>
-        <source>The components are those of the correlations of the scales over the items’ mean ratings. A component is retained if its eigenvalue and those of all components before it exceed the limit: the 95th percentile of the eigenvalues of tables of random numbers of the same size (parallel analysis). The deviations of single participants make the first proportion of observed means too small: corrected proportions and their CIs are by the jackknife over participants, with five participants or more; they do not generalise to other items. A percentile bootstrap contained the true first proportion in 0 to 32 % of simulations.</source>
-        <translation>Die Komponenten sind die der Korrelationen der Skalen über die mittleren Einstufungen der Items. Eine Komponente wird beibehalten, wenn ihr Eigenwert und die aller Komponenten vor ihr die Grenze überschreiten: das 95. Perzentil der Eigenwerte von Tabellen gleich vieler Zufallszahlen (Parallelanalyse). Die Abweichungen einzelner Versuchspersonen machen den ersten Anteil beobachteter Mittelwerte zu klein: Korrigierte Anteile und ihre KIs stammen vom Jackknife über die Versuchspersonen, ab fünf Versuchspersonen; sie gelten nicht für andere Items. Ein Perzentil-Bootstrap enthielt den wahren ersten Anteil in 0 bis 32 % der Simulationen.</translation>
-    </message>
-    <message>
-        <source>A loading is the correlation of a scale with a component; its corrected value and the CI are by the jackknife over participants. A score is the position of an item on a component.</source>
-        <translation>Eine Ladung ist die Korrelation einer Skala mit einer Komponente; ihr korrigierter Wert und das KI stammen vom Jackknife über die Versuchspersonen. Ein Komponentenwert ist die Lage eines Items auf einer Komponente.</translation>
-    </message>
-    <message>
         <source>%1 α is negative where scales point in opposite directions: check which of them are reverse-keyed.</source>
         <translation>%1 α ist negativ, wenn Skalen in entgegengesetzte Richtungen weisen: Prüfen Sie, welche davon umgekehrt gepolt sind.</translation>
     </message>
@@ -2774,6 +2766,14 @@
     <message>
         <source>Geometric means over the participants whose stimulus was matched, with t-based 95 % CIs on the logarithmic scale, and without a CI where a match did not succeed: the matched ones are then a selection (for thresholds within the levels such CIs contained the true mean in 48 to 75 % of simulated studies). The reference has the relative amplitude 1.</source>
         <translation>Geometrische Mittel über die Versuchspersonen, deren Reiz angeglichen wurde, mit t-basierten 95-%-KIs auf der logarithmischen Skala, und ohne KI, wenn eine Angleichung nicht gelang: Die angeglichenen sind dann eine Auswahl (bei Schwellen innerhalb der Stufen enthielten solche KIs den wahren Mittelwert in 48 bis 75 % der simulierten Studien). Der Bezugsreiz hat die relative Amplitude 1.</translation>
+    </message>
+    <message>
+        <source>The components are those of the correlations of the scales over the items’ mean ratings. A component is retained if its eigenvalue and those of all components before it exceed the limit: the 95th percentile of the eigenvalues of tables of random numbers of the same size (parallel analysis). The deviations of single participants add variance to observed means, so that their first proportion and loadings are too small: corrected values are without this variance, with CIs by the jackknife over participants, if five participants or more rated every item on every scale. They do not generalise to other items. A percentile bootstrap contained the true first proportion in 0 to 32 % of simulations.</source>
+        <translation>Die Komponenten sind die der Korrelationen der Skalen über die mittleren Einstufungen der Items. Eine Komponente wird beibehalten, wenn ihr Eigenwert und die aller Komponenten vor ihr die Grenze überschreiten: das 95. Perzentil der Eigenwerte von Tabellen gleich vieler Zufallszahlen (Parallelanalyse). Die Abweichungen einzelner Versuchspersonen vergrößern die Varianz beobachteter Mittelwerte, sodass ihr erster Anteil und ihre Ladungen zu klein sind: Korrigierte Werte sind ohne diese Varianz, mit KIs nach dem Jackknife über die Versuchspersonen, wenn mindestens fünf Versuchspersonen jedes Item auf jeder Skala eingestuft haben. Sie gelten nicht für andere Items. Ein Perzentil-Bootstrap enthielt den wahren ersten Anteil in 0 bis 32 % der Simulationen.</translation>
+    </message>
+    <message>
+        <source>A loading is the correlation of a scale with a component; corrected: without the variance of the participants’ deviations, with a CI by the jackknife over participants. A score is the position of an item on a component.</source>
+        <translation>Eine Ladung ist die Korrelation einer Skala mit einer Komponente; korrigiert: ohne die Varianz der Abweichungen der Versuchspersonen, mit KI nach dem Jackknife über die Versuchspersonen. Ein Komponentenwert ist die Lage eines Items auf einer Komponente.</translation>
     </message>
 </context>
 <context>
