@@ -91,7 +91,8 @@ std::vector<Finding> means_of_pairs(const TidyInput& pairs, const std::string& a
   FindingList list{};
   for (const auto& [column, level] : {std::pair{"a", kCorrect}, std::pair{"b", kIncorrect}}) {
     add_mean_of_group(kComparedMean, both(about, level), pairs.table().all_numbers(column),
-                      {.of = "mean of the participants with correct and incorrect responses"}, list);
+                      {.of = "mean of the participants with correct and incorrect responses"},
+                      list);
   }
   std::vector<Finding> findings = list.take();
   for (Finding& finding : findings) finding.analysis = kAccompanying;

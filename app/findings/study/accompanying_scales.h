@@ -41,7 +41,7 @@ class AccompanyingScales final {
     std::vector<Finding> comparison{};  ///< of correct and incorrect responses; may be empty
     /// mean.score.compared, keys "…|correct" and "…|incorrect": the means of the participants who have both, as in `comparison`.
     std::vector<Finding> compared_means{};
-    std::size_t left_out = 0;           ///< participants without both
+    std::size_t left_out = 0;  ///< participants without both
     /// The groups of trials in the order of the table: of all trials, and by a property of the trial.
     struct Group {
       std::string by{};     ///< "all", "correctness", "chosen", "presented"
