@@ -239,7 +239,7 @@ TEST(RatedDissimilarities, HaveTheMetricConfigurationWhereTheNonMetricOneIsDegen
 
 TEST(RatedDissimilarities, WarnWhereAPartOfTheItemsLiesOnOnePoint) {
   const AnalysisOutcome& cluster = outcome_of_ratings({.items = 10, .one_cluster = true});
-  EXPECT_THAT(remarks_of(cluster), Not(HasSubstr("The configuration is degenerate")));
+  EXPECT_THAT(remarks_of(cluster), Not(HasSubstr("non-metric configuration is degenerate")));
   EXPECT_THAT(remarks_of(cluster),
               HasSubstr("The configuration is partly degenerate: 5 items lie on one point (brick, "
                         "cork, felt, metal and oak), and their mean dissimilarities are 2"));
