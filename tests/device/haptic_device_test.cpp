@@ -130,6 +130,17 @@ TEST(HapticDevice, DoesNotAnswerWithAPoseThatStaysHoweverItIsPushed) {
   EXPECT_EQ(device.complaint(), "Its lamp is red.");
 }
 
+// A hand may rest on a handle without force for as long as it likes.
+TEST(HapticDevice, IsPushedNoLongerAfterZeroForce) {
+  ScriptedDevice device(capability(10.0), {.force_N = 5.0, .torque_N_m = 0.1, .slew_N = 1e6});
+  std::int64_t tick = 0;
+  EXPECT_EQ(answered(device, tick, 500, 3.0), 500);
+  device.zero_force();
+  for (const std::int64_t end = tick + 3000; tick < end; ++tick) {
+    ASSERT_TRUE(device.read(tick * 1'000'000).has_value()) << tick;
+  }
+}
+
 TEST(HapticDevice, TakesAReadingThatIsHeldForNoSignOfAFrozenPose) {
   ScriptedDevice device(capability(10.0));
   device.probe.velocity_m_per_s = {1.0, 0.0, 0.0};
