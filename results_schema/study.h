@@ -246,8 +246,11 @@ class Study final {
   /// must set its results, not add to them.
   void read_at_one_moment(const std::function<void()>& reading) const;
 
-  /// A consistent copy of a study that may be in use, into a folder that does not exist yet.
+  /// A consistent copy of a study that may be in use, into a folder that does not exist yet. Where a participant's data are
+  /// deleted meanwhile, it is begun again without them.
   void copy_to(const std::filesystem::path& folder) const;
+  /// The errors of `copy_to` that are known before anything is copied. Reads the file of the study.
+  void refuse_copy_to(const std::filesystem::path& folder) const;
 
   /// Whether numbers read from the file can be trusted, for a caller that is about to read many. Much cheaper
   /// than `verify`: one pass over the file for its checksum, some half a second per gigabyte, and

@@ -170,7 +170,7 @@ void copy_pages(Database& from, Database& to) {
   if (code != SQLITE_OK) to.fail(code, "cannot be written");
 }
 
-void Study::copy_to(const std::filesystem::path& folder) const {
+void Study::refuse_copy_to(const std::filesystem::path& folder) const {
   const std::filesystem::path from = std::filesystem::canonical(store_->folder);
   const std::filesystem::path to =
       std::filesystem::weakly_canonical(std::filesystem::absolute(folder));
@@ -194,6 +194,13 @@ void Study::copy_to(const std::filesystem::path& folder) const {
                        from);
   }
   refuse_link(from, database_in(from).filename());
+}
+
+void Study::copy_to(const std::filesystem::path& folder) const {
+  refuse_copy_to(folder);
+  const std::filesystem::path from = std::filesystem::canonical(store_->folder);
+  const std::filesystem::path to =
+      std::filesystem::weakly_canonical(std::filesystem::absolute(folder));
   std::optional<PartFolder> part;
   // Rows of one moment, with files that go with the participant: once more, without them, where data are deleted meanwhile.
   for (bool is_whole = false; !is_whole;) {

@@ -27,6 +27,7 @@ void add_copy(CLI::App& program, Job& job) {
     job = [options] {
       Study::read_beside_writers();  // ListedOutput is one, in this process
       const Study study = Study::open(options->study, Access::read_only);
+      study.refuse_copy_to(options->folder);  // before it is written to
       ListedOutput listed(study, OutputKind::copy, options->folder);
       study.copy_to(options->folder);
       say("copied " + options->study + " to " + options->folder);
