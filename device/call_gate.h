@@ -30,6 +30,11 @@ class CallGate final {
   bool pass() noexcept;
   /// No tick begins any more, and none is under way when it returns.
   void close() noexcept;
+  /// Whether a tick is under way; from any thread.
+  bool is_passing() const noexcept {
+    const State now = state_.load(std::memory_order_acquire);
+    return now == State::passing || now == State::closing;
+  }
 
  private:
   enum class State : int { closed, open, passing, closing };

@@ -1,4 +1,4 @@
-// A device that another process opens and closes when the program that drove it was killed.
+// Declares the process that opens and closes a device when the program that drove it was killed.
 
 #pragma once
 
@@ -12,13 +12,13 @@
 
 namespace asperity {
 
-/// While it lives, a second process waits for the end of this one. After an end without its destructor (SIGKILL, a crash) it starts
-/// `program` as
+/// Lets a second process wait for the end of this one, as long as this object lives. After an end without its destructor
+/// (SIGKILL, a crash) it starts `program` as
 ///
 ///     PROGRAM close-device DEVICE [--library FILE]
 ///
-/// which opens the device and closes it, as soon as that is possible: every driver sets the motors to zero in both. For
-/// a device that is reached through a library of its manufacturer, which the second process itself cannot call: it is a
+/// which opens the device and closes it, as soon as that is possible within 60 s: every driver sets the motors to zero in both.
+/// For a device that is reached through a library of its manufacturer, which the second process itself cannot call: it is a
 /// fork of a program with threads (watchdog_process.h). While this process is stopped the device is in use, and nothing
 /// happens.
 ///

@@ -119,17 +119,18 @@ std::unique_ptr<HapticDevice> DriverRegistry::open(const std::string& name,
   }
   DriverOptions told = options;
   told.alone = &alone;
-  std::unique_ptr<HapticDevice> device =
-      driver->open(colon == std::string::npos ? "" : name.substr(colon + 1), told);
+  const std::string which = colon == std::string::npos ? "" : name.substr(colon + 1);
+  std::unique_ptr<HapticDevice> device = driver->open(which, told);
   if (options.stop.stop_requested()) {
     throw OpeningStopped(
         "the device \"" + name +
         "\" was closed: opening it was stopped on request; open it again to use it");
   }
   if (driver->is_closed_by_another_process && !options.closing_program.empty()) {
-    const std::string& serial = device->capability().serial;
+    // The name that has opened it: a serial number opens only the default one of OpenHaptics' devices.
+    const std::string& same = which.empty() ? device->capability().serial : which;
     device->keep(std::make_shared<const ClosingProcess>(
-        options.closing_program, id + (serial.empty() ? "" : ":" + serial), options.library));
+        options.closing_program, id + (same.empty() ? "" : ":" + same), options.library));
   }
   return device;
 }

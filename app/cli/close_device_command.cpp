@@ -46,7 +46,7 @@ void add_close_device(CLI::App& program, Job& job) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("close-device", "Set the force of a device to zero.");
-  command->group("");  // not for people: in no list of commands
+  command->group("");  // for the program itself: in no list of commands
   command->add_option("DEVICE", options->device, "NAME or NAME:SERIAL")->required();
   add_driver_options(*command, options->drivers);
   command->callback([options, &job] {

@@ -120,7 +120,9 @@ struct OpenHapticsDevice::Servo {
 
     wanted = Wrench{};
     const bool was_wanted = gate.pass();
-    send(may_push ? wanted : Wrench{});
+    // A tick may have pushed a force that it computed before the force was switched off.
+    const bool was_switched_off = is_switched_off.load();
+    send(may_push && !was_switched_off ? wanted : Wrench{});
     hd->hdEndFrame(handle);
     error_at_end = note(hd->take_errors());
     if (error_at_begin == 0 && error_at_end == 0 &&
@@ -128,7 +130,11 @@ struct OpenHapticsDevice::Servo {
       frames_since_error.fetch_add(1, std::memory_order_relaxed);
     }
     if (was_wanted) {
-      if (is_switched_off.exchange(false)) hd->hdEnable(HdFunctions::kForceOutput);
+      // Only after a frame at zero force.
+      if (was_switched_off) {
+        is_switched_off.store(false);
+        hd->hdEnable(HdFunctions::kForceOutput);
+      }
       return HdFunctions::kContinue;
     }
     is_done.store(true, std::memory_order_release);
@@ -313,7 +319,8 @@ void OpenHapticsDevice::switch_off() noexcept {
 }
 
 void OpenHapticsDevice::zero_force_from_outside() noexcept {
-  if (is_given_up_) return;
+  // Between two frames no tick keeps a force, and what does not return is libHD, to which this call would not return either.
+  if (is_given_up_ || !servo_->gate.is_passing()) return;
   hd_->hdMakeCurrentDevice(servo_->handle);
   hd_->hdDisable(HdFunctions::kForceOutput);
   // Last: a frame that ends in between is followed by one that switches it on.

@@ -30,7 +30,8 @@ namespace asperity {
 ///
 /// Threads: `trouble` from any; the rest as HapticDevice. `zero_force_from_outside` switches force output off, with
 /// which libHD documents that it turns the motors off; the first frame that comes to its end, at zero force, switches
-/// it on again. Whether libHD does so while its own thread hangs is not documented. `stop_calls` waits for a tick under way. Where libHD's
+/// it on again. It does so only while a tick is under way: where libHD's thread hangs in its own code, the call might not
+/// return. `stop_calls` waits for a tick under way. Where libHD's
 /// thread hangs in its own code, it gives up after half a second and leaves behind what that thread may still look
 /// at; nobody reaches the motors then, and the device stays in use until the program ends. Where it does not hang,
 /// hdStopScheduler is waited for, as long as that takes libHD.

@@ -398,6 +398,27 @@ TEST_F(OpenHaptics, HasItsForceSwitchedOffWhileATickHangs) {
   EXPECT_EQ(bench->disorders, 0);
 }
 
+TEST_F(OpenHaptics, EndsTheServoThreadWhileItsOwnHangs) {
+#ifdef __SANITIZE_ADDRESS__
+  const __lsan::ScopedDisabler what_is_left_behind_on_purpose;
+#endif
+  const auto device = open(std::chrono::milliseconds(20));
+  RecordRing ring(16384);
+  ServoLoop loop(*device, ring, patient_servo());
+  {
+    const ServoThread thread(loop, *device, Scheduling::normal);
+    while (loop.status().ticks < 2) std::this_thread::yield();
+    bench->hangs = true;
+    while (loop.status().fault != Fault::device_lost) std::this_thread::yield();
+    // The watch looks at it several times.
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  EXPECT_THAT(device->trouble(), HasSubstr("hangs"));
+  const int frames = bench->frames;
+  bench->hangs = false;
+  while (bench->frames == frames) std::this_thread::yield();
+}
+
 TEST_F(OpenHaptics, LeavesAThreadThatHangsBehind) {
 #ifdef __SANITIZE_ADDRESS__
   const __lsan::ScopedDisabler what_is_left_behind_on_purpose;

@@ -165,6 +165,7 @@ void hdEnable(unsigned int what) {
   if (what == 0x4000) the_bench->gives_force = true;
 }
 void hdDisable(unsigned int what) {
+  while (the_bench->hangs) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   note("hdDisable " + std::to_string(what));
   const std::lock_guard lock(the_bench->mutex);
   if (what == 0x4000) the_bench->gives_force = false;

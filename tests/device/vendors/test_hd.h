@@ -29,7 +29,8 @@ struct Bench {
 
   std::atomic<int> made_current{0};
   std::atomic<int> frames{0};
-  std::atomic<bool> hangs{false};  ///< the scheduler's thread, between two frames
+  std::atomic<bool> hangs{
+      false};  ///< the scheduler's thread, between two frames; hdDisable waits for it
   std::atomic<bool> is_hanging{false};
   int disorders = 0;  ///< frames in frames, forces outside of one, ends without a beginning
   double force_N[3] = {9.0, 9.0, 9.0};
