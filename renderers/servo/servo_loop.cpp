@@ -343,9 +343,9 @@ void ServoLoop::bridge_gap(std::int64_t gap_ns, TickRecord& record) noexcept {
   servo.was_in_contact = in_contact;
 }
 
-void ServoLoop::send(double elapsed_s, TickRecord& record) noexcept {
+void ServoLoop::send(double elapsed_s, bool stood, TickRecord& record) noexcept {
   Servo& servo = *servo_;
-  if (fault_.load(std::memory_order_acquire) == Fault::none) {
+  if (!stood && fault_.load(std::memory_order_acquire) == Fault::none) {
     const bool presenting = record.has(TickFlag::presenting);
     record.gain = presenting ? servo.gain : 0.0;
     Wrench wanted{};
@@ -392,10 +392,13 @@ void ServoLoop::tick(std::int64_t now_ns, std::int64_t deadline_ns, ClockReading
   if (servo.felt) record.presentation = servo.felt->presentation.id;
   if (servo.felt && fault_.load(std::memory_order_acquire) == Fault::none) {
     render(silent, dt_s, record);
-    if (clock != nullptr && is_standstill(now_ns, clock())) raise(Fault::standstill);
   }
+  // A standstill that was raised from outside may be cleared before the force is sent: the force is of an old position all
+  // the same.
+  const bool stood = servo.felt && clock != nullptr && is_standstill(now_ns, clock());
+  if (stood) raise(Fault::standstill);
   bridge_gap(gap_ns, record);
-  send(elapsed_s, record);
+  send(elapsed_s, stood, record);
 
   ++servo.ticks;
   publish_status();

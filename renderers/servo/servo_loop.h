@@ -164,7 +164,7 @@ class ServoLoop final {
   void read_probe(std::int64_t now_ns, TickRecord& record) noexcept;
   void render(bool silent, double dt_s, TickRecord& record) noexcept;
   void bridge_gap(std::int64_t gap_ns, TickRecord& record) noexcept;
-  void send(double elapsed_s, TickRecord& record) noexcept;
+  void send(double elapsed_s, bool stood, TickRecord& record) noexcept;
   bool is_standstill(std::int64_t from_ns, std::int64_t to_ns) const noexcept;
   void publish_status() noexcept;
   void raise(Fault fault) noexcept;

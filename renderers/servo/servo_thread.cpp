@@ -10,7 +10,9 @@
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
+#include <csignal>
 #include <cstddef>
+#include <cstdint>
 #include <future>
 #include <mutex>
 #include <pthread.h>
@@ -85,6 +87,26 @@ int ask_for_fifo(int level = kFifoPriority) noexcept {
   return pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority);
 }
 
+/// While it lives, no signal is handled in this thread, and in those that it creates, except those of an error in the thread
+/// itself: a handler must not delay a tick or the watch.
+class BlockedSignals final {
+ public:
+  BlockedSignals() noexcept {
+    sigset_t blocked{};
+    sigfillset(&blocked);
+    for (const int of_error : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGTRAP}) {
+      sigdelset(&blocked, of_error);
+    }
+    pthread_sigmask(SIG_BLOCK, &blocked, &before_);
+  }
+  ~BlockedSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  BlockedSignals(const BlockedSignals&) = delete;
+  BlockedSignals& operator=(const BlockedSignals&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
 }  // namespace
 
 // What the servo thread and its watch use. The watch keeps it where a tick does not return.
@@ -93,6 +115,7 @@ struct ServoThread::Ticks {
   HapticDevice& device;
   const std::shared_ptr<void> kept;   // what both live in; null where they outlive every tick
   std::atomic<bool> stopping{false};  // no tick of the loop begins
+  std::atomic<bool> watch_has_ended{false};
 
   std::mutex mutex{};
   std::condition_variable wake{};
@@ -115,28 +138,33 @@ struct ServoThread::Ticks {
   /// The thread has been in one tick for so long that others may need its processor.
   virtual void demote() noexcept {}
 
-  void look(TickWatch& watch, std::int64_t& looks_without_tick) noexcept {
-    if (all_forces_end.load()) {
-      // The tick sends zero first, where it returns.
-      if (loop.status().fault == Fault::emergency_stop) device.zero_force_from_outside();
-      loop.emergency_stop();
-      return;
-    }
-    const TickWatch::Verdict verdict = watch.look(loop.progress(), monotonic_now_ns());
-    if (verdict == TickWatch::Verdict::well) {
-      looks_without_tick = 0;
-      return;
-    }
+  // Consecutive looks of the watch.
+  struct Looks {
+    std::uint64_t ended = 0;       // ticks, at the last look
+    std::int64_t without_end = 0;  // of another tick
+    std::int64_t with_fault = 0;   // that the watch raised
+  };
+
+  // The servo thread or the device's: an end of all forces does not depend on the watch alone.
+  void tick_loop(std::int64_t now_ns, std::int64_t deadline_ns) noexcept {
+    if (all_forces_end.load(std::memory_order_relaxed)) loop.emergency_stop();
+    loop.tick(now_ns, deadline_ns, &monotonic_now_ns);
+  }
+
+  void look(TickWatch& watch, Looks& looks) noexcept {
+    const TickProgress progress = loop.progress();
+    const TickWatch::Verdict verdict = watch.look(progress, monotonic_now_ns());
+    const bool is_end = all_forces_end.load();
+    if (is_end) loop.emergency_stop();
+    looks.without_end = progress.ended == looks.ended ? looks.without_end + 1 : 0;
+    looks.ended = progress.ended;
+    looks.with_fault = verdict == TickWatch::Verdict::well ? 0 : looks.with_fault + 1;
     // Again at each look, after a fault that was cleared in vain.
-    if (verdict == TickWatch::Verdict::silent) {
-      lose_device();
-    } else {
-      loop.stand_still();
-    }
-    // From the next look on: a tick that was only late sends zero by itself, in its own thread.
-    if (++looks_without_tick == 1) return;
-    device.zero_force_from_outside();
-    if (looks_without_tick == kLooksBeforeDemotion) demote();
+    if (verdict == TickWatch::Verdict::silent) lose_device();
+    if (verdict == TickWatch::Verdict::standing) loop.stand_still();
+    // From the second look on: a tick that was only late sends zero by itself, in its own thread.
+    if (looks.with_fault > 1 || (is_end && looks.without_end > 1)) device.zero_force_from_outside();
+    if (looks.with_fault == kLooksBeforeDemotion) demote();
   }
 
   // The reason is stored first: a reader of the fault finds the device's message with it.
@@ -147,22 +175,23 @@ struct ServoThread::Ticks {
 
   void watch_ticks() {
     TickWatch watch(loop.settings(), device.capability().pacing);
-    std::int64_t looks_without_tick = 0;
+    Looks looks{};
     std::unique_lock lock(mutex);
     constexpr std::chrono::nanoseconds kBetween(TickWatch::kBetweenLooks_ns);
     while (!wake.wait_for(lock, kBetween, [this] { return state == Watch::ended; })) {
       if (state == Watch::left_behind && !is_under_way()) break;
       lock.unlock();
-      look(watch, looks_without_tick);
+      look(watch, looks);
       lock.lock();
     }
     const bool is_last = state == Watch::left_behind;
     lock.unlock();
     if (is_last) end();
     --watched_threads;
+    watch_has_ended.store(true);
   }
 
-  void tell_watch(Watch what) {
+  void set_watch(Watch what) {
     {
       const std::lock_guard lock(mutex);
       state = what;
@@ -172,11 +201,24 @@ struct ServoThread::Ticks {
 
   // False where a tick does not return: after as long as it takes to be a fault where no surface is presented.
   bool ends_in_time() const {
-    constexpr double kBetween_s = 2e-4;
-    const double longest_s = TickWatch::kWithoutSurface * loop.settings().standstill_to_fault_s;
-    for (double waited_s = 0.0; is_under_way(); waited_s += kBetween_s) {
-      if (kept != nullptr && waited_s > longest_s) return false;
-      std::this_thread::sleep_for(std::chrono::duration<double>(kBetween_s));
+    return comes_in_time([this] { return !is_under_way(); });
+  }
+  // False where the manufacturer's functions do not return to the watch, after the same time.
+  bool watch_ends_in_time() const {
+    return comes_in_time([this] { return watch_has_ended.load(); });
+  }
+
+ private:
+  template <typename Condition>
+  bool comes_in_time(const Condition& has_come) const {
+    using Clock = std::chrono::steady_clock;
+    using Seconds = std::chrono::duration<double>;
+    constexpr Seconds kBetween(2e-4);
+    const Seconds longest(TickWatch::kWithoutSurface * loop.settings().standstill_to_fault_s);
+    const Clock::time_point begin = Clock::now();
+    while (!has_come()) {
+      if (kept != nullptr && Seconds(Clock::now() - begin) > longest) return false;
+      std::this_thread::sleep_for(kBetween);
     }
     return true;
   }
@@ -196,9 +238,10 @@ struct ServoThread::Pacer final : Ticks {
     sched_param priority{};
     if (pthread_getschedparam(thread.native_handle(), &policy, &priority) != 0) return;
     if (policy != SCHED_FIFO) return;
-    is_demoted.store(true);
     const sched_param none{0};
     (void)pthread_setschedparam(thread.native_handle(), SCHED_OTHER, &none);
+    // Last: a tick that returns in between is followed by one after which the thread gets its priority back.
+    is_demoted.store(true);
   }
 
   void run() noexcept {
@@ -209,7 +252,7 @@ struct ServoThread::Pacer final : Ticks {
     while (!stopping.load(std::memory_order_relaxed)) {
       sleep_until(next.wake_ns);
       const std::int64_t started_ns = monotonic_now_ns();
-      loop.tick(started_ns, next.due_ns, &monotonic_now_ns);
+      tick_loop(started_ns, next.due_ns);
       next = grid.after(started_ns, monotonic_now_ns());
       if (is_demoted.exchange(false, std::memory_order_relaxed)) (void)ask_for_fifo();
     }
@@ -255,17 +298,17 @@ struct ServoThread::Called final : Ticks {
     if (stopping.load()) {
       device.zero_force();
     } else {
-      tick_loop();
+      tick_in_time();
     }
     is_in_tick.store(false);
   }
 
-  void tick_loop() noexcept {
+  void tick_in_time() noexcept {
     const std::int64_t started_ns = monotonic_now_ns();
     // The call that ends a silence may occur before the watch has detected the silence.
     if (has_ticked && started_ns - last_call_ns > longest_silence_ns) lose_device();
     last_call_ns = started_ns;
-    loop.tick(started_ns, has_ticked ? due_ns : started_ns, &monotonic_now_ns);
+    tick_loop(started_ns, has_ticked ? due_ns : started_ns);
     due_ns = started_ns + period_ns;
     has_ticked = true;
   }
@@ -280,6 +323,7 @@ ServoThread::ServoThread(ServoLoop& loop, HapticDevice& device, Scheduling sched
   }
   ++watched_threads;
   try {
+    const BlockedSignals blocked;
     watch_ = std::thread([ticks = ticks_, scheduling] {
       // A servo thread in an endless loop must not keep its own watch from running.
       if (scheduling != Scheduling::normal && ask_for_fifo(kWatchPriority) != 0) {
@@ -326,20 +370,23 @@ void ServoThread::start_pacing(ServoLoop& loop, HapticDevice& device, Scheduling
   std::promise<int> fifo_answer;
   std::future<int> fifo_error = fifo_answer.get_future();
   std::promise<bool> may_start;
-  pacer->thread = std::thread(
-      [pacer = pacer.get(), scheduling, &fifo_answer, start = may_start.get_future()]() mutable {
-        // The timer slack of a normal thread is 50 µs unless it is set.
-        prctl(PR_SET_TIMERSLACK, 1UL);
-        fifo_answer.set_value(scheduling == Scheduling::normal ? 0 : ask_for_fifo());
-        if (start.get()) pacer->run();
-      });
+  {
+    const BlockedSignals blocked;
+    pacer->thread = std::thread(
+        [pacer = pacer.get(), scheduling, &fifo_answer, start = may_start.get_future()]() mutable {
+          // The timer slack of a normal thread is 50 µs unless it is set.
+          prctl(PR_SET_TIMERSLACK, 1UL);
+          fifo_answer.set_value(scheduling == Scheduling::normal ? 0 : ask_for_fifo());
+          if (start.get()) pacer->run();
+        });
+  }
   const int error = fifo_error.get();
   if (error != 0 && scheduling == Scheduling::fifo) {
     may_start.set_value(false);
     pacer->thread.join();
     throw std::runtime_error(
         "SCHED_FIFO was refused (" + reason_for(error) +
-        "): raise the rtprio limit of this user to at least " + std::to_string(kFifoPriority) +
+        "): raise the rtprio limit of this user to at least " + std::to_string(kWatchPriority) +
         " in /etc/security/limits.d, or allow the servo loop to run without SCHED_FIFO");
   }
   locked_memory_ = memory_locked();
@@ -362,11 +409,15 @@ bool ServoThread::end_all_forces() noexcept {
 ServoThread::~ServoThread() {
   ticks_->stopping.store(true);
   if (ticks_->ends_in_time()) {
-    ticks_->tell_watch(Ticks::Watch::ended);
-    watch_.join();
+    ticks_->set_watch(Ticks::Watch::ended);
+    if (ticks_->watch_ends_in_time()) {
+      watch_.join();
+    } else {
+      watch_.detach();  // it ends by itself where the manufacturer's functions return after all
+    }
     ticks_->end();
   } else {
-    ticks_->tell_watch(Ticks::Watch::left_behind);
+    ticks_->set_watch(Ticks::Watch::left_behind);
     watch_.detach();
   }
   if (locked_memory_) munlockall();

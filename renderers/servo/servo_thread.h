@@ -33,8 +33,9 @@ enum class Scheduling { normal, fifo, fifo_if_permitted };
 /// Threads: owns two. The destructor stops them, joins them, and leaves the device at zero force. It does not wait for a
 /// device's own thread that does not respond. With `kept` it waits for a tick for one second only (TickWatch::kWithoutSurface
 /// times ServoSettings::standstill_to_fault_s): a tick that does not return is left behind, with the watch, which still sets
-/// the force to zero, and ends the thread and releases `kept` if the tick returns after all. Without `kept` it waits until
-/// the tick returns.
+/// the force to zero, and ends the thread and releases `kept` if the tick returns after all. A watch to which the driver does
+/// not return is left behind after the same time, and releases `kept` once it returns. Without `kept` it waits until they
+/// return.
 class ServoThread final {
  public:
   /// `kept` owns the loop, the device, and everything that they use; null: they outlive this object.
@@ -48,8 +49,8 @@ class ServoThread final {
   /// openhaptics, memory locked".
   const std::string& scheduling() const noexcept { return scheduling_; }
 
-  /// Raises `emergency_stop` in every servo thread of the process, now and in future, and sets its force to zero, within two looks
-  /// of the watch and a tick: the program is about to end. Returns whether there is one. Async-signal-safe.
+  /// Raises `emergency_stop` in every servo thread of the process, now and in future, and sets its force to zero, within a
+  /// tick, or three looks of the watch where no tick ends: the program is about to end. Returns whether there is one. Async-signal-safe.
   static bool end_all_forces() noexcept;
 
  private:

@@ -376,6 +376,26 @@ TEST(CalledServo, LeavesATickThatDoesNotReturnBehind) {
   EXPECT_TRUE(eventually([&] { return left.expired(); }));
 }
 
+TEST(CalledServo, LeavesAWatchToWhichTheDriverDoesNotReturnBehind) {
+  const auto hang = std::make_shared<Hang>();
+  const HangEnds at_the_end(hang);
+  auto kept = std::make_shared<KeptCalledLoop>();
+  const std::weak_ptr<KeptCalledLoop> left = kept;
+  CallingDevice* const device = &kept->device;
+  ServoLoop& loop = kept->loop;
+  loop.present({.id = 1, .renderer = std::make_unique<HangingPush>(hang)});
+  hang->is_wanted = true;
+  device->holds_calls_from_outside = true;
+  {
+    const ServoThread thread(loop, *device, Scheduling::normal, std::move(kept));
+    ASSERT_TRUE(eventually([&] { return device->is_called_from_outside.load(); }));
+    hang->is_wanted = false;  // the tick returns, the watch does not
+  }
+  EXPECT_FALSE(left.expired());
+  device->holds_calls_from_outside = false;
+  EXPECT_TRUE(eventually([&] { return left.expired(); }));
+}
+
 TEST(CalledServo, EndsThoughTheDevicesThreadHangsAndTurnsItAwayAfterwards) {
   CallingDevice device;
   RecordRing ring;

@@ -36,6 +36,8 @@ class CallingDevice final : public HapticDevice {
   std::atomic<int> readings_left{std::numeric_limits<int>::max()};
   std::atomic<int> turned_away{0};  ///< calls that came to a closed gate
   std::atomic<double> last_force_N{-1.0};
+  std::atomic<bool> holds_calls_from_outside{false};
+  std::atomic<bool> is_called_from_outside{false};
   double rate_Hz = 0.0;  ///< that was asked for
 
   /// Returns when its thread hangs, outside of a call.
@@ -61,7 +63,11 @@ class CallingDevice final : public HapticDevice {
     gate_.close();
     is_lost_ = false;
   }
-  void zero_force_from_outside() noexcept override { last_force_N.store(0.0); }
+  void zero_force_from_outside() noexcept override {
+    is_called_from_outside = true;
+    while (holds_calls_from_outside) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    last_force_N.store(0.0);
+  }
   std::string trouble() const override { return is_lost_ ? "The Calling 7 is too warm." : ""; }
 
  private:
