@@ -37,7 +37,7 @@ Job watched_with(const std::vector<std::filesystem::path>& plugins, Job job) {
   if (plugins.empty()) return job;
   return [plugins, job = std::move(job)] {
     return in_plugin_process(
-        {.plugins = plugins, .work = [&job] { return status_of(job); }, .tell = say});
+        {.plugins = plugins, .work = [&job] { return status_of(job); }, .report = say});
   };
 }
 

@@ -33,8 +33,15 @@ constexpr double kLongestLook_s = 0.2;
 constexpr std::array kPassedOn{SIGHUP,  SIGINT,  SIGQUIT, SIGTERM, SIGALRM,
                                SIGUSR1, SIGUSR2, SIGTSTP, SIGCONT};
 
-// How the system ends a program whose output is not read, or that exceeds a limit of its shell.
-constexpr std::array kOfSystem{SIGPIPE, SIGXFSZ, SIGXCPU};
+// What the terminal sends to each process of the group.
+constexpr std::array kOfTerminal{SIGHUP, SIGINT, SIGQUIT, SIGTSTP, SIGCONT};
+
+// How the system ends a program whose output is not read, or that writes too large a file.
+constexpr std::array kOfWrites{SIGPIPE, SIGXFSZ};
+
+bool contains(const auto& numbers, int number) {
+  return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
+}
 
 /// Blocks these signals and SIGCHLD in this thread, which then takes them one by one.
 class TakenSignals final {
@@ -153,9 +160,18 @@ std::string text_of_ending(int status, const std::optional<PluginCallBoard::Sign
   return "signal " + std::to_string(number) + " (" + strsignal(number) + ')';
 }
 
+std::string text_of_kill(const PluginCallBoard& board) {
+  const CalledCode code = code_of(board.running());
+  return "asperity: the program was killed, by the user or because memory ran out" +
+         (code.plugins.empty() ? std::string()
+                               : ", while " + code.plugins + " ran " + code.functions) +
+         "; make sure that enough memory is free, then try again";
+}
+
 /// Why the child ended although its work was not done.
 std::string text_of_early_end(const PluginCallBoard& board,
                               const std::vector<std::filesystem::path>& plugins, int status) {
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) return text_of_kill(board);
   const std::optional<PluginCallBoard::Signal> noted = board.signal();
   std::vector<PluginCallBoard::Call> calls = board.running();
   if (noted) {
@@ -212,8 +228,9 @@ class WatchedChild final {
          taken = signals_.next(0)) {
       if (taken->si_signo == SIGCHLD) continue;
       received_.push_back(taken->si_signo);
-      // Of the terminal's the child has its own.
-      if (taken->si_code <= 0) kill(process_, taken->si_signo);
+      // Of the terminal's the child has its own; the kernel's others, as that of alarm(), are for this process alone.
+      const bool is_of_terminal = taken->si_code > 0 && contains(kOfTerminal, taken->si_signo);
+      if (!is_of_terminal) kill(process_, taken->si_signo);
     }
   }
 
@@ -224,10 +241,9 @@ class WatchedChild final {
 
   /// Whether the signal would have ended the program without a plug-in as well.
   bool is_without_plugin(int number) const {
-    const auto contains = [number](const auto& numbers) {
-      return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
-    };
-    return contains(received_) || (contains(kOfSystem) && board_.running().empty());
+    // The limit of processor time is that of the program.
+    return number == SIGXCPU || contains(received_, number) ||
+           (contains(kOfWrites, number) && board_.running().empty());
   }
 
   int result_of(int status) {
@@ -236,7 +252,7 @@ class WatchedChild final {
     }
     pass_on_signals(0);
     if (WIFSIGNALED(status) && is_without_plugin(WTERMSIG(status))) end_with(WTERMSIG(status));
-    inputs_.tell(text_of_early_end(board_, inputs_.plugins, status));
+    inputs_.report(text_of_early_end(board_, inputs_.plugins, status));
     return kNotAcceptable;
   }
 
@@ -256,9 +272,9 @@ class WatchedChild final {
     }
     const CalledCode code = code_of(overdue);
     const double limit_s = times_.limit_s(overdue.front().function);
-    inputs_.tell("asperity: " + code.plugins + " did not return from " + code.functions +
-                 " within " + number_text(limit_s) +
-                 " s, the limit of a call, and the command was ended; " + kCorrectPlugin);
+    inputs_.report("asperity: " + code.plugins + " did not return from " + code.functions +
+                   " within " + number_text(limit_s) +
+                   " s, the limit of a call, and the command was ended; " + kCorrectPlugin);
     return kNotAcceptable;
   }
 

@@ -22,17 +22,17 @@ struct PluginProcessInputs {
   /// Returns the exit status; does not throw.
   std::function<int()> work{};
   /// Receives a message for the user, at most one.
-  std::function<void(const std::string&)> tell{};
+  std::function<void(const std::string&)> report{};
   PluginCallLimits limits{};
 };
 
 /// Does `work` in a child process and returns its exit status. A plug-in can end its process with `exit` or `_exit`, crash it,
-/// or never return from a call: the child then ends, or is ended, without having finished the work, and `tell` receives the
+/// or never return from a call: the child then ends, or is ended, without having finished the work, and `report` receives the
 /// plug-in, what it ran and the limit; the result is 1.
 ///
 /// The child is in the process group of this process, with its standard streams: what it writes, and a Ctrl-C or a Ctrl-Z at the
-/// terminal, pass as without it. A signal that was sent to this process alone is forwarded to it. If one of these signals, or
-/// SIGPIPE outside of a plug-in, ends or stops the child, it ends or stops this process as well; if this process is killed, so is
+/// terminal, pass as without it. A signal that was sent to this process alone is forwarded to it. If one of these signals, SIGXCPU,
+/// or SIGPIPE outside of a plug-in, ends or stops the child, it ends or stops this process as well; if this process is killed, so is
 /// the child.
 ///
 /// A stretch in which this process does not run, because it is stopped or the computer sleeps, does not count for the limits.
