@@ -195,11 +195,15 @@ bool Conductor::outlives(const Interruption& interruption) {
 /// that states the problem; `what` is the one of the standstill.
 std::optional<Phrase> Conductor::trouble_after_standstill(const Phrase& what) {
   const TickProgress before = rig_.loop().progress();
+  const auto hangs = [&] { return rig_.loop().progress().hangs_since(before); };
+  // Not cleared while the tick is under way: it would send the force of the position that it has read before.
+  constexpr double kSlice_s = SessionCourse::kSlice_s;
+  for (double passed_s = 0.0; hangs() && passed_s < kCheck_s; passed_s += kSlice_s) {
+    unheeding_(kSlice_s);
+  }
+  if (hangs()) return with_semicolon(what, phrase_of(Reason::restart_program));
   rig_.clear_fault(Fault::standstill);
   const Phrase problem = device_problem(unheeding_);
-  if (rig_.loop().progress().hangs_since(before)) {
-    return with_semicolon(what, phrase_of(Reason::restart_program));
-  }
   const ServoStatus status = rig_.loop().status();
   if (status.fault != Fault::none) return fault_sentence(interruption_by(status), {});
   if (!problem.empty()) {
@@ -223,6 +227,7 @@ void Conductor::forget_surface() {
 }
 
 bool Conductor::wait_out_fault(Phrase what) {
+  const TickProgress at_fault = rig_.loop().progress();
   if (rig_.loop().status().fault == Fault::standstill) {
     course_.event("fault", name_of(Fault::standstill));
     if (++standstills_ == kMostStandstills) {
@@ -244,6 +249,14 @@ bool Conductor::wait_out_fault(Phrase what) {
   course_.show({.kind = ParticipantScene::Kind::paused});
   course_.play(Cue::paused);
   const auto stopped = [&] {
+    const TickProgress now = rig_.loop().progress();
+    if (rig_.loop().status().fault == Fault::standstill && now.hangs_since(at_fault) &&
+        !now.rendering) {
+      return phrase("Troubles",
+                    "%1 Zero force was requested, but the driver does not respond: if the handle "
+                    "still exerts a force, switch the device off.")
+          .with(what.as_sentence());
+    }
     const bool by_hand = rig_.loop().status().fault == Fault::emergency_stop;
     return (by_hand ? phrase("Troubles", "%1 The force is zero until the stop is cleared.")
                     : phrase("Troubles", "%1 The force is zero until the fault is cleared."))

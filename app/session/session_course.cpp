@@ -206,7 +206,7 @@ void SessionCourse::show(ParticipantScene scene) {
   links_.monitor->show(std::move(scene));
 }
 
-void SessionCourse::tell_experimenter(const std::string& sentence) const {
+void SessionCourse::report_to_experimenter(const std::string& sentence) const {
   if (links_.tell) links_.tell(sentence);
 }
 

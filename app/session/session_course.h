@@ -98,7 +98,7 @@ class SessionCourse final {
   SessionPhase phase() const noexcept { return phase_; }
   void show(ParticipantScene scene);
   /// States something at once to a user who has no window that shows it.
-  void tell_experimenter(const std::string& sentence) const;
+  void report_to_experimenter(const std::string& sentence) const;
   void set_facts(SessionFacts facts);
   /// The plan of the session has further trials.
   void set_plan(std::shared_ptr<const Plan> plan);

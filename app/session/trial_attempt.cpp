@@ -85,8 +85,13 @@ AttemptRow TrialAttempt::make() {
   course_.set_guiding_tones(false);  // no guidance once the surface is removed
   if (interruption_) take_surface_away();
   if (interruption_ && interruption_->fault == Fault::standstill) {
-    course_.tell_experimenter(
-        "The servo loop stalled for more than 50 ms: the force was set to zero.");
+    const bool hangs_in_driver = hanging_tick_ && !hanging_tick_->rendering;
+    course_.report_to_experimenter(
+        hangs_in_driver
+            ? "The servo loop stalled for more than 50 ms: zero force was requested, but the "
+              "driver "
+              "does not respond. If the handle still exerts a force, switch the device off."
+            : "The servo loop stalled for more than 50 ms: the force was set to zero.");
   }
   course_.set_masking(false);
   course_.update([](SessionSnapshot& snapshot) {
@@ -134,12 +139,14 @@ void TrialAttempt::name_hanging_tick() {
     interruption_->reason = phrase_of(Reason::driver_does_not_return);
     return;
   }
-  std::string models{};  // side by side, any of them
+  std::vector<std::string> found{};  // side by side, any of them
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
     if (surfaces_.has(i)) continue;
     const std::string& id = surfaces_.stimulus(i).model->declaration.id;
-    if (models.find(id) == std::string::npos) models += (models.empty() ? "" : ", ") + id;
+    if (std::find(found.begin(), found.end(), id) == found.end()) found.push_back(id);
   }
+  std::string models{};
+  for (const std::string& id : found) models += (models.empty() ? "" : ", ") + id;
   interruption_->reason = phrase_of(Reason::model_does_not_return).with(models);
 }
 

@@ -117,7 +117,7 @@ class HangingTick : public testing::Test {
     drivers_.add({.id = "swinging",
                   .open = [this](const std::string&, const DriverOptions&) { return device(); }});
     links_.tell = [this](const std::string& line) {
-      if (line.find("force is set to zero") != std::string::npos) log_.note("told");
+      if (line.find("The servo loop stalled") != std::string::npos) log_.note("told");
     };
   }
   /// The device that is left to the tick goes when that returns.

@@ -8452,6 +8452,10 @@
         <translation>%1 Die Kraft ist null, bis die Störung quittiert ist.</translation>
     </message>
     <message>
+        <source>%1 Zero force was requested, but the driver does not respond: if the handle still exerts a force, switch the device off.</source>
+        <translation>%1 Kraft null wurde angefordert, aber der Treiber antwortet nicht: Wenn der Griff noch eine Kraft ausübt, das Gerät ausschalten.</translation>
+    </message>
+    <message>
         <source>%1 The device is not ready yet: %2.</source>
         <translation>%1 Das Gerät ist noch nicht bereit: %2.</translation>
     </message>
