@@ -17,7 +17,8 @@ namespace asperity {
 /// - A write into a pipe without a reader, or beyond the size that files may have, fails with an error and does not end
 ///   the program (SIGPIPE, SIGXFSZ). Programs that this one starts have the default actions (ChildProcess).
 /// - Every other signal that would end the program, in any of its threads, first sets the force of every servo loop to zero
-///   (ServoThread::end_all_forces) and, where there is one, waits `InterruptWatch::kForZero`. Only SIGKILL cannot be handled.
+///   (ServoThread::end_all_forces) and, where there is one, waits `InterruptWatch::kForZero`. Not handled are SIGKILL, and
+///   the SIGSEGV of a stack that is full: no thread has another stack for the handler.
 ///
 /// Signals that are handled or ignored already are left unchanged.
 void handle_signals();
