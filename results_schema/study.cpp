@@ -430,13 +430,17 @@ std::string Study::name() const {
   });
 }
 
+bool is_participant_label(const std::string& label) {
+  constexpr std::size_t kMost = 32;
+  return !label.empty() && label.size() <= kMost &&
+         label.find_first_not_of(
+             "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string::npos;
+}
+
 void Study::add_participant(const ParticipantRow& participant) {
   Database& database = store_->writable();
   const std::string& label = participant.label;
-  const bool is_plain =
-      label.find_first_not_of("0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ") ==
-      std::string::npos;
-  if (label.empty() || label.size() > 32 || !is_plain) {
+  if (!is_participant_label(label)) {
     throw ResultsError("\"" + label +
                            "\" is not a participant label; it must consist of 1 to 32 letters and "
                            "digits (0-9, A-Z, a-z)",

@@ -102,9 +102,7 @@ void copy_files(const std::filesystem::path& from, const std::filesystem::path& 
   {
     Database copy(to, database_in(to), Database::Mode::read_write);
     vouched = checksums_by_path(copy);
-    for (const UnfinishedDeletion& deletion : unfinished_deletions(copy)) {
-      for (const auto& file : files_of_label(from, deletion.label)) being_deleted.insert(file);
-    }
+    being_deleted = files_being_deleted(copy, from);
   }
   for (const auto& [path, sha256] : vouched) {
     refuse_links_on(from, path);
@@ -153,7 +151,8 @@ void remove_itself_from_outputs(Database& copy, const std::filesystem::path& pat
     std::int64_t id = 0;
     std::string listed;
     output.read(id, listed);
-    if (std::filesystem::weakly_canonical(listed) == path) ids.push_back(id);
+    std::error_code unreadable;  // a folder of another user, for example, which is not this copy
+    if (std::filesystem::weakly_canonical(listed, unreadable) == path) ids.push_back(id);
   }
   for (const std::int64_t id : ids) {
     Statement(copy, "DELETE FROM output WHERE id = ?").bind(id).run();

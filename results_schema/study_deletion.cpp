@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <exception>
 #include <system_error>
 #include <thread>
 #include <unistd.h>
@@ -20,7 +21,7 @@ namespace {
   throw ResultsError("the study " + folder.string() + " " + why, folder, code);
 }
 
-/// The rules that keep rows from being removed are taken away for one transaction, which nobody else sees.
+/// Removes the rules that protect rows from deletion, for one transaction, which no other connection sees.
 class WithoutTriggers final {
  public:
   explicit WithoutTriggers(Database& database) : database_(database) {
@@ -76,8 +77,8 @@ std::vector<ForeignKey> foreign_keys(Database& database) {
   return keys;
 }
 
-/// What names a row that is not there, and what names that, until nothing does: the tables say themselves what hangs
-/// on what, so that one that a later schema adds is not forgotten.
+/// Deletes the rows that refer to a row that does not exist, then those that refer to these, until there are none. The
+/// references are read from the schema, so that a table that a later schema adds is included.
 void delete_orphans(Database& database) {
   const std::vector<ForeignKey> keys = foreign_keys(database);
   for (bool found = true; found;) {
@@ -102,9 +103,9 @@ void refuse_orphans(Database& database) {
       "from a copy");
 }
 
-/// A recording in another place than under the participant's label, where no session stores one: nothing leads to it when
-/// its row is gone.
-void remove_recordings_elsewhere(Database& database, const std::string& label) {
+/// No session stores a recording in another place than under the participant's label, and such a file may belong to another
+/// participant.
+void refuse_recordings_elsewhere(Database& database, const std::string& label) {
   Statement recording(database,
                       "SELECT path FROM recording JOIN attempt ON attempt.id = attempt_id "
                       "JOIN session ON session.id = session_id "
@@ -114,7 +115,22 @@ void remove_recordings_elsewhere(Database& database, const std::string& label) {
     std::string path;
     recording.read(path);
     if (path.starts_with("recordings/" + label + "/")) continue;
-    remove_tree(path_in_study(database.folder(), path));
+    refuse_deletion(database.folder(), "is damaged: it states that the recording " + path +
+                                           " belongs to participant " + label +
+                                           ", whose recordings are in recordings/" + label +
+                                           "; restore the study from a copy");
+  }
+}
+
+/// What is deleted would lie in another folder, which may not belong to the study.
+void refuse_linked_folders(const std::filesystem::path& study) {
+  for (const char* const part : {"recordings", "logs", "locks"}) {
+    std::error_code error;
+    if (!std::filesystem::is_symlink(std::filesystem::symlink_status(study / part, error)))
+      continue;
+    refuse_deletion(study, std::string("has a symbolic link in place of its folder ") + part +
+                               ", and data are deleted only in the folder of the study. Replace "
+                               "the link by the folder itself, then delete again");
   }
 }
 
@@ -124,7 +140,7 @@ void overwrite_what_is_removed(Database& database) {
   database.execute("PRAGMA secure_delete = ON");
 }
 
-/// While it lives a parent can be removed before what hangs on it. Cannot be changed inside a transaction.
+/// While it lives a parent can be removed before the rows that refer to it. Cannot be changed inside a transaction.
 class WithoutForeignKeys final {
  public:
   explicit WithoutForeignKeys(Database& database) : database_(database) {
@@ -154,8 +170,8 @@ class WithoutWaiting final {
   Database& database_;
 };
 
-/// Into the file itself whatever the log holds, and nothing left in the log.
-void empty_log(Database& database, std::chrono::milliseconds patience) {
+/// Moves the content of the log into the file itself. False: another program still reads from the log.
+bool empty_log(Database& database, std::chrono::milliseconds patience) {
   constexpr std::chrono::milliseconds kPause{100};
   const WithoutWaiting without_waiting(database);
   for (std::chrono::milliseconds waited{0};; waited += kPause) {
@@ -163,10 +179,14 @@ void empty_log(Database& database, std::chrono::milliseconds patience) {
     Statement checkpoint(database, "PRAGMA wal_checkpoint(TRUNCATE)");
     if (checkpoint.step()) checkpoint.read(busy);
     checkpoint.run();
-    if (busy == 0) return;
-    if (waited >= patience) break;
+    if (busy == 0) return true;
+    if (waited >= patience) return false;
     std::this_thread::sleep_for(kPause);
   }
+}
+
+void refuse_busy_log(Database& database, std::chrono::milliseconds patience) {
+  if (empty_log(database, patience)) return;
   refuse_deletion(database.folder(),
                   "is being read by another program, so that its log study.sqlite-wal cannot be "
                   "emptied. Wait until that program has finished, or close the study there",
@@ -237,6 +257,13 @@ std::vector<UnfinishedDeletion> unfinished_deletions(Database& database) {
   while (statement.step()) {
     UnfinishedDeletion& deletion = deletions.emplace_back();
     statement.read(deletion.withdrawal, deletion.label);
+    // Files are deleted by this label: "..", or an absolute path, would lead out of the folder of recordings.
+    if (!is_participant_label(deletion.label)) {
+      refuse_deletion(database.folder(),
+                      "is damaged: the label of a deletion that is not complete is \"" +
+                          deletion.label +
+                          "\", which is not a participant label; restore the study from a copy");
+    }
   }
   return deletions;
 }
@@ -271,11 +298,12 @@ std::vector<OutputRow> outputs_since_added(Database& database, const std::string
 }
 
 DeletedRows delete_rows(Database& database, const std::string& label, WithdrawalRow& row) {
+  refuse_linked_folders(database.folder());
   overwrite_what_is_removed(database);
   const WithoutForeignKeys without_foreign_keys(database);
   Transaction transaction(database);
   refuse_orphans(database);
-  remove_recordings_elsewhere(database, label);
+  refuse_recordings_elsewhere(database, label);
   DeletedRows deleted{};
   // Inside: an output that reads the rows has listed itself before, and therefore before they go.
   deleted.outputs = outputs_since_added(database, label);
@@ -291,15 +319,17 @@ DeletedRows delete_rows(Database& database, const std::string& label, Withdrawal
 void complete_deletion(Database& database, const UnfinishedDeletion& deletion,
                        std::chrono::milliseconds patience) {
   const std::filesystem::path& study = database.folder();
-  for (const auto& file : files_of_label(study, deletion.label)) remove_tree(file);
+  refuse_linked_folders(study);
+  remove_trees(files_of_label(study, deletion.label));
   for (const char* const part : {"recordings", "logs", "locks", ""}) sync_if_there(study / part);
   overwrite_what_is_removed(database);
+  refuse_busy_log(database, patience);  // before the work of compacting, which would be repeated
   // For pages that were free before, and for what pages keep when their rows move: in the others what was removed is
   // overwritten.
   database.execute("VACUUM");
-  empty_log(database, patience);
+  refuse_busy_log(database, patience);
   blank_label(database, deletion);
-  empty_log(database, patience);
+  empty_log(database, patience);  // otherwise the last program that closes the study empties it
 }
 
 std::vector<std::filesystem::path> files_of_label(const std::filesystem::path& study,
@@ -320,6 +350,27 @@ std::vector<std::filesystem::path> files_of_label(const std::filesystem::path& s
   return files;
 }
 
+std::set<std::filesystem::path> files_being_deleted(Database& database,
+                                                    const std::filesystem::path& study) {
+  std::set<std::filesystem::path> files;
+  for (const UnfinishedDeletion& deletion : unfinished_deletions(database)) {
+    for (const auto& file : files_of_label(study, deletion.label)) files.insert(file);
+  }
+  return files;
+}
+
+void remove_trees(const std::vector<std::filesystem::path>& paths) {
+  std::exception_ptr first;
+  for (const std::filesystem::path& path : paths) {
+    try {
+      remove_tree(path);
+    } catch (const ResultsError&) {
+      if (!first) first = std::current_exception();
+    }
+  }
+  if (first) std::rethrow_exception(first);
+}
+
 void remove_tree(const std::filesystem::path& path) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::symlink_status(path, error);
@@ -331,7 +382,7 @@ void remove_tree(const std::filesystem::path& path) {
       content.push_back(entry->path());
     }
     if (error) fail_on_file(path, "removed", error.value());
-    for (const std::filesystem::path& inside : content) remove_tree(inside);
+    remove_trees(content);
     if (::rmdir(path.c_str()) != 0 && errno != ENOENT) fail_on_file(path, "removed", errno);
   } else if (::unlink(path.c_str()) != 0 && errno != ENOENT) {
     fail_on_file(path, "removed", errno);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ namespace asperity {
 ///
 /// The steps are: (1) the rows go in one transaction, which stores the withdrawal with the label; (2) the files go; (3) the
 /// database is compacted, and its log emptied into it; (4) the label is blanked, in the paths of outputs as well; (5) the log
-/// is emptied again. Whatever interrupts them, the label in the row of the withdrawal states until (4) that they are to be
+/// is emptied again, at the latest by the last program that closes the study. Whatever interrupts them, the label in the row of the withdrawal states until (4) that they are to be
 /// done again. The rows go first so that a reader finds a participant with all their files, or neither.
 struct UnfinishedDeletion {
   std::int64_t withdrawal = 0;  ///< the id of its row
@@ -28,6 +29,7 @@ struct UnfinishedDeletion {
 /// How many deletions the study has begun: another number than before means that rows and files may have gone meanwhile.
 std::int64_t number_of_deletions(Database& database);
 
+/// Errors: ResultsError for a label that is not one of a participant: the study is damaged.
 std::vector<UnfinishedDeletion> unfinished_deletions(Database& database);
 
 struct DeletedRows {
@@ -36,7 +38,7 @@ struct DeletedRows {
 };
 
 /// Step (1). `row` receives its time. Errors: ResultsError, and nothing is changed; also where rows refer to rows that do
-/// not exist.
+/// not exist, where a recording is not in the participant's folder, and where a folder of the study is a symbolic link.
 DeletedRows delete_rows(Database& database, const std::string& label, WithdrawalRow& row);
 
 /// The other steps. Waits for readers of the log no longer than `patience`. Errors: ResultsError; what was done stays done.
@@ -51,8 +53,13 @@ inline constexpr const char* kDeletionLock = "withdrawal";
 std::vector<std::filesystem::path> files_of_label(const std::filesystem::path& study,
                                                   const std::string& label);
 
-/// Removes a file, or a folder with its content; nothing is no error.
+/// The same of every unfinished deletion, in the folder `study`.
+std::set<std::filesystem::path> files_being_deleted(Database& database,
+                                                    const std::filesystem::path& study);
+
+/// Removes a file, or a folder with its content, as far as possible; nothing is no error. Errors: ResultsError, the first one.
 void remove_tree(const std::filesystem::path& path);
+void remove_trees(const std::vector<std::filesystem::path>& paths);
 
 /// `label` of a deletion that is not complete. `row` receives its time. Returns the id.
 std::int64_t insert_withdrawal(Database& database, WithdrawalRow& row,

@@ -125,6 +125,9 @@ void migrate(Database& database, int from, std::span<const Migration> migrations
 /// The whole content of one database, as it is now, in place of that of another.
 void copy_pages(Database& from, Database& to);
 
+/// [0-9A-Za-z]{1,32}: what a label consists of, and what files named after a participant rely on.
+bool is_participant_label(const std::string& label);
+
 /// The part of a study that is one file.
 std::filesystem::path database_in(const std::filesystem::path& folder);
 

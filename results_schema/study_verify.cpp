@@ -426,16 +426,24 @@ std::vector<std::string> Study::verify(const std::function<void(double)>& progre
 
 std::vector<std::string> Study::leftovers() const {
   std::set<std::string> known;
+  const std::filesystem::path& study = store_->folder;
+  std::set<std::filesystem::path> being_deleted;
   bool is_deleting = false;
   store_->read([&](Database& database) {
     known.clear();
     for (const VouchedFile& file : vouched_files(database)) known.insert(file.path);
     is_deleting = !unfinished_deletions(database).empty();
+    being_deleted = files_being_deleted(database, study);
     return true;
   });
-  const std::filesystem::path& study = store_->folder;
   std::vector<std::string> leftovers;
   for (const auto& entry : entries_below(study)) {
+    // A folder comes before its content.
+    if (being_deleted.contains(entry.path()) ||
+        being_deleted.contains(entry.path().parent_path())) {
+      being_deleted.insert(entry.path());
+      continue;
+    }
     std::error_code unknown;
     if (!entry.is_regular_file(unknown)) continue;
     const std::filesystem::path relative = entry.path().lexically_relative(study);

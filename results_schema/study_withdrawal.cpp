@@ -1,11 +1,13 @@
 // A participant who withdraws: their data are kept and never used, or deleted without a trace.
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <exception>
 #include <optional>
 #include <utility>
 
+#include "results_schema/error_text.h"
 #include "results_schema/study.h"
 #include "results_schema/study_deletion.h"
 #include "results_schema/study_store.h"
@@ -39,16 +41,19 @@ constexpr std::chrono::seconds kPatience{30};
 
 [[noreturn]] void refuse_label(Database& database, const std::string& label) {
   Statement last(database,
-                 "SELECT withdrawn_utc FROM withdrawal WHERE data = 'deleted' AND label IS NULL "
+                 "SELECT withdrawn_utc, label IS NULL FROM withdrawal WHERE data = 'deleted' "
                  "ORDER BY id DESC LIMIT 1");
   std::string withdrawn_utc;
-  if (last.step()) last.read(withdrawn_utc);
+  bool is_complete = true;
+  if (last.step()) last.read(withdrawn_utc, is_complete);
   refuse_withdrawal(
       database.folder(),
       "has no participant " + label +
-          (withdrawn_utc.empty() ? ""
-                                 : "; its last deletion of the data of a participant, begun at " +
-                                       withdrawn_utc + ", is complete") +
+          (withdrawn_utc.empty()
+               ? ""
+               : "; its last deletion of the data of a participant, begun at " + withdrawn_utc +
+                     (is_complete ? ", is complete"
+                                  : ", is not complete; repeat it with --delete")) +
           "; use a label from the page Participants or from participants.tsv of an "
           "export");
 }
@@ -72,7 +77,7 @@ WithdrawalRow count_rows(Database& database, const std::string& label) {
   return counts;
 }
 
-/// Each session gets the decision that leaves it out, so that whoever reads decisions needs no rule of its own.
+/// Each session gets the decision that leaves it out, so that readers of decisions need no rule for withdrawals.
 void exclude_sessions(Database& database, const std::string& label,
                       const WithdrawalRow& withdrawal) {
   Statement(
@@ -111,9 +116,11 @@ void complete(Database& database, const UnfinishedDeletion& deletion) {
     complete_deletion(database, deletion, kPatience);
   } catch (const std::exception& error) {
     const auto* const of_store = dynamic_cast<const ResultsError*>(&error);
-    throw ResultsError("the data of participant " + deletion.label +
-                           " are no longer in the study " + database.folder().string() +
-                           ", but their deletion is not complete: " + error.what() +
+    throw ResultsError("the rows of participant " + deletion.label +
+                           " are deleted from the study " + database.folder().string() +
+                           ", but the deletion is not complete, and files or bytes of the data may "
+                           "remain: " +
+                           message_of(error) +
                            ". Correct this, then repeat the deletion; the next program that writes "
                            "to the study completes it as well",
                        database.folder(), of_store == nullptr ? 0 : of_store->code());
@@ -123,14 +130,19 @@ void complete(Database& database, const UnfinishedDeletion& deletion) {
 }  // namespace
 
 void Study::Store::complete_deletions() noexcept {
-  // What cannot be completed keeps nobody from a session: `Study::withdraw` states why.
+  // A session can begin although a deletion cannot be completed: `Study::withdraw` states why.
   try {
     if (unfinished_deletions(*database).empty()) return;
+    // The database cannot be compacted in time while a session writes to it.
+    if (!StudyLock::held(folder, Study::session_lock_name("")).empty()) return;
     const StudyLock lock(folder, kDeletionLock);  // a withdrawal that is running completes its own
     for (const UnfinishedDeletion& deletion : unfinished_deletions(*database)) {
-      std::vector<OutputRow> outputs = outputs_in(*database);
-      complete_deletion(*database, deletion, std::chrono::milliseconds{0});
-      completed_deletions.push_back({deletion, std::move(outputs)});
+      try {
+        std::vector<OutputRow> outputs = outputs_in(*database);
+        complete_deletion(*database, deletion, std::chrono::milliseconds{0});
+        completed_deletions.push_back({deletion, std::move(outputs)});
+      } catch (const std::exception&) {  // one that cannot be completed does not stop the others
+      }
     }
   } catch (const std::exception&) {
   }
@@ -171,7 +183,13 @@ Withdrawal Study::withdraw(const std::string& label, const WithdrawalRow& withdr
     if (const auto interrupted = store_->interrupted_deletion(database, label)) {
       if (!interrupted->is_complete) {
         const StudyLock lock(store_->folder, kDeletionLock);
-        complete(database, interrupted->deletion);
+        // Another program can have completed it before the lock was taken, and the label can be in use again.
+        const auto unfinished = unfinished_deletions(database);
+        const bool is_unfinished =
+            std::any_of(unfinished.begin(), unfinished.end(), [&](const UnfinishedDeletion& other) {
+              return other.withdrawal == interrupted->deletion.withdrawal;
+            });
+        if (is_unfinished) complete(database, interrupted->deletion);
       }
       return {.row = withdrawal_of(database, interrupted->deletion.withdrawal),
               .outputs = interrupted->outputs};

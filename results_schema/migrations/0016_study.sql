@@ -368,7 +368,8 @@ CREATE TABLE withdrawal (
   attempts      INTEGER NOT NULL CHECK (attempts >= 0),
   answers       INTEGER NOT NULL CHECK (answers >= 0),
   recordings    INTEGER NOT NULL CHECK (recordings >= 0),
-  label         TEXT CHECK (label IS NULL OR (label <> '' AND data = 'deleted'))
+  label         TEXT CHECK (label IS NULL OR (data = 'deleted' AND length(label) BETWEEN 1 AND 32
+                                              AND label NOT GLOB '*[^0-9A-Za-z]*'))
 ) STRICT;
 
 -- A cache of solved matching problems; what an attempt used is in its presentation.

@@ -183,7 +183,9 @@ TEST_F(WithdrawalFromAStudy, IsUnfinishedUntilEveryFileIsRemoved) {
     EXPECT_FALSE(study.participant("Wanda7"));
     EXPECT_THAT(study.verify({}), testing::IsEmpty());
     EXPECT_THAT(study.leftovers(),
-                testing::Contains(testing::HasSubstr("the deletion of a participant's data")));
+                testing::AllOf(
+                    testing::Contains(testing::HasSubstr("the deletion of a participant's data")),
+                    testing::Not(testing::Contains(testing::HasSubstr("recordings/")))));
     EXPECT_THAT(
         refusal_of<ResultsError>([&] { study.add_participant(some_participant("Wanda7")); }),
         testing::HasSubstr("is not complete"));
@@ -199,10 +201,48 @@ TEST_F(WithdrawalFromAStudy, IsUnfinishedUntilEveryFileIsRemoved) {
   study.add_participant(some_participant("Wanda7"));
 }
 
+/// The withdrawal that `label` states, as a damaged study or another tool stores it.
+void store_unfinished_deletion(const std::filesystem::path& study, const std::string& label) {
+  run_sql(study,
+          "PRAGMA ignore_check_constraints = ON; INSERT INTO withdrawal VALUES "
+          "(NULL,'deleted',0,'other','x','2026-01-01T00:00:00Z',0,0,0,0,'" +
+              label + "')");
+}
+
+TEST_F(WithdrawalFromAStudy, DeletesNoFilesUnderALabelThatIsNotOneOfAParticipant) {
+  const std::filesystem::path outside = folder_ / "outside";
+  std::filesystem::create_directory(outside);
+  write_file(outside / "kept.txt", "x", Overwrite::refuse);
+  const std::filesystem::path intact = path_;
+  int number = 0;
+  for (const std::string& label : {outside.string(), std::string(".."), std::string("."),
+                                   std::string("../../outside"), std::string(33, 'a')}) {
+    path_ = folder_ / ("damaged" + std::to_string(number++));
+    std::filesystem::copy(intact, path_, std::filesystem::copy_options::recursive);
+    std::filesystem::create_directory(path_ / "recordings" / label);
+    store_unfinished_deletion(path_, label);
+    Study study = open();
+    EXPECT_THAT(refusal_of<ResultsError>([&] { study.withdraw("nobody", kDeletion); }),
+                testing::HasSubstr("is not a participant label"));
+    EXPECT_TRUE(std::filesystem::exists(outside / "kept.txt")) << label;
+    EXPECT_TRUE(std::filesystem::exists(path_ / "recordings" / label)) << label;
+    EXPECT_TRUE(std::filesystem::exists(path_ / "recordings/Stays1/1-1.asprec")) << label;
+  }
+}
+
+TEST_F(WithdrawalFromAStudy, RefusesAFolderThatIsASymbolicLink) {
+  std::filesystem::rename(path_ / "recordings", folder_ / "disk");
+  std::filesystem::create_directory_symlink(folder_ / "disk", path_ / "recordings");
+  EXPECT_THAT(refusal_of<ResultsError>([&] { open().withdraw("Wanda7", kDeletion); }),
+              testing::HasSubstr("symbolic link"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "disk/Wanda7/1-1.asprec"));
+  EXPECT_TRUE(open().participant("Wanda7"));
+}
+
 TEST_F(WithdrawalFromAStudy, LeavesNothingInACopyThatIsMadeMeanwhile) {
   const RemovalFault fault(path_ / "recordings/Wanda7", 1, RemovalFault::Kind::error);
   EXPECT_THROW(open().withdraw("Wanda7", kDeletion), ResultsError);
-  ASSERT_THAT(files_with("Wanda7"), testing::Contains("logs/Wanda7/session-01.txt"));
+  ASSERT_THAT(files_with("Wanda7"), testing::Contains("recordings/Wanda7/1-1.asprec"));
   Study::open(path_, Access::read_only).copy_to(folder_ / "copy");
   path_ = folder_ / "copy";
   EXPECT_THAT(files_with("Wanda7"), testing::IsEmpty());
