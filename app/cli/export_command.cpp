@@ -138,6 +138,7 @@ void add_export(CLI::App& program, Job& job) {
       wanted.overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
       wanted.formats = formats_in(options->formats, wanted.audience);
       wanted.questions_for_public = {options->questions.begin(), options->questions.end()};
+      refuse_export(study, models, options->out, wanted);  // before it is listed
       ListedOutput listed(study,
                           options->published ? OutputKind::public_export : OutputKind::export_,
                           options->out);
@@ -147,7 +148,7 @@ void add_export(CLI::App& program, Job& job) {
         outcome = export_study(study, models, options->out, wanted, interrupt.token(),
                                [&progress](double fraction) { progress.show(fraction); });
       }
-      if (interrupt.token().stop_requested()) {
+      if (outcome.files.empty()) {
         say("asperity: the export was stopped, and the incomplete export was removed; repeat the "
             "command to export the study");
         return 1;

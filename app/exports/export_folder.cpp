@@ -101,6 +101,10 @@ fs::path free_target(const fs::path& folder, Overwrite overwrite) {
 
 }  // namespace
 
+void refuse_target(const fs::path& folder, Overwrite overwrite) {
+  static_cast<void>(free_target(folder, overwrite));
+}
+
 ExportFolder::ExportFolder(const fs::path& folder, Overwrite overwrite)
     : target_(free_target(folder, overwrite)), part_(target_, 0777) {}
 
@@ -116,13 +120,16 @@ fs::path ExportFolder::path_of(const std::string& name) const {
 
 void ExportFolder::write(const std::string& name, std::string_view text) {
   // Neither synced nor renamed: this is done for the complete folder.
-  std::ofstream out(path_of(name), std::ios::binary);
+  const fs::path path = path_of(name);
+  errno = 0;  // a stream does not set it in every failure
+  std::ofstream out(path, std::ios::binary);
   out << text;
   out.close();
   if (!out) {
-    throw ResultsError(
-        "the export cannot be written to " + target_.string() + ": " + text_of_error_number(errno),
-        target_, errno);
+    const int error_number = errno != 0 ? errno : EIO;
+    throw ResultsError("the export cannot be written to " + target_.string() + ": " +
+                           text_of_error_number(error_number),
+                       target_, error_number);
   }
   ExportedFile& file = files_.emplace_back();
   file.name = name;

@@ -51,4 +51,7 @@ class ExportFolder final {
   std::vector<ExportedFile> files_{};
 };
 
+/// The check of the constructor alone.
+void refuse_target(const std::filesystem::path& folder, Overwrite overwrite);
+
 }  // namespace asperity

@@ -68,6 +68,42 @@ class ReadJson final {
   std::unordered_map<std::string, nlohmann::json> known_{};
 };
 
+std::vector<std::string> questionnaire_of(const StudyVocabulary& vocabulary) {
+  std::vector<std::string> names{};
+  for (const auto& [name, question] : vocabulary.questions) {
+    if (question.questionnaire) names.push_back(name);
+  }
+  return names;
+}
+
+// Refuses names that cannot be published, so that a misspelt name does not lead to an omitted question.
+void refuse_questions(const StudyVocabulary& vocabulary) {
+  const std::vector<std::string> asked = questionnaire_of(vocabulary);
+  std::string possible{};
+  for (const std::string& name : asked) {
+    if (!vocabulary.questions.at(name).free_text) {
+      possible += (possible.empty() ? "" : ", ") + name;
+    }
+  }
+  for (const std::string& name : vocabulary.for_public) {
+    const bool is_asked = std::find(asked.begin(), asked.end(), name) != asked.end();
+    if (is_asked && vocabulary.is_published(name)) {
+      // Whether a question was asked reveals the answer that it depends on.
+      const std::string& earlier = vocabulary.questions.at(name).asked_after;
+      if (earlier.empty() || vocabulary.is_published(earlier)) continue;
+      throw std::invalid_argument(
+          "answers to \"" + name + "\" cannot be published without those to \"" + earlier +
+          "\": it is asked " + vocabulary.questions.at(name).condition +
+          ", so that they reveal these answers; publish both, or leave both out");
+    }
+    throw std::invalid_argument(
+        "answers to \"" + name + "\" cannot be published: " +
+        (is_asked ? "they are free text" : "no questionnaire of the study contains this question") +
+        (possible.empty() ? "; leave it out"
+                          : "; choose from those that can be published: " + possible));
+  }
+}
+
 // Walks through a study in the order of its keys, and adds the rows to all tables and files.
 class StudyExport final {
  public:
@@ -84,7 +120,7 @@ class StudyExport final {
         study_name_(study.name()),
         metadata_(study.metadata()),
         stimuli_(folder, study.folder(), options.formats.contains(ExportFormat::stimuli)) {
-    take_questions_for_public();
+    vocabulary_.for_public = options_.questions_for_public;
     if (options.has_age_bands) vocabulary_.age_bands = age_bands_of(participants_);
     for (ExportFile& file : export_files(vocabulary_)) {
       std::vector<std::string> left_out{};
@@ -94,7 +130,7 @@ class StudyExport final {
       TableFile table(folder.path_of(name), TableFile::Format::tsv, column_names(columns));
       codebook_.add(name, columns);
       if (file.name == "responses" && is_public(options.audience)) {
-        for (const std::string& question : questionnaire()) {
+        for (const std::string& question : questionnaire_of(vocabulary_)) {
           if (!vocabulary_.is_published(question)) {
             left_out.push_back(left_out_answers_to(question));
           }
@@ -185,44 +221,6 @@ class StudyExport final {
       for (const ExportColumn& column : table.columns) sidecar[column.name] = sidecar_of(column);
     }
     folder_.write("events.json", indented_text(sidecar));
-  }
-
-  std::vector<std::string> questionnaire() const {
-    std::vector<std::string> names{};
-    for (const auto& [name, question] : vocabulary_.questions) {
-      if (question.questionnaire) names.push_back(name);
-    }
-    return names;
-  }
-
-  // Refuses names that cannot be published, so that a misspelt name does not lead to an omitted question.
-  void take_questions_for_public() {
-    vocabulary_.for_public = options_.questions_for_public;
-    const std::vector<std::string> asked = questionnaire();
-    std::string possible{};
-    for (const std::string& name : asked) {
-      if (!vocabulary_.questions.at(name).free_text) {
-        possible += (possible.empty() ? "" : ", ") + name;
-      }
-    }
-    for (const std::string& name : vocabulary_.for_public) {
-      const bool is_asked = std::find(asked.begin(), asked.end(), name) != asked.end();
-      if (is_asked && vocabulary_.is_published(name)) {
-        // Whether a question was asked reveals the answer that it depends on.
-        const std::string& earlier = vocabulary_.questions.at(name).asked_after;
-        if (earlier.empty() || vocabulary_.is_published(earlier)) continue;
-        throw std::invalid_argument(
-            "answers to \"" + name + "\" cannot be published without those to \"" + earlier +
-            "\": it is asked " + vocabulary_.questions.at(name).condition +
-            ", so that they reveal these answers; publish both, or leave both out");
-      }
-      throw std::invalid_argument(
-          "answers to \"" + name + "\" cannot be published: " +
-          (is_asked ? "they are free text"
-                    : "no questionnaire of the study contains this question") +
-          (possible.empty() ? "; leave it out"
-                            : "; choose from those that can be published: " + possible));
-    }
   }
 
   GroupFiles& files_of(SessionGroup group) {
@@ -366,12 +364,22 @@ class StudyExport final {
 
 }  // namespace
 
-ExportOutcome export_study(const Study& study, const ModelRegistry& models, const fs::path& folder,
-                           const ExportOptions& options, const std::stop_token& stop,
-                           const std::function<void(double)>& progress) {
+void refuse_export(const Study& study, const ModelRegistry& models, const fs::path& folder,
+                   const ExportOptions& options) {
   if (options.has_age_bands && !is_public(options.audience)) {
     throw std::invalid_argument("has_age_bands applies to public exports only");
   }
+  refuse_target(folder, options.overwrite);
+  if (options.questions_for_public.empty()) return;
+  StudyVocabulary vocabulary = vocabulary_of(study, models);
+  vocabulary.for_public = options.questions_for_public;
+  refuse_questions(vocabulary);
+}
+
+ExportOutcome export_study(const Study& study, const ModelRegistry& models, const fs::path& folder,
+                           const ExportOptions& options, const std::stop_token& stop,
+                           const std::function<void(double)>& progress) {
+  refuse_export(study, models, folder, options);
   std::optional<ExportFolder> making(std::in_place, folder, options.overwrite);
   bool has_begun = false;
   bool stopped = false;

@@ -24,6 +24,12 @@ struct ExportOutcome {
   std::vector<Phrase> not_written{};
 };
 
+/// Checks what `export_study` refuses before it reads the study's rows. Errors: those of ExportFolder;
+/// std::invalid_argument for a question whose answers cannot be published, and for bands of ages in an export that is not
+/// public.
+void refuse_export(const Study& study, const ModelRegistry& models,
+                   const std::filesystem::path& folder, const ExportOptions& options);
+
 /// Writes a study into `folder`, which appears only when complete: docs/formats/export.md states
 /// which files. After a stop there is no folder. `progress` receives 0 to 1.
 ///
@@ -37,7 +43,7 @@ struct ExportOutcome {
 ///
 /// If the file of the study was changed, README.txt begins with a warning (Study::condition).
 ///
-/// Memory: one session, and the wide table. Errors: those of ExportFolder; ResultsError for a damaged study.
+/// Memory: one session, and the wide table. Errors: those of refuse_export; ResultsError for a damaged study.
 ExportOutcome export_study(const Study& study, const ModelRegistry& models,
                            const std::filesystem::path& folder, const ExportOptions& options,
                            const std::stop_token& stop = {},

@@ -1,6 +1,9 @@
 #include "app/study_files/study_outputs.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <sys/stat.h>
+#include <utility>
 
 #include "app/study_files/program.h"
 #include "app/study_files/study_condition.h"
@@ -45,6 +48,14 @@ bool is_without(const OutputRow& output, const std::string& label) {
   return false;
 }
 
+/// Which file or folder is at a path; 0 and 0 for none, nothing where that is unknown.
+std::optional<std::pair<dev_t, ino_t>> identity_at(const std::filesystem::path& path) {
+  struct stat status = {};
+  if (::lstat(path.c_str(), &status) == 0) return {{status.st_dev, status.st_ino}};
+  if (errno == ENOENT || errno == ENOTDIR) return {{0, 0}};
+  return {};
+}
+
 }  // namespace
 
 Phrase kind_words(OutputKind kind) {
@@ -62,7 +73,9 @@ Phrase kind_words(OutputKind kind) {
 }
 
 ListedOutput::ListedOutput(const Study& study, OutputKind kind, const std::filesystem::path& path)
-    : study_(study.folder()) {
+    : study_(study.folder()),
+      path_(std::filesystem::absolute(path).lexically_normal()),
+      before_(identity_at(path_)) {
   if (!Study::can_be_written(study_)) {
     unlisted_ = phrase("StudyOutputs",
                        "The study is read-only: it does not list %1 among its outputs. Keep a note "
@@ -74,9 +87,8 @@ ListedOutput::ListedOutput(const Study& study, OutputKind kind, const std::files
     // Found before the writer, which leaves a checksum of what it finds.
     refuse_if_broken(study);
     entry_ = Study::open(study_, Access::read_write)
-                 .begin_output({.kind = kind,
-                                .path = std::filesystem::absolute(path).lexically_normal().string(),
-                                .program_version = program_version()});
+                 .begin_output(
+                     {.kind = kind, .path = path_.string(), .program_version = program_version()});
   } catch (const std::exception& error) {
     unlisted_ = phrase("StudyOutputs",
                        "%1 is complete, but the study does not list it; keep a note of it in case "
@@ -87,6 +99,9 @@ ListedOutput::ListedOutput(const Study& study, OutputKind kind, const std::files
 
 ListedOutput::~ListedOutput() {
   if (!entry_) return;
+  // An output that took its place and failed after that, for example when it was synced, exists.
+  const auto now = identity_at(path_);
+  if (!now || now != before_) return;
   try {
     Study::open(study_, Access::read_write).remove_output(*entry_);
   } catch (const std::exception&) {
@@ -126,7 +141,7 @@ std::vector<OutputRow> outputs_of_participant(const Study& study, const std::str
 std::vector<OutputRow> outputs_of_withdrawal(const Withdrawal& withdrawal,
                                              const std::string& label) {
   std::vector<OutputRow> outputs = withdrawal.outputs;
-  // The dates of a virtual participant are those of a simulated calendar, and do not tell.
+  // The dates of a virtual participant are those of a simulated calendar: the content of the output decides.
   if (withdrawal.row.is_virtual) {
     std::erase_if(outputs, [&label](const OutputRow& output) { return is_without(output, label); });
   }

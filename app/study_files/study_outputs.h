@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <sys/types.h>
+#include <utility>
 #include <vector>
 
 #include "app/words/phrase.h"
@@ -14,8 +16,8 @@
 namespace asperity {
 
 /// An output that is being made, in the list of its study. It is listed before anything is read for it, so that a participant
-/// who withdraws while it is made is told of it. An output that is not completed is taken off the list; one whose program was
-/// killed stays there as incomplete.
+/// who withdraws while it is made finds it in the list. An output that is not completed is taken off the list, unless it has
+/// taken its place; one whose program was killed stays there as incomplete.
 ///
 /// To be made before the study is read for the output. Opens the study for writing, each time for a moment; a reader in the
 /// same process must be one that reads beside writers (Study::read_beside_writers).
@@ -32,6 +34,8 @@ class ListedOutput final {
 
  private:
   std::filesystem::path study_{};
+  std::filesystem::path path_{};
+  std::optional<std::pair<dev_t, ino_t>> before_{};  ///< what was at the path
   std::optional<std::int64_t> entry_{};
   std::optional<Phrase> unlisted_{};
 };

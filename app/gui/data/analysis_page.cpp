@@ -267,9 +267,11 @@ void AnalysisPage::export_to(const QString& folder, const ExportOptions& options
       [study = study_.folder(), to = std::filesystem::path(folder.toStdString()), options](
           const std::stop_token& stop, const BackgroundTask::Progress& progress) {
         const Study own = Study::open(study, Access::read_only);
+        const ModelRegistry models = built_in_models();
+        refuse_export(own, models, to, options);  // before it is listed
         ListedOutput listed(
             own, is_public(options.audience) ? OutputKind::public_export : OutputKind::export_, to);
-        ExportOutcome outcome = export_study(own, built_in_models(), to, options, stop, progress);
+        ExportOutcome outcome = export_study(own, models, to, options, stop, progress);
         Exported exported{.files = outcome.files.size(), .incomplete = std::move(outcome.warnings)};
         if (exported.files > 0) {
           exported.unrecorded = listed.complete();
