@@ -112,7 +112,10 @@ void add_withdraw(CLI::App& program, Job& job) {
     job = [options] {
       Study study = Study::open(options->study, Access::read_write);
       const WithdrawalRow counts = study.counts_of_participant(options->label);
-      if (options->deletes && !is_confirmed(options->label, options->confirmed, counts)) {
+      // An interrupted deletion, of which no participant is left, was confirmed before.
+      const bool is_interrupted = !study.participant(options->label);
+      if (options->deletes && !is_interrupted &&
+          !is_confirmed(options->label, options->confirmed, counts)) {
         say("asperity: the label was not repeated, and nothing was deleted; to delete the data, "
             "repeat the command and type the label");
         return 1;
