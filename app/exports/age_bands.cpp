@@ -20,7 +20,8 @@ std::size_t index_of(const ParticipantRow& participant) { return participant.is_
 
 std::string AgeBands::Band::name() const {
   // A spreadsheet would read "10-12" as a date.
-  return std::to_string(from_years) + " to " + std::to_string(to_years);
+  return std::to_string(from_years) +
+         (to_years ? " to " + std::to_string(*to_years) : std::string(" and older"));
 }
 
 AgeBands::AgeBands(const std::vector<ParticipantRow>& participants) {
@@ -45,15 +46,15 @@ std::vector<AgeBands::Band> AgeBands::bands_of(const std::vector<double>& ages_y
     bands.push_back(*std::exchange(growing, std::nullopt));
     participants = 0;
   }
-  if (growing && !bands.empty()) bands.back().to_years = growing->to_years;
+  if (growing && !bands.empty()) bands.back().to_years.reset();
   return bands;
 }
 
 std::optional<std::string> AgeBands::of(const ParticipantRow& participant) const {
   if (!participant.age_years) return {};
   for (const Band& band : bands_[index_of(participant)]) {
-    const bool is_in =
-        *participant.age_years >= band.from_years && *participant.age_years < band.to_years + 1;
+    const bool is_in = *participant.age_years >= band.from_years &&
+                       (!band.to_years || *participant.age_years < *band.to_years + 1);
     if (is_in) return band.name();
   }
   return {};

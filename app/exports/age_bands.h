@@ -16,7 +16,7 @@ namespace asperity {
 /// Bands of whole multiples of five years, such as "20 to 29", each with at least `kFewest` of the given participants.
 ///
 /// Neighbouring bands of five years are merged, from the youngest participants to the oldest, until each has enough;
-/// what remains at the end is part of the last band. With fewer than `kFewest` ages there is no band. Human and virtual
+/// what remains at the end is part of the last band, which is then "30 and older". With fewer than `kFewest` ages there is no band. Human and virtual
 /// participants have separate bands, because the virtual ones do not make a person harder to identify.
 class AgeBands final {
  public:
@@ -33,7 +33,7 @@ class AgeBands final {
  private:
   struct Band {
     int from_years = 0;
-    int to_years = 0;  ///< including the last year of life
+    std::optional<int> to_years{};  ///< including the last year of life; empty: and older
     std::string name() const;
     auto operator<=>(const Band&) const = default;
   };

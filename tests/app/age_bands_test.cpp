@@ -50,11 +50,10 @@ TEST(AgeBands, AreFiveYearsWideWhereFiveParticipantsAreInThem) {
 // 20 to 24 has four: with the one of 31 it is full. The two of 60 and more are too few for a band of theirs.
 TEST(AgeBands, AreMergedUntilEachHasFiveParticipants) {
   const AgeBands bands(participants_aged({20, 21, 22, 23, 31, 35, 36, 37, 38, 39, 60, 71}));
-  EXPECT_THAT(bands.names(), ElementsAre("20 to 34", "35 to 74"));
+  EXPECT_THAT(bands.names(), ElementsAre("20 to 34", "35 and older"));
   EXPECT_EQ(band_at(bands, 31.0), "20 to 34");
-  EXPECT_EQ(band_at(bands, 71.0), "35 to 74");
+  EXPECT_EQ(band_at(bands, 71.0), "35 and older");
   EXPECT_EQ(band_at(bands, 19.9), std::nullopt);
-  EXPECT_EQ(band_at(bands, 75.0), std::nullopt);
 }
 
 TEST(AgeBands, AreNoneForFewerThanFiveParticipants) {
@@ -108,10 +107,10 @@ TEST(ExportedAges, AreBandsInEveryFileWhereTheyAreAskedFor) {
   const Table participants = table_in(made.beside("bands"), "participants.tsv");
   EXPECT_THAT(participants.columns, Not(Contains("age_years")));
   for (std::size_t i = 0; i < 9; ++i) {
-    EXPECT_EQ(cell_of(participants, i, "age_band"), Cell{"20 to 44"});
+    EXPECT_EQ(cell_of(participants, i, "age_band"), Cell{"20 and older"});
   }
   EXPECT_EQ(cell_of(table_in(made.beside("bands"), "bids/participants.tsv"), 0, "age_band"),
-            Cell{"20 to 44"});
+            Cell{"20 and older"});
   const Table codebook = table_in(made.beside("bands"), "codebook.tsv");
   EXPECT_THAT(columns_in_codebook(codebook),
               Contains(std::pair(std::string("wide.csv"), std::string("age_band"))));
