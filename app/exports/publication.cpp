@@ -59,7 +59,7 @@ std::string identifying_text(const ExportOptions& options) {
   const char* const recordings =
       options.formats.contains(ExportFormat::physio)
           ? "Recordings contain the movement of the hand in every tick. Movements differ between "
-            "people: recordings of the same participant can be recognised."
+            "participants: recordings of the same participant can be recognised."
           : "Recordings, which contain the movement of the hand in every tick, are left out unless "
             "--formats names physio. Summaries of the movement are kept: paths, forces, speeds and "
             "times of presentations, visits, compliance and responses.";
@@ -74,13 +74,16 @@ std::string identifying_text(const ExportOptions& options) {
           ? "Labels were drawn at random for this export, and the rows are in their order. The "
             "assignment to the labels of the study is stored neither here nor in the study. The "
             "group, the order of the conditions, the number of sessions, the times within a "
-            "session, and the versions of protocols and force models are kept. With the study, or "
-            "an export that has its labels, a participant can be found by comparing the data."
+            "session, the driver and model of the device, and the versions of protocols and force "
+            "models are kept. With the study, or an export that has its labels, a participant can "
+            "be found by comparing the data."
           : "The label identifies a participant to every reader of the list of labels and names. "
             "It often contains initials, a birthday or the order of the sessions, and gaps in the "
             "labels show who withdrew. Seeds, the row of the counterbalancing, and the versions of "
-            "the program and of the consent text narrow down when a session was run (--relabel "
-            "draws new labels and leaves these columns out).";
+            "the program and of the consent text, checksums of protocols, stimuli and plug-ins, "
+            "and "
+            "the device narrow down when a session was run (--relabel draws new labels and leaves "
+            "these columns out, except the device).";
   constexpr const char* kNames =
       "Names of files and programs are kept: stimuli, height fields and, in their sidecars, the "
       "photographs from which they were made, external programs, plug-ins, protocols.";

@@ -55,7 +55,8 @@ const std::vector<EventKind>& event_kinds() {
            "`declaration`, the parameters of the model",
        .hed = "Experiment-control",
        .text_is_public = true,
-       .public_data = {"model", "version", "sha256"}},
+       .public_data = {"model", "version", "sha256"},
+       .dating_data = {"version", "sha256"}},
       {.name = "rehearsal",
        .meaning = "a warning from the comparison of the plan with the measured device. Data: the "
                   "check, the stimulus, the requirement and the value of the device",
@@ -194,7 +195,8 @@ const std::vector<EventKind>& event_kinds() {
        .hed = "Sensory-event, Auditory-presentation, Signal-noise",
        .text_is_public = true,
        .public_data = {"kind", "gain", "declared_dBA", "measured_dBA", "generator", "heard",
-                       "rate_Hz", "buffer_s"}},
+                       "rate_Hz", "buffer_s"},
+       .dating_data = {"measured_dBA"}},
       {.name = "masking_noise_lost",
        .meaning = "the noise stopped during a trial, or could not be played when the next one was "
                   "to begin; the session was paused",

@@ -70,7 +70,7 @@ enum class Publication {
   without_questionnaires,   ///< kept, but n/a for a response to a questionnaire
   without_free_text,        ///< kept, but without typed text and without identifiers of a machine
   dropped_unless_named,     ///< responses to a questionnaire
-  dropped_with_new_labels,  ///< kept, but not together with new labels
+  dropped_with_new_labels,  ///< left out with new labels, otherwise kept
   dropped,                  ///< dates, free text, identifiers of a machine
 };
 

@@ -148,6 +148,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
   for (const auto& [role, models] : vocabulary.assets) {
     if (role == kPluginRole) {
       sha256(role, "SHA-256 of the plug-in of the force model", "the force model is built in");
+      columns.back().publication = Publication::dropped_with_new_labels;  // it may be built anew
       continue;
     }
     sha256(role, "SHA-256 of a file that the force model needs; models: " + comma_separated(models),

@@ -38,6 +38,8 @@ Columns session_columns(const StudyVocabulary& vocabulary) {
   columns.back().levels = {"chapter", "improved"};
   of_protocol("protocol_sha256", "SHA-256 of the protocol file, byte for byte",
               &ProtocolRow::source_sha256);
+  columns.back().publication =
+      Publication::dropped_with_new_labels;  // a file that changes during a study dates
   add(with_levels(column("state", "text", "", "state of the session",
                          [](const Place& at) { return text_of(at.session->state); }),
                   {"open", "completed", "stopped", "crashed"}));
@@ -80,16 +82,16 @@ Columns session_columns(const StudyVocabulary& vocabulary) {
                          [](const Place& at) {
                            return integer(static_cast<std::int64_t>(at.session->files.size()));
                          })));
-  add(missing("no files",
-              column("stimulus_files_json", "json", "",
-                     "SHA-256 of each file that the session used, by path within the study",
-                     [](const Place& at) -> Cell {
-                       nlohmann::json files = nlohmann::json::object();
-                       for (const StimulusFileRow& file : at.session->files) {
-                         files[file.path] = file.sha256;
-                       }
-                       return files.empty() ? Cell{} : Cell{files.dump()};
-                     })));
+  add(dropped_with_new_labels(missing(
+      "no files", column("stimulus_files_json", "json", "",
+                         "SHA-256 of each file that the session used, by path within the study",
+                         [](const Place& at) -> Cell {
+                           nlohmann::json files = nlohmann::json::object();
+                           for (const StimulusFileRow& file : at.session->files) {
+                             files[file.path] = file.sha256;
+                           }
+                           return files.empty() ? Cell{} : Cell{files.dump()};
+                         }))));
   add(missing("a human participant",
               column("observer_json", "json", "", "how the virtual participant judged, as declared",
                      [](const Place& at) -> Cell {
