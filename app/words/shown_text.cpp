@@ -1,4 +1,4 @@
-// Walks over UTF-8 without checking it: a control character has one, two or three bytes.
+// Walks over UTF-8. A byte that belongs to no character is taken as a character of Latin-1, because a terminal may obey it.
 
 #include "app/words/shown_text.h"
 
@@ -9,27 +9,37 @@ namespace asperity {
 
 namespace {
 
-/// A character that begins at `at`, as far as it can be a control character.
 struct Character {
   std::uint32_t number = 0;
   std::size_t bytes = 1;
 };
 
-Character character_at(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t i) -> std::uint32_t {
-    return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0U;
-  };
-  if (byte(0) == 0xC2 && (byte(1) & 0xC0U) == 0x80) return {byte(1), 2};
-  if (byte(0) == 0xE2 && (byte(1) & 0xC0U) == 0x80 && (byte(2) & 0xC0U) == 0x80) {
-    return {0x2000U | (byte(1) & 0x3FU) << 6U | (byte(2) & 0x3FU), 3};
-  }
-  // Of other characters only that they are not controls matters.
-  return byte(0) < 0x80 ? Character{byte(0), 1} : Character{0xFFFD, 1};
+/// How many bytes the character that begins with this byte has; 1 for a byte that begins none.
+std::size_t length_of(std::uint32_t first) {
+  if (first >= 0xC2 && first <= 0xDF) return 2;
+  if (first >= 0xE0 && first <= 0xEF) return 3;
+  if (first >= 0xF0 && first <= 0xF4) return 4;
+  return 1;
 }
 
+Character character_at(std::string_view text, std::size_t at) {
+  const std::uint32_t first = static_cast<unsigned char>(text[at]);
+  const std::size_t bytes = length_of(first);
+  if (bytes == 1 || at + bytes > text.size()) return {first, 1};
+  std::uint32_t number = first & (0x7FU >> bytes);
+  for (std::size_t i = 1; i < bytes; ++i) {
+    const std::uint32_t next = static_cast<unsigned char>(text[at + i]);
+    if ((next & 0xC0U) != 0x80) return {first, 1};
+    number = number << 6U | (next & 0x3FU);
+  }
+  return {number, bytes};
+}
+
+/// Controls of ASCII and of Latin-1, line separators, and what changes the direction of writing.
 bool is_control(std::uint32_t number) {
-  return number < 0x20 || (number >= 0x7F && number < 0xA0) ||
-         (number >= 0x2028 && number <= 0x202E) || (number >= 0x2066 && number <= 0x2069);
+  return number < 0x20 || (number >= 0x7F && number < 0xA0) || number == 0x061C ||
+         number == 0x200E || number == 0x200F || (number >= 0x2028 && number <= 0x202E) ||
+         (number >= 0x2066 && number <= 0x2069);
 }
 
 std::string shown(std::string_view text, std::string_view unchanged) {

@@ -17,6 +17,10 @@ TEST(ShownText, HasTheNumbersOfControlCharacters) {
   EXPECT_EQ(shown_in_a_line("a\nasperity: all is well\r\t"),
             R"(a\u000aasperity: all is well\u000d\u0009)");
   EXPECT_EQ(shown_in_a_line(std::string("a\0b", 3)), R"(a\u0000b)");
+  EXPECT_EQ(shown_in_a_line("\x9b"
+                            "31m|\u061c|\u200e|\u200f"),
+            R"(\u009b31m|\u061c|\u200e|\u200f)")
+      << "a byte that is not UTF-8, and marks of direction";
   EXPECT_EQ(shown_in_a_line("\x7f|\u009b31m|\u202egnp.exe|\u2066"),
             R"(\u007f|\u009b31m|\u202egnp.exe|\u2066)");
 }
