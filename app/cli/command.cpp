@@ -18,8 +18,8 @@ int status_of(const Job& job) {
   try {
     const int status = job();
     if (std::cout.flush()) return status;
-    say("asperity: the output is incomplete: standard output takes no more (it was closed, or its "
-        "disk is full); repeat the command with its output in another file");
+    say("asperity: the output is incomplete: standard output cannot be written to (it was closed, "
+        "or its disk is full); repeat the command with its output in another file");
     return kNotAcceptable;
   } catch (const WrongUsage& error) {
     say(std::string("asperity: ") + error.what());
