@@ -31,10 +31,9 @@ class LibraryForces : public DemoStudy, public testing::WithParamInterface<Libra
     for (const auto& [photograph, texture] :
          {std::pair("brick", "stone"), std::pair("gravel", "metal"), std::pair("grass", "wood")}) {
       for (const char* const ending : {".png", ".png.json", "_photo.png"}) {
-        std::filesystem::copy_file(
-            study / "stimuli" / (std::string(texture) + ending),
-            study / "stimuli" / (std::string(photograph) + ending),
-            std::filesystem::copy_options::skip_existing);
+        std::filesystem::copy_file(study / "stimuli" / (std::string(texture) + ending),
+                                   study / "stimuli" / (std::string(photograph) + ending),
+                                   std::filesystem::copy_options::skip_existing);
       }
     }
   }

@@ -16,7 +16,7 @@ namespace {
 
 /// Whether matches of which `of` is the same differ in `part`.
 template <typename Of>
-bool differ_in(std::string PresentedMatch::* part, const std::vector<ParticipantMatch>& matches,
+bool differ_in(std::string PresentedMatch::*part, const std::vector<ParticipantMatch>& matches,
                const Of& of) {
   std::map<decltype(of(matches.front().match)), std::string> known{};
   return std::any_of(matches.begin(), matches.end(), [&](const ParticipantMatch& each) {
@@ -31,12 +31,11 @@ bool differ_in(std::string PresentedMatch::* part, const std::vector<Participant
 class MatchLabels {
  public:
   explicit MatchLabels(const std::vector<ParticipantMatch>& matches)
-      : has_textures_(differ_in(&PresentedMatch::texture, matches,
-                                [](const PresentedMatch&) { return 0; })),
-        has_names_(differ_in(&PresentedMatch::stimulus, matches,
-                             [](const PresentedMatch& match) {
-                               return std::pair(match.model, match.texture);
-                             })),
+      : has_textures_(
+            differ_in(&PresentedMatch::texture, matches, [](const PresentedMatch&) { return 0; })),
+        has_names_(differ_in(
+            &PresentedMatch::stimulus, matches,
+            [](const PresentedMatch& match) { return std::pair(match.model, match.texture); })),
         has_blocks_(differ_in(&PresentedMatch::matched_in, matches,
                               [](const PresentedMatch& match) { return match.stimulus; })) {}
 
@@ -68,12 +67,11 @@ void add_equal_roughness(const GatheredAnswers& gathered, AnalysisOutcome& outco
   if (gathered.matches.empty()) return;
   constexpr double kConfidenceOfAmplitudes = 0.95;
   const MatchLabels labels(gathered.matches);
-  NamedTable participants{kEqualRoughness,
-                          phrase("Analysis", "Relative amplitudes of equal roughness"),
-                          {{"participant", "session", "stimulus", "relative_amplitude",
-                            "roughness_match"},
-                           {}},
-                          {}};
+  NamedTable participants{
+      kEqualRoughness,
+      phrase("Analysis", "Relative amplitudes of equal roughness"),
+      {{"participant", "session", "stimulus", "relative_amplitude", "roughness_match"}, {}},
+      {}};
   std::vector<std::string> stimuli{};
   std::map<std::string, OfParticipants> matched{};
   std::map<std::string, std::size_t> missing{};  // matches that did not succeed, by stimulus
@@ -121,15 +119,15 @@ void add_equal_roughness(const GatheredAnswers& gathered, AnalysisOutcome& outco
     GeometricMean mean = geometric_mean(of, kConfidenceOfAmplitudes);
     // Those who could be matched within the range are a selection.
     if (missing[stimulus] > 0) mean.interval.reset();
-    Basis basis{.n = mean.n,
-                .method = "geometric mean over the matched participants; t interval on the log scale",
-                .interval = mean.interval};
+    Basis basis{
+        .n = mean.n,
+        .method = "geometric mean over the matched participants; t interval on the log scale",
+        .interval = mean.interval};
     if (mean.interval) basis.confidence = kConfidenceOfAmplitudes;
     list.number("relative_amplitude", stimulus, mean.mean, basis);
-    means.table.rows.push_back(
-        {stimulus, static_cast<std::int64_t>(mean.n), mean.mean,
-         mean.interval ? Cell{mean.interval->low} : Cell{},
-         mean.interval ? Cell{mean.interval->high} : Cell{}});
+    means.table.rows.push_back({stimulus, static_cast<std::int64_t>(mean.n), mean.mean,
+                                mean.interval ? Cell{mean.interval->low} : Cell{},
+                                mean.interval ? Cell{mean.interval->high} : Cell{}});
   }
   for (Finding& finding : list.take()) {
     finding.analysis = kEqualRoughness;
@@ -146,10 +144,11 @@ void add_equal_roughness(const GatheredAnswers& gathered, AnalysisOutcome& outco
     return;
   }
   outcome.remarks.push_back(
-      phrase("Analysis",
-             "The surfaces were presented at amplitudes of equal roughness; %1 of %2 matches did not "
-             "succeed, so that these stimuli were presented at the end of the range or unchanged "
-             "(the table lists them).")
+      phrase(
+          "Analysis",
+          "The surfaces were presented at amplitudes of equal roughness; %1 of %2 matches did not "
+          "succeed, so that these stimuli were presented at the end of the range or unchanged "
+          "(the table lists them).")
           .with(std::to_string(not_matched), std::to_string(gathered.matches.size())));
 }
 
