@@ -798,7 +798,7 @@ TEST(Recognition, CountsThePairsWhereTooManyAreConfusedEquallyOften) {
             "the other in 33 % of the responses to the two textures of each pair.");
 }
 
-TEST(Matching, NamesNoPairWhereSeveralAreConfusedEquallyOften) {
+TEST(Matching, NamesThePairsThatAreConfusedEquallyOften) {
   const auto answer_after = [](const std::vector<std::vector<std::string>>& goes) {
     MadeUpStudy made;
     made.add_person("a", "F");
@@ -812,8 +812,9 @@ TEST(Matching, NamesNoPairWhereSeveralAreConfusedEquallyOften) {
             "directions: 2.");
   EXPECT_EQ(
       answer_after({{"metal", "stone", "brick", "wood"}, {"stone", "metal", "wood", "brick"}}),
-      "2 pairs are confused equally often, and none more often; number of confusions, counted in "
-      "both directions: 2.");
+      "The following pairs are confused equally often, and none more often: brick and wood; metal "
+      "and "
+      "stone; number of confusions of each, counted in both directions: 2.");
 }
 
 /// Thirteen women match all, thirteen men exchange two.
@@ -979,7 +980,8 @@ TEST(Recognition, ClaimsNothingWhereTheIntervalContainsChance) {
 
 TEST(Recognition, StatesThatResponsesAreCorrectLessOftenThanByChance) {
   MadeUpStudy made;
-  const std::int64_t protocol = made.add_protocol("recognition", "recognition");
+  const std::int64_t protocol =
+      made.add_protocol("recognition", "recognition", R"({"analysis": {"family": ["right"]}})");
   for (int i = 0; i < 8; ++i) {
     made.add_person(person(i), "F");
     std::vector<MadeUpTrial> trials(40, recognition("metal", "stone"));

@@ -329,7 +329,7 @@ TEST(TidyRefusals, SayWhyANumberIsNotDefined) {
             "which they differ");
   EXPECT_EQ(why(findings_of("recognition", "subject,stimulus,response\nA,y,y\nB,y,x\n", kLabels),
                 "recall"),
-            "NA: this stimulus was never presented: add trials, or remove it from labels");
+            "NA: this stimulus was never presented, so that no trial could be correct");
 }
 
 // Two columns of the same name in the options are two things with one name: every number of them is wrong.

@@ -159,7 +159,7 @@ TEST(Conformance, IsViolatedByLimitsOfSeveralParametersTogether) {
   EXPECT_EQ(check.result, Conformance::violated);
   EXPECT_THAT(
       check.measured,
-      testing::AllOf(testing::HasSubstr("a number that is not finite with "),
+      testing::AllOf(testing::HasSubstr("a number that is not finite as stored with "),
                      testing::HasSubstr("amplitude_m="), testing::HasSubstr("wavelength_m=")));
 }
 

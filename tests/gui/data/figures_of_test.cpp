@@ -552,6 +552,7 @@ TEST(FiguresOf, DrawALineThroughTheCellsOfEachSetting) {
   const Analysed all = analysed("rmanova_02");
   const Figure& figure = all.figure("means");
   std::size_t points = 0;
+  std::size_t intervals = 0;
   for (const FigureSeries& series : figure.series) {
     points += series.points.size();
     EXPECT_EQ(series.points.size(), figure.x.places.size());
@@ -559,12 +560,18 @@ TEST(FiguresOf, DrawALineThroughTheCellsOfEachSetting) {
     EXPECT_EQ(series.lines.front().size(), series.points.size());
     for (std::size_t level = 0; level < series.points.size(); ++level) {
       EXPECT_NEAR(series.points[level].x, static_cast<double>(level), 0.31);
-      ASSERT_TRUE(series.points[level].y_interval);
+      intervals += series.points[level].y_interval ? 1 : 0;
     }
   }
   std::size_t cells = 0;
-  for (const Finding& finding : all.findings) cells += finding.quantity == "cell.mean" ? 1 : 0;
+  std::size_t halves = 0;
+  for (const Finding& finding : all.findings) {
+    cells += finding.quantity == "cell.mean" ? 1 : 0;
+    halves += finding.quantity == "cell.ci.half.morey" && finding.value ? 1 : 0;
+  }
   EXPECT_EQ(points, cells);
+  EXPECT_EQ(intervals, halves);
+  EXPECT_GT(intervals, 0U);
 }
 
 TEST(FiguresOf, DrawPowerBySizeWhereAPlanHasSeveral) {
