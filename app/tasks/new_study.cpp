@@ -207,11 +207,12 @@ bool is_of_store(const std::filesystem::path& path) {
   return path.filename().string().starts_with("study.sqlite");
 }
 
-/// Whether the folders of a study are empty, and nothing else is next to its store.
+/// Whether the folders of a study are empty but for locks, and nothing else is next to its store.
 bool holds_no_files(const std::filesystem::path& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const bool is_known = is_of_store(entry.path()) || entry.path().filename() == "locks";
     const bool is_empty = entry.is_directory() && std::filesystem::is_empty(entry.path());
-    if (!is_of_store(entry.path()) && !is_empty) return false;
+    if (!is_known && !is_empty) return false;
   }
   return true;
 }
