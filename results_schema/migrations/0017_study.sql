@@ -540,7 +540,7 @@ WHEN EXISTS (SELECT 1 FROM output WHERE id = NEW.id)
 BEGIN SELECT RAISE(ABORT, 'an output is append-only'); END;
 
 CREATE TRIGGER withdrawal_no_update BEFORE UPDATE ON withdrawal
-WHEN NEW.label IS NOT NULL OR NEW.id IS NOT OLD.id OR NEW.data IS NOT OLD.data
+WHEN OLD.label IS NULL OR NEW.label IS NOT NULL OR NEW.id IS NOT OLD.id OR NEW.data IS NOT OLD.data
   OR NEW.is_virtual IS NOT OLD.is_virtual OR NEW.reason IS NOT OLD.reason
   OR NEW.decided_by IS NOT OLD.decided_by OR NEW.withdrawn_utc IS NOT OLD.withdrawn_utc
   OR NEW.sessions IS NOT OLD.sessions OR NEW.attempts IS NOT OLD.attempts

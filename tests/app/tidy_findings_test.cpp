@@ -54,8 +54,10 @@ TEST(FamilyOptions, AreReadFromTheCommandLine) {
   FamilyOptions options{};
   options.add("items", "wood,2,metal");
   options.add("conf", "0.9");
-  options.add("target", "wood");
   options.add("target", "metal");
+  options.add("target", "metal");
+  EXPECT_EQ(refusal_of<std::runtime_error>([&] { options.add("target", "wood"); }),
+            "the option \"target\" is given twice, as metal and as wood; give it once");
   options.add("within", R"({"a": ["x", "y"]})");
   EXPECT_THAT(options.texts("items"), ElementsAre("wood", "2", "metal"));
   EXPECT_EQ(options.confidence(), 0.9);
