@@ -360,7 +360,8 @@ TEST(ReportOfTests, ExplainsTheSymbolsOfItsTableOnly) {
   EXPECT_THAT(results_of(made), Not(HasSubstr("ΔM")));
   EXPECT_THAT(results_of(made), Not(HasSubstr("Hedges")));
   add("a_match_of_sexes", R"({"analysis": {"family": ["items", "sexes"]}})");
-  EXPECT_THAT(results_of(made), HasSubstr("ΔM: difference of the means"));
+  EXPECT_THAT(results_of(made),
+              HasSubstr("ΔM: difference of the mean numbers of correctly matched items per trial"));
 }
 
 TEST(PaperText, StatesMeanProportionsOfChoicesWithTheChanceLevel) {
