@@ -613,10 +613,12 @@ TEST(Export, StatesInItsReadmeWhatThePublicGetsOfAParticipantAndWhatNot) {
   EXPECT_THAT(readme, HasSubstr("n/a for answers to questionnaires, unless named by "
                                 "--with-questions: item, answer, answer_number, time_s, "
                                 "from_cue_s, source (responses.tsv)."));
-  EXPECT_THAT(readme, HasSubstr("Left out with --relabel: seed, generator, counterbalance_row, "
-                                "program_version, program_commit, program_build, program_sha256, "
-                                "instruction_set, consent_version (sessions.tsv), recording_path, "
-                                "recording_sha256 (attempts.tsv), seed (presentations.tsv)."));
+  EXPECT_THAT(
+      readme,
+      HasSubstr("Left out with --relabel: protocol_sha256, seed, generator, counterbalance_row, "
+                "program_version, program_commit, program_build, program_sha256, "
+                "instruction_set, stimulus_files_json, consent_version (sessions.tsv), "
+                "recording_path, recording_sha256 (attempts.tsv), seed (presentations.tsv)."));
   EXPECT_THAT(publication_text_of_any_study(), HasSubstr("age_years, sex, handedness"));
   EXPECT_THAT(publication_text_of_any_study(),
               HasSubstr("Left out unless named by --with-questions: answer_NAME"));
