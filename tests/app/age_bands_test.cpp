@@ -107,10 +107,10 @@ TEST(ExportedAges, AreBandsInEveryFileWhereTheyAreAskedFor) {
   const Table participants = table_in(made.beside("bands"), "participants.tsv");
   EXPECT_THAT(participants.columns, Not(Contains("age_years")));
   for (std::size_t i = 0; i < 9; ++i) {
-    EXPECT_EQ(cell_of(participants, i, "age_band"), Cell{"20 and older"});
+    EXPECT_EQ(cell_of(participants, i, "age_band"), Cell{"20 to 44"});
   }
   EXPECT_EQ(cell_of(table_in(made.beside("bands"), "bids/participants.tsv"), 0, "age_band"),
-            Cell{"20 and older"});
+            Cell{"20 to 44"});
   const Table codebook = table_in(made.beside("bands"), "codebook.tsv");
   EXPECT_THAT(columns_in_codebook(codebook),
               Contains(std::pair(std::string("wide.csv"), std::string("age_band"))));
