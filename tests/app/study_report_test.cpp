@@ -383,8 +383,9 @@ TEST(StudyReport, CountsWhatDidNotComeAsItWasMeant) {
   EXPECT_THAT(
       words,
       HasSubstr("violated assumption of pd_gradient: too deep, brick | 7 | 1 of 2 surfaces | 7 |"));
-  EXPECT_THAT(words,
-              HasSubstr("violated assumption of pd_gradient: fine detail, wave | 10 | 2 of 2 surfaces"));
+  EXPECT_THAT(
+      words,
+      HasSubstr("violated assumption of pd_gradient: fine detail, wave | 10 | 2 of 2 surfaces"));
   EXPECT_THAT(words, Not(HasSubstr("too deep, wave")));
   const std::string hands = words_of(section(report.chapters.at(1), "Exploration"));
   EXPECT_THAT(hands, HasSubstr("Explored as the protocol requires: normal force (0.5 N to 1.5 N) "
