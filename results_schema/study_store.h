@@ -80,7 +80,7 @@ struct Study::Store {
   std::optional<Stamp> immutable_since{};
   int schema_version = 0;  ///< of the file
   bool inside_read = false;
-  /// By this opening of the study: a repeated command is told that it is done.
+  /// By this opening of the study: a repeated command reports it as done.
   struct CompletedDeletion {
     UnfinishedDeletion deletion{};
     std::vector<OutputRow> outputs{};  ///< before paths were blanked

@@ -37,7 +37,7 @@ class Progress final {
   std::mutex mutex_{};
 };
 
-/// One line on standard error, whole, whoever else writes, with control characters shown. Threads: any.
+/// One line on standard error, whole also where other threads write, with control characters shown. Threads: any.
 void say(const std::string& line);
 
 /// While it lives, what is written to a stream has its control characters shown, except line feeds and tabs

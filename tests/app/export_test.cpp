@@ -624,7 +624,7 @@ TEST(Export, StatesInItsReadmeWhatThePublicGetsOfAParticipantAndWhatNot) {
               HasSubstr("Left out unless named by --with-questions: answer_NAME"));
 }
 
-// Whoever publishes an export reads there what is in it: the text depends on the options.
+// The README states what an export contains: the text depends on the options.
 TEST(Export, StatesInItsReadmeWhatCanStillIdentifyAParticipant) {
   MadeUpStudy made;
   fill(made);

@@ -203,7 +203,7 @@ TEST_F(HangingTick, LosesItsForceIsToldAndStoredAndTheSessionCanBeResumed) {
       std::count_if(all.begin(), all.end(), [](const AttemptRow& each) { return each.valid; }), 2);
 }
 
-// With somebody there, the session waits, says what to do, and nothing that is asked of it clears the fault.
+// With an experimenter, the session waits and states what to do, and no request clears the fault.
 TEST_F(HangingTick, IsWaitedOutByTheExperimenterWhoCanOnlyEndTheSession) {
   links_.experimenter_is_there = true;
   int asked = 0;

@@ -147,7 +147,7 @@ TEST(ServoThread, RaisesAStandstillAndThenZeroesTheForceFromOutsideWhileATickHan
   EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(1));
   EXPECT_EQ(loop.status().fault, Fault::standstill);
 
-  // Again and again, and whoever clears the fault finds it again.
+  // At every look: a fault that was cleared is found again.
   const int before = zeroed;
   loop.clear_fault(Fault::standstill);
   EXPECT_TRUE(eventually([&] { return loop.status().fault == Fault::standstill; }));

@@ -23,7 +23,7 @@ inline const WithdrawalRow kDeletion{.data = WithdrawnData::deleted,
                                      .decided_by = "R. Keeper"};
 inline const WithdrawalRow kKept{.data = WithdrawnData::kept, .decided_by = "R. Keeper"};
 
-/// Two participants with a completed session each: what is told of one can be told from the other.
+/// Two participants with a completed session each: what is stated of one can be distinguished from the other.
 class StudyOfTwo : public testing::Test {
  protected:
   StudyOfTwo() {

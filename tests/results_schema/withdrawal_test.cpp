@@ -25,7 +25,7 @@ void run_sql(const std::filesystem::path& study, const std::string& sql) {
   sqlite3_close(handle);
 }
 
-/// While it lives SQLite does not overwrite what is removed unless it is told to; some distributions build it so that it does.
+/// While it lives SQLite overwrites what is removed only on request; some distributions build it so that it does.
 class SqliteThatKeepsWhatIsRemoved final {
  public:
   SqliteThatKeepsWhatIsRemoved() { sqlite3_auto_extension(reinterpret_cast<void (*)()>(&change)); }
