@@ -10,6 +10,7 @@
 #include <sqlite3.h>
 
 #include "results_schema/file_system.h"
+#include "results_schema/folder_entries.h"
 #include "results_schema/study.h"
 #include "results_schema/study_store.h"
 
@@ -339,14 +340,11 @@ std::vector<std::filesystem::path> files_of_label(const std::filesystem::path& s
   std::vector<std::filesystem::path> files{
       study / "recordings" / label, study / "logs" / label, study / sheet,
       study / "locks" / (Study::session_lock_name(label) + ".lock")};
-  std::error_code error;
-  std::filesystem::directory_iterator entry(study, error);
-  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
+  for (const auto& entry : entries_in(study)) {
+    const std::string name = entry.path().filename().string();
     // The temporary files of a program that was killed while it wrote the sheet, and studies from before a migration.
-    if (name.starts_with(sheet + ".") || name.starts_with(migrated)) files.push_back(entry->path());
+    if (name.starts_with(sheet + ".") || name.starts_with(migrated)) files.push_back(entry.path());
   }
-  if (error) fail_on_file(study, "read", error.value());
   return files;
 }
 
