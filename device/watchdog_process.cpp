@@ -20,12 +20,22 @@
 #include <unistd.h>
 
 #include <poll.h>
+#include <time.h>
 
 namespace asperity {
 namespace {
 
 constexpr int kBetweenLooks_ms = 50;
+// A library that stands between this process and the system calls may have one of its locks held by another thread when
+// the process is forked, which no thread of the fork ever releases. Such a fork never says that it watches.
+constexpr int kToStart_ms = 200;
+constexpr int kTries = 25;
+// To act after its last word: more than any driver takes.
+constexpr int kToEnd_ms = 5000;
+constexpr timespec kBetweenWaits{0, 1'000'000};
 
+// What it says when it watches.
+constexpr char kReady = 3;
 // What the destructor says.
 constexpr char kFarewell = 1;
 constexpr char kLastWord = 2;
@@ -71,6 +81,9 @@ bool stands_still(const StatusPath& status) noexcept {
 
 [[noreturn]] void watch(int leash, const StatusPath& status, WatchdogProcess::Act act,
                         const void* about) noexcept {
+  // Opens and closes a file, as what follows does.
+  stands_still(status);
+  if (send(leash, &kReady, 1, MSG_NOSIGNAL) != 1) _exit(1);
   for (;;) {
     pollfd end{leash, POLLIN, 0};
     const int ready = poll(&end, 1, kBetweenLooks_ms);
@@ -100,6 +113,16 @@ bool stands_still(const StatusPath& status) noexcept {
 }  // namespace
 
 WatchdogProcess::WatchdogProcess(Act act, const void* about, int keep_open) {
+  for (int tries = 0; tries < kTries; ++tries) {
+    start(act, about, keep_open);
+    if (says_that_it_watches()) return;
+    close(leash_);
+    end_by_force();
+  }
+  refuse_to_start("it does not answer", ETIMEDOUT);
+}
+
+void WatchdogProcess::start(Act act, const void* about, int keep_open) {
   std::array<int, 2> ends{};
   // Sockets, and no pipe: writing to a watchdog that is dead is an error then, and no SIGPIPE.
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
@@ -133,6 +156,22 @@ WatchdogProcess::WatchdogProcess(Act act, const void* about, int keep_open) {
   }
 }
 
+bool WatchdogProcess::says_that_it_watches() const noexcept {
+  pollfd word{leash_, POLLIN, 0};
+  int ready = 0;
+  do {
+    ready = poll(&word, 1, kToStart_ms);
+  } while (ready < 0 && errno == EINTR);
+  char said = 0;
+  return ready == 1 && read(leash_, &said, 1) == 1 && said == kReady;
+}
+
+void WatchdogProcess::end_by_force() const noexcept {
+  kill(process_, SIGKILL);
+  while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+}
+
 bool WatchdogProcess::is_there() const noexcept {
   // Nobody but it has the other end, so that its end is the end of the line.
   pollfd end{leash_, 0, 0};
@@ -144,8 +183,11 @@ WatchdogProcess::~WatchdogProcess() {
   // It only fails when the other process is gone already.
   [[maybe_unused]] const ssize_t written = send(leash_, &word, 1, MSG_NOSIGNAL);
   close(leash_);
-  while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+  for (int waited_ms = 0; waited_ms < kToEnd_ms; ++waited_ms) {
+    if (waitpid(process_, nullptr, WNOHANG) != 0) return;
+    nanosleep(&kBetweenWaits, nullptr);
   }
+  end_by_force();
 }
 
 }  // namespace asperity

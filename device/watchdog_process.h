@@ -18,8 +18,9 @@ inline constexpr const char* kWatchdogIsGone =
 ///   soon as the kernel closes this process's files.
 /// - Stopped (SIGSTOP, Ctrl-Z, a debugger) or writing a core dump: `act(stopped, …)` within 0.1 s, and
 ///   again every 50 ms until it goes on.
+/// - Constructed: the other process watches. One that does not say so within 0.2 s is killed and started again.
 /// - Destroyed in order: nothing is called, or after `leave_to_act` `act(left, …)`; the destructor waits until the
-///   other process is gone.
+///   other process is gone, and kills it after 5 s.
 ///
 /// What it cannot see: a thread that hangs in a process that runs, a kernel that died, a plug that was
 /// pulled.
@@ -29,7 +30,8 @@ inline constexpr const char* kWatchdogIsGone =
 /// blocks all signals, runs as a normal thread whatever the caller is, and closes every file of this
 /// process but `keep_open`: locks and connections end with this one.
 ///
-/// Errors: the constructor throws std::runtime_error when the machine has no process or file left.
+/// Errors: the constructor throws std::runtime_error when the machine has no process or file left, and when no process
+/// has said within 5 s that it watches.
 ///
 /// Threads: construct and destroy from any; not in real time (a fork takes milliseconds).
 class WatchdogProcess final {
@@ -54,6 +56,10 @@ class WatchdogProcess final {
   WatchdogProcess& operator=(const WatchdogProcess&) = delete;
 
  private:
+  void start(Act act, const void* about, int keep_open);
+  bool says_that_it_watches() const noexcept;
+  void end_by_force() const noexcept;
+
   int leash_ = -1;  // no other process has this end: it closes when this process ends
   pid_t process_ = -1;
   bool is_left_to_act_ = false;

@@ -643,6 +643,28 @@ TEST_F(Falcon, TakesZeroOverTheFileThatItsDriverHasOpenedAndNoOther) {
   ::close(another);
 }
 
+// umockdev stands between the program and its system calls, and has locks: a fork in which one is held does nothing.
+TEST_F(Falcon, HasAWatchdogThatActsWhateverLockALibraryHoldsAtItsStart) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe2(ends.data(), O_CLOEXEC), 0);
+  const std::jthread locks([](const std::stop_token& end) {
+    while (!end.stop_requested()) access("/dev/null", R_OK);
+  });
+  constexpr int kWatchdogs = 5;
+  for (int number = 0; number < kWatchdogs; ++number) {
+    WatchdogProcess watchdog(
+        [](WatchdogProcess::Cause, const void* to) noexcept {
+          [[maybe_unused]] const ssize_t written = write(*static_cast<const int*>(to), "", 1);
+        },
+        &ends[1], ends[1]);
+    watchdog.leave_to_act();
+  }
+  close(ends[1]);
+  std::array<char, kWatchdogs + 1> acted{};
+  EXPECT_EQ(read(ends[0], acted.data(), acted.size()), kWatchdogs);
+  close(ends[0]);
+}
+
 TEST_F(Falcon, IsInStepAgainAfterAnAnswerThatCameLate) {
   EmulatedFalcon emulated(bus(), {});
   const auto device = open();

@@ -120,6 +120,12 @@ TEST(WatchdogProcess, ActsWhenItIsLeftTheLastWord) {
   close(ends[0]);
 }
 
+TEST(WatchdogProcess, HoldsUpNobodyWhereItDoesNotEnd) {
+  WatchdogProcess watchdog([](WatchdogProcess::Cause, const void*) noexcept { pause(); }, nullptr,
+                           -1);
+  watchdog.leave_to_act();
+}
+
 // As one that was killed for want of memory: the program that it watched goes on, and can see it.
 TEST(WatchdogProcess, IsKnownToBeDeadAndMayBeBeforeItIsDestroyed) {
   const pid_t program = fork();
