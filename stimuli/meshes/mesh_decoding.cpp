@@ -4,16 +4,29 @@
 #include <array>
 #include <charconv>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/look_alikes.h"
+
 namespace asperity {
+
+MeshText::MeshText(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text_.starts_with(kByteOrderMark)) text_.remove_prefix(kByteOrderMark.size());
+}
 
 bool MeshText::next_line() noexcept {
   if (text_.empty()) return false;
-  const std::size_t end = std::min(text_.find('\n'), text_.size());
+  const std::size_t end = std::min(text_.find_first_of("\r\n"), text_.size());
   line_ = text_.substr(0, end);
+  const bool has_cr = end < text_.size() && text_[end] == '\r';
   text_.remove_prefix(std::min(end + 1, text_.size()));
+  const bool has_both = has_cr && text_.starts_with('\n');
+  if (number_ == 0) ends_with_cr_ = has_cr && !has_both;
+  // Where carriage returns alone end the lines of a PLY header, a line feed after the last one is a byte of the body.
+  if (has_both && !ends_with_cr_) text_.remove_prefix(1);
   ++number_;
   return true;
 }
@@ -67,8 +80,11 @@ void MeshText::refuse(const std::string& sentence, const std::string& remedy) co
   std::string readable = sentence;
   std::replace_if(
       readable.begin(), readable.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  throw std::invalid_argument(name_ + ':' + std::to_string(number_) + ": " + readable + ' ' +
-                              remedy);
+  const std::optional<LookAlike> other = first_look_alike(sentence);
+  throw std::invalid_argument(
+      name_ + ':' + std::to_string(number_) + ": " + readable + ' ' +
+      (other ? "There is " + std::string(other->name) + "; " + std::string(other->remedy) + '.'
+             : remedy));
 }
 
 GrowingMesh::GrowingMesh(const MeshReading& reading, std::string name)

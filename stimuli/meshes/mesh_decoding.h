@@ -21,10 +21,11 @@ constexpr bool is_mesh_space(char c) {
 /// The end of the sentence about a mesh file that is damaged or incomplete.
 constexpr const char* kExportAgain = "Export the mesh again.";
 
-/// Reads a text word by word, with the number of its line for errors.
+/// Reads a text word by word, with the number of its line for errors. A byte order mark at its beginning is skipped. A
+/// line ends with a line feed, a carriage return or both.
 class MeshText final {
  public:
-  MeshText(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
+  MeshText(std::string_view text, std::string name);
 
   /// Advances to the next line; false at the end of the text.
   bool next_line() noexcept;
@@ -47,6 +48,7 @@ class MeshText final {
   std::string_view line_{};
   std::size_t number_ = 0;
   std::string name_;
+  bool ends_with_cr_ = false;  ///< the first line, with a carriage return alone
 };
 
 /// Builds a mesh, and refuses invalid indices and too many triangles.

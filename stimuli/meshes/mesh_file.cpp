@@ -16,17 +16,11 @@ namespace asperity {
 namespace {
 
 // The first word of the text outside comments.
-std::string_view first_word(std::string_view text) {
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    while (!line.empty() && is_mesh_space(line.front())) line.remove_prefix(1);
-    if (!line.empty() && line.front() != '#') {
-      std::size_t length = 0;
-      while (length < line.size() && !is_mesh_space(line[length])) ++length;
-      return line.substr(0, length);
-    }
-    text.remove_prefix(std::min(end + 1, text.size()));
+std::string_view first_word(std::string_view start) {
+  MeshText text(start, "");
+  while (text.next_line()) {
+    const std::string_view word = text.word();
+    if (!word.empty() && word.front() != '#') return word;
   }
   return {};
 }

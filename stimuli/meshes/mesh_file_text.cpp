@@ -1,6 +1,9 @@
 // Implements the readers of OBJ and OFF.
 
+#include <algorithm>
 #include <array>
+#include <iterator>
+#include <string_view>
 #include <vector>
 
 #include "stimuli/meshes/mesh_decoding.h"
@@ -34,6 +37,26 @@ std::size_t next_count(MeshText& text, std::string_view word, const char* what) 
   return static_cast<std::size_t>(count);
 }
 
+/// The keywords of OBJ that do not describe triangles: normals and texture coordinates, groups, materials, lines, points,
+/// free-form curves and surfaces (Wavefront, Advanced Visualizer 3.0, appendix B1, with those that it superseded).
+bool is_without_triangles(std::string_view keyword) {
+  constexpr std::string_view kKeywords[] = {
+      "vt",     "vn",       "vp",       "l",      "p",      "g",          "s",
+      "mg",     "o",        "usemtl",   "mtllib", "usemap", "maplib",     "bevel",
+      "lod",    "c_interp", "d_interp", "ctech",  "stech",  "shadow_obj", "trace_obj",
+      "cstype", "deg",      "bmat",     "step",   "curv",   "curv2",      "surf",
+      "parm",   "trim",     "hole",     "scrv",   "sp",     "end",        "con",
+      "call",   "csh",      "bsp",      "bzp",    "cdc",    "cdp",        "res"};
+  return std::find(std::begin(kKeywords), std::end(kKeywords), keyword) != std::end(kKeywords);
+}
+
+/// Skips the rest of a line, and the lines that continue it.
+void skip_line(MeshText& text) {
+  for (std::string_view word = text.word(); !word.empty(); word = text.word()) {
+    if (word.ends_with('\\')) text.next_line();
+  }
+}
+
 }  // namespace
 
 ReadMesh decode_obj(std::string_view content, const MeshReading& reading, const std::string& name) {
@@ -44,7 +67,7 @@ ReadMesh decode_obj(std::string_view content, const MeshReading& reading, const 
     const std::string_view keyword = text.word();
     if (keyword == "v") {
       mesh.add_vertex(next_point(text));
-    } else if (keyword == "f") {
+    } else if (keyword == "f" || keyword == "fo") {  // fo: a face in files before version 2.11
       corners.clear();
       for (std::string_view word = text.word(); !word.empty() && word.front() != '#';
            word = text.word()) {
@@ -64,6 +87,11 @@ ReadMesh decode_obj(std::string_view content, const MeshReading& reading, const 
         corners.push_back(index > 0 ? index - 1 : before + index);
       }
       mesh.add_face(corners);
+    } else if (is_without_triangles(keyword)) {
+      skip_line(text);
+    } else if (!keyword.empty() && keyword.front() != '#') {
+      text.refuse('"' + std::string(keyword.substr(0, 40)) + "\" is not a keyword of OBJ.",
+                  "Delete the line, or export the mesh again.");
     }
   }
   return mesh.finish(MeshFormat::obj);

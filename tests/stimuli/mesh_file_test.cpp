@@ -2,6 +2,8 @@
 
 #include "stimuli/meshes/mesh_file.h"
 
+#include <algorithm>
+#include <bit>
 #include <limits>
 #include <sstream>
 
@@ -144,6 +146,54 @@ TEST(MeshFile, OfObjHasPolygonsAndIndicesThatCountBack) {
   EXPECT_EQ(found.notes, (std::vector<std::string>{
                              "Faces with more than three vertices, divided into triangles: 1.",
                              "Faces left out because they had fewer than three vertices: 1."}));
+}
+
+TEST(MeshFile, HasAByteOrderMarkAndAnyLineEnds) {
+  const TriangleMesh mesh = precise();
+  std::string with_cr = obj_of(mesh);
+  std::replace(with_cr.begin(), with_cr.end(), '\n', '\r');
+  const std::string mark = "\xEF\xBB\xBF";
+  for (const std::string& text :
+       {mark + obj_of(mesh), mark + obj_of(mesh).substr(obj_of(mesh).find("v ")), with_cr,
+        mark + off_of(mesh), mark + ply_of(mesh)}) {
+    expect_same(read(text).mesh, mesh);
+  }
+  expect_same_corners(read(mark + stl_of(mesh)).mesh, mesh);
+}
+
+// The body begins with 0x0A, a line feed: the x of the first vertex is that of a box of this size.
+TEST(MeshFile, OfBinaryPlyHasAHeaderWhoseLinesEndWithCarriageReturns) {
+  TriangleMesh mesh = precise();
+  mesh.vertices_m[0].x = std::bit_cast<double>(0x3F8111111111110AULL);
+  std::string content = binary_ply_of(mesh, std::endian::little);
+  const std::size_t body = content.find("end_header\n") + 11;
+  ASSERT_EQ(content[body], '\n');
+  std::replace(content.begin(), content.begin() + static_cast<std::ptrdiff_t>(body), '\n', '\r');
+  expect_same(read(content).mesh, mesh);
+}
+
+TEST(MeshFile, OfObjHasLinesWithoutTriangles) {
+  const ReadMesh found = read(
+      "mtllib a.mtl\no thing\ng one \\\n two\nv 0 0 0\nv 1 0 0\nv 0 1 0\ncstype bezier\ndeg 3\n"
+      "curv 0 1 1 2 \\\n3 1\nparm u 0 1\nend\ns off\nfo 1 2 3\n#MRGB ff\n");
+  EXPECT_EQ(found.mesh.triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}}));
+}
+
+TEST(MeshFile, OfObjHasNoUnknownLines) {
+  EXPECT_EQ(
+      refusal("v 0 0 0\nv 1 0 0\nvertex 0 1 0\nv 0 1 0\nf 1 2 3\n"),
+      "thing:3: \"vertex\" is not a keyword of OBJ. Delete the line, or export the mesh again.");
+}
+
+TEST(MeshFile, NamesACharacterThatIsNotSeen) {
+  EXPECT_EQ(
+      refusal("v 0 0 0\n\xE2\x80\x8Bv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+      "thing:2: \"???v\" is not a keyword of OBJ. There is a zero-width space (U+200B); delete "
+      "it.");
+  EXPECT_EQ(refusal("v 0 0 \xE2\x88\x92"
+                    "1\n"),
+            "thing:1: \"???1\" is not a number; a number is expected here. There is a minus sign "
+            "(U+2212); write a hyphen (-) instead.");
 }
 
 TEST(MeshFile, OfPlyHasStrips) {

@@ -1,0 +1,24 @@
+// Characters of a text that are invisible, or that look like the ASCII character that is meant.
+
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace asperity {
+
+struct LookAlike {
+  std::string_view bytes{};   ///< in UTF-8
+  std::string_view name{};    ///< with its article and code point: "a no-break space (U+00A0)"
+  std::string_view remedy{};  ///< what to do: "write a space instead"
+};
+
+/// The character at the beginning of a text in UTF-8, if a reader would not notice it: spaces without a break or width,
+/// marks of order and direction, typographic quotation marks, dashes, full-width and Arabic punctuation, which word
+/// processors, web pages and input methods write in place of ASCII.
+std::optional<LookAlike> look_alike_at(std::string_view text);
+
+/// The first one in a text.
+std::optional<LookAlike> first_look_alike(std::string_view text);
+
+}  // namespace asperity

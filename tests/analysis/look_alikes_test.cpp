@@ -1,0 +1,28 @@
+// Characters that look like others are found and named.
+
+#include "analysis/look_alikes.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace asperity::test {
+namespace {
+
+TEST(LookAlikes, AreNamedWithWhatToWriteInstead) {
+  const auto space = look_alike_at("\xC2\xA0x");
+  ASSERT_TRUE(space);
+  EXPECT_EQ(space->name, "a no-break space (U+00A0)");
+  EXPECT_EQ(space->remedy, "write a space instead");
+  EXPECT_EQ(space->bytes.size(), 2U);
+  EXPECT_EQ(first_look_alike("ab\xE2\x80\x8B\xC2\xA0")->name, "a zero-width space (U+200B)");
+}
+
+TEST(LookAlikes, AreNotTheLettersOfNames) {
+  EXPECT_FALSE(look_alike_at("a\xC2\xA0"));
+  EXPECT_FALSE(first_look_alike("Ren\xC3\xA9, \xC3\x96l, \xE6\x9C\xA8"));
+  EXPECT_FALSE(first_look_alike(""));
+}
+
+}  // namespace
+}  // namespace asperity::test
