@@ -73,6 +73,30 @@ TEST(MeshRepair, LeavesOutDegenerateAndDuplicateFacesAndLooseVertices) {
   EXPECT_EQ(result.mesh.vertices_m.size(), 8U);
 }
 
+// Two tetrahedra, above and below the triangle 0 1 2, which is a face of both.
+TEST(MeshRepair, KeepsBothFacesInWhichTwoSolidsTouch) {
+  const TriangleMesh mesh{
+      {{0.01, 0, 0}, {-0.005, 0.00866, 0}, {-0.005, -0.00866, 0}, {0, 0, 0.01}, {0, 0, -0.01}},
+      {{3, 0, 1}, {3, 1, 2}, {3, 2, 0}, {2, 1, 0}, {4, 1, 0}, {4, 2, 1}, {4, 0, 2}, {2, 0, 1}}};
+  const RepairedMesh result = repaired(mesh);
+  EXPECT_EQ(result.found.duplicate_faces, 0U);
+  EXPECT_EQ(result.mesh.triangles.size(), 8U);
+  // The area of the triangle is 0.015 m · 0.00866 m, a third of the height 0.01 m, twice.
+  EXPECT_NEAR(volume_m3(result.mesh), 2.0 * 0.015 * 0.00866 * 0.01 / 3.0, 1e-15);
+}
+
+TEST(MeshRepair, LeavesOutTheBacksOfASurfaceThatIsSeenFromBothSides) {
+  TriangleMesh mesh = small_box();
+  const std::size_t faces = mesh.triangles.size();
+  for (std::size_t i = 0; i < faces; ++i) {
+    const auto [a, b, c] = mesh.triangles[i];
+    mesh.triangles.push_back({a, c, b});
+  }
+  const RepairedMesh result = repaired(mesh);
+  EXPECT_EQ(result.found.duplicate_faces, faces);
+  EXPECT_NEAR(volume_m3(result.mesh), kBox_m3, 1e-15);
+}
+
 TEST(MeshRepair, TurnsFacesThatRunAgainstTheirNeighbours) {
   TriangleMesh mesh = small_box();
   std::swap(mesh.triangles[4][1], mesh.triangles[4][2]);

@@ -116,8 +116,13 @@ void pair_at_crowded_edges(MeshInRepair& repair) {
       const glm::dvec3 apex_m = repair.mesh.vertices_m[repair.opposite_corner(half)] - a_m;
       around.emplace_back(std::atan2(glm::dot(apex_m, v), glm::dot(apex_m, u)), half);
     }
-    std::sort(around.begin(), around.end());
     const auto runs_up = [&](std::uint32_t half) { return repair.from(half) == low; };
+    // Of two faces at the same angle, where two solids touch, the body is not between them.
+    std::sort(around.begin(), around.end(), [&](const auto& one, const auto& other) {
+      if (one.first != other.first) return one.first < other.first;
+      if (runs_up(one.second) != runs_up(other.second)) return runs_up(one.second);
+      return one.second < other.second;
+    });
     const auto pair_neighbours = [&] {
       for (std::size_t i = 0; i < around.size() && around.size() > 1; ++i) {
         const std::size_t next = (i + 1) % around.size();

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <numeric>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -88,7 +89,58 @@ void weld(MeshInRepair& repair) {
   }
 }
 
-// Leaves out faces with two equal corners, and all but the first with the same three.
+// Keeps faces that were left out as the backs of others where their edges need them: each edge of two solids that touch in
+// a face has as many faces that run one way as the other, and with one of the two faces alone it has not. A surface whose
+// every face is doubled by its back is balanced without the backs. To be repeated while something changes: a face that is
+// kept changes the balance of its edges.
+bool keep_needed_backs(const std::vector<Triangle>& triangles, const std::vector<char>& is_back,
+                       std::vector<char>& again) {
+  // How many faces run from the edge's lower vertex to its higher one, less those that run the other way.
+  struct Balance {
+    int of_all = 0;
+    int of_kept = 0;
+  };
+  std::unordered_map<std::uint64_t, Balance> balances{};
+  const auto run = [&](const Triangle& t, std::size_t corner) {
+    return t[corner] < t[(corner + 1) % 3] ? 1 : -1;
+  };
+  const auto balance_at = [&](const Triangle& t, std::size_t corner) -> Balance& {
+    return balances[edge_key(t[corner], t[(corner + 1) % 3])];
+  };
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (again[i] != 0 && is_back[i] == 0) continue;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      Balance& balance = balance_at(triangles[i], corner);
+      balance.of_all += run(triangles[i], corner);
+      if (again[i] == 0) balance.of_kept += run(triangles[i], corner);
+    }
+  }
+  bool changed = false;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (is_back[i] == 0 || again[i] == 0) continue;
+    bool is_balanced = true;
+    bool is_needed = false;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const Balance& balance = balance_at(triangles[i], corner);
+      is_balanced = is_balanced && balance.of_all == 0;
+      is_needed = is_needed || balance.of_kept != 0;
+    }
+    if (is_balanced && is_needed) {
+      again[i] = 0;
+      changed = true;
+    }
+  }
+  return changed;
+}
+
+/// Whether two faces with the same corners run around them in the same order.
+bool run_alike(const Triangle& one, const Triangle& other) {
+  const auto first = std::find(other.begin(), other.end(), one[0]) - other.begin();
+  return other[static_cast<std::size_t>(first + 1) % 3] == one[1];
+}
+
+// Leaves out faces with two equal corners, and all but the first with the same three; the first that runs the other way
+// remains where two solids touch in it.
 void leave_out_bad_faces(MeshInRepair& repair) {
   std::vector<Triangle>& triangles = repair.mesh.triangles;
   repair.found.degenerate_faces = std::erase_if(
@@ -100,8 +152,23 @@ void leave_out_bad_faces(MeshInRepair& repair) {
   }
   std::sort(corners.begin(), corners.end());
   std::vector<char> again(triangles.size(), 0);
+  std::vector<char> is_back(triangles.size(), 0);
+  std::size_t first = 0;
+  bool has_back = false;
   for (std::size_t i = 1; i < corners.size(); ++i) {
-    if (corners[i].first == corners[i - 1].first) again[corners[i].second] = 1;
+    if (corners[i].first != corners[first].first) {
+      first = i;
+      has_back = false;
+      continue;
+    }
+    const std::uint32_t face = corners[i].second;
+    again[face] = 1;
+    if (!has_back && !run_alike(triangles[face], triangles[corners[first].second])) {
+      is_back[face] = 1;
+      has_back = true;
+    }
+  }
+  while (keep_needed_backs(triangles, is_back, again)) {
   }
   std::size_t kept = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
