@@ -70,6 +70,13 @@ void refuse_given(const std::vector<const CLI::Option*>& options, const std::str
   }
 }
 
+void warn_of_pages(bool has_further_pages, const std::string& name) {
+  if (!has_further_pages) return;
+  say("asperity: warning: " + name +
+      ": the file has further pages, and only the first is read; save the page that is meant "
+      "alone");
+}
+
 /// Warns where the maps of a scan do not agree around the crossover, with the probable reason.
 void warn_of_disagreement(const FusedRelief& relief, const TextureOptions& options) {
   const std::string maps = options.file.string() + " and " + options.normals->string();
@@ -156,6 +163,8 @@ void take_light(TextureOptions& options) {
 void texture_of_photograph(TextureOptions& options, std::span<const std::byte> bytes,
                            const std::string& sha256) {
   const std::string name = options.file.string();
+  // Before advice about options of a file that cannot be read in any way.
+  warn_of_pages(inspect_picture(bytes, name).has_further_pages, name);
   refuse_given(options.for_surfaces, name + " is not a measured surface; leave out this option");
   refuse_given(options.for_scans,
                "--normals is missing; give the normal map, or leave out this "
@@ -197,6 +206,7 @@ void texture_of_surface(const TextureOptions& options, std::span<const std::byte
   SurfaceReading reading = options.reading;
   reading.width_m = options.width_m;
   const MeasuredSurface surface = decode_surface(bytes, reading, name);
+  warn_of_pages(surface.has_further_pages, name);
   const SurfaceRelief relief = surface_relief(surface, options.form, name);
   save_height_field(options.out, relief.field,
                     {"measured_surface",

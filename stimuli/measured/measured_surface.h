@@ -31,6 +31,7 @@ struct MeasuredSurface {
   double pitch_x_m = 0.0;  ///< distance between neighbouring points of a row
   double pitch_y_m = 0.0;  ///< distance between neighbouring rows
   std::vector<double> heights_m{};
+  bool has_further_pages = false;  ///< of a TIFF, of which the first is read
   std::string
       channel{};  ///< of a GWY file, its number and title: "0 (Topography)"; otherwise empty
 };

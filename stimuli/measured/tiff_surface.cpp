@@ -36,7 +36,8 @@ MeasuredSurface decode_tiff_surface(std::span<const std::byte> bytes, const Surf
     refuse("the file is too short for its number of points; copy or export it again.");
   }
   const GreyImage image = decode_float_tiff(bytes, name);
-  MeasuredSurface surface{.rows = image.rows, .columns = image.columns};
+  MeasuredSurface surface{
+      .rows = image.rows, .columns = image.columns, .has_further_pages = facts.has_further_pages};
   surface.pitch_x_m = *reading.width_m / static_cast<double>(image.columns);
   surface.pitch_y_m = surface.pitch_x_m;
   surface.heights_m.resize(image.values.size());

@@ -22,7 +22,9 @@ class X3pDescription final {
  public:
   X3pDescription(std::string_view xml, const std::string& name)
       : name_(name), root_(xml_root_in(xml, name_)) {
-    if (local_name(root_.name) != "ISO5436_2") {
+    // Some programs write the name of the series of standards without its part.
+    const std::string_view root = local_name(root_.name);
+    if (root != "ISO5436_2" && root != "ISO5436") {
       refuse(root_, "the root element is " + root_.name +
                         ", not ISO5436_2 of an X3P file; choose an X3P file");
     }

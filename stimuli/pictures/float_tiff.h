@@ -21,7 +21,8 @@ bool is_float_tiff(std::span<const std::byte> bytes, const std::string& name);
 /// Errors: those of `inspect_picture`, and for any other picture.
 PictureFacts inspect_float_tiff(std::span<const std::byte> bytes, const std::string& name);
 
-/// Decodes such a TIFF. The values are the stored numbers, which may be negative, infinite or NaN.
+/// Decodes such a TIFF. The values are the stored numbers, which may be negative, infinite or NaN; NaN also where the file has its
+/// stated value of missing points.
 ///
 /// Errors: those of `inspect_float_tiff`, and for damaged data; about std::cerr as `decode_photograph`.
 GreyImage decode_float_tiff(std::span<const std::byte> bytes, const std::string& name);

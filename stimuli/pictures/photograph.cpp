@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iostream>
+#include <limits>
 #include <new>
 #include <optional>
 #include <stdexcept>
@@ -198,6 +199,10 @@ GreyImage decode_float_tiff(Bytes bytes, const std::string& name) {
   }
   GreyImage image{facts.rows, facts.columns, std::vector<float>(facts.rows * facts.columns)};
   pixels.copyTo(cv::Mat(pixels.rows, pixels.cols, CV_32FC1, image.values.data()));
+  if (facts.no_data) {
+    std::replace(image.values.begin(), image.values.end(), *facts.no_data,
+                 std::numeric_limits<float>::quiet_NaN());
+  }
   return image;
 }
 

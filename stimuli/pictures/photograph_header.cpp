@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <set>
 #include <stdexcept>
+#include <string>
+#include <system_error>
 
 #include "analysis/number_text.h"
 #include "stimuli/pictures/float_tiff.h"
@@ -189,7 +192,7 @@ struct TiffDirectory {
   };
   PictureFacts facts{
       .format = PictureFormat::tiff, .rows = 0, .columns = 0, .bits_per_channel = 1, .channels = 1};
-  std::uint32_t sample_format = 1;  // 1: whole numbers, 3: floating-point numbers
+  std::uint32_t sample_format = 1;  // 1: whole numbers, 2: with a sign, 3: floating-point numbers
   Entry offsets{};
   Entry lengths{};
 };
@@ -201,6 +204,24 @@ std::uint32_t tiff_number(const HeaderReader& file, std::size_t at, std::size_t 
 bool is_tiff(const HeaderReader& file) {
   if (file.size() <= 3) return false;
   return (file.has(0, "II") && file.byte(3) == 0) || (file.has(0, "MM") && file.byte(2) == 0);
+}
+
+/// The number in the text of GDAL's entry for missing points.
+float no_data_in(const HeaderReader& file, std::size_t at, std::size_t count) {
+  std::string text{};
+  for (std::size_t i = 0; i < count; ++i) text += static_cast<char>(file.byte(at + i));
+  while (!text.empty() && (text.back() == '\0' || text.back() == ' ')) text.pop_back();
+  const std::size_t begin = std::min(text.find_first_not_of(" +"), text.size());
+  double number = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data() + begin, end, number);
+  if (read.ec != std::errc() || read.ptr != end) {
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    file.refuse("is a TIFF that states \"" + text.substr(0, 40) +
+                "\" as the value of missing points, which is not a number; export it again.");
+  }
+  return static_cast<float>(number);  // as the points are stored
 }
 
 TiffDirectory tiff_directory(const HeaderReader& file) {
@@ -257,6 +278,9 @@ TiffDirectory tiff_directory(const HeaderReader& file) {
       case 339:
         read.sample_format = first();
         break;
+      case 42113:
+        facts.no_data = no_data_in(file, entry.at, count);
+        break;
       case 273:  // strips or
       case 324:  // tiles
         read.offsets = entry;
@@ -269,6 +293,7 @@ TiffDirectory tiff_directory(const HeaderReader& file) {
         break;
     }
   }
+  facts.has_further_pages = number(directory + 2 + 12 * entries, 4) != 0;
   file.refuse_wrong_size(facts);
   return read;
 }
@@ -289,9 +314,13 @@ PictureFacts inspect_tiff(const HeaderReader& file) {
   const PictureFacts& facts = read.facts;
   const std::uint32_t sample_format = read.sample_format;
   if (sample_format != 1 || (facts.bits_per_channel != 8 && facts.bits_per_channel != 16)) {
-    file.refuse("is a TIFF with " + std::to_string(facts.bits_per_channel) +
-                (sample_format == 3 ? "-bit floating-point numbers" : "-bit channels") +
-                "; save it with whole numbers of 8 or 16 bits.");
+    const char* const numbers = sample_format == 3   ? "-bit floating-point numbers"
+                                : sample_format == 2 ? "-bit whole numbers with a sign"
+                                                     : "-bit channels";
+    file.refuse(
+        "is a TIFF with " + std::to_string(facts.bits_per_channel) + numbers +
+        "; save a photograph with whole numbers of 8 or 16 bits without a sign, and measured "
+        "heights with 32-bit floating-point numbers.");
   }
   if (facts.channels < 1 || facts.channels > 4) {
     file.refuse("is a TIFF with " + std::to_string(facts.channels) +

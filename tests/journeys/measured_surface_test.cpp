@@ -1,5 +1,9 @@
 // asperity texture with a measured surface: from the file of an instrument to the force of a model.
 
+#include <iterator>
+#include <string>
+#include <utility>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -53,6 +57,33 @@ TEST(MeasuredTexture, IsRenderedByAForceModel) {
       asperity({"render", "--model", "height_map", "--stimulus", place / "made.png", "--path",
                 place / "path.tsv", "--out", place / "forces.tsv"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
+// Two by two 16-bit numbers with a sign: no advice about the option of a file that no option makes readable.
+TEST(MeasuredTexture, OfATiffThatIsNotReadIsRefusedOnceWithWhatToSave) {
+  const TemporaryFolder place{};
+  std::string tiff = std::string("II*\0\x08\0\0\0", 8);
+  const auto number = [&tiff](unsigned value, int bytes) {
+    for (int i = 0; i < bytes; ++i) tiff += static_cast<char>(value >> (8 * i) & 0xFFU);
+  };
+  const std::pair<unsigned, unsigned> entries[] = {{256, 2}, {257, 2},   {258, 16}, {259, 1},
+                                                   {262, 1}, {273, 134}, {277, 1},  {278, 2},
+                                                   {279, 8}, {339, 2}};
+  number(std::size(entries), 2);
+  for (const auto& [tag, value] : entries) {
+    number(tag, 2);
+    number(3, 2);
+    number(1, 4);
+    number(value, 4);
+  }
+  number(0, 4);
+  write_text(place / "scan.tif", tiff + "abcdefgh");
+  const Outcome outcome = asperity({"texture", place / "scan.tif", "--width-m", "0.001",
+                                    "--height-unit-m", "1e-6", "--out", place / "made.png"});
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("save a photograph with whole numbers of 8 or 16 bits without "
+                                     "a sign, and measured heights with 32-bit"));
+  EXPECT_THAT(outcome.err, testing::Not(HasSubstr("leave out")));
 }
 
 TEST(MeasuredTexture, OfATiffNeedsItsWidthAndTheUnitOfItsHeights) {

@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 
 #include "stimuli/measured/surface_decoding.h"
+#include "stimuli/pictures/photograph.h"
 #include "tests/stimuli/surface_file.h"
 #include "tests/support/refusal.h"
 #include "tests/support/replaced.h"
@@ -88,6 +89,13 @@ TEST(MeasuredSurface, IsReadFromX3pWithAFolderAByteOrderMarkAndPrefixes) {
   expect_small_surface(decoded(zip_of(entries)), 1e-15);
 }
 
+TEST(MeasuredSurface, IsReadFromX3pWhoseRootElementHasNoPart) {
+  std::map<std::string, std::string> entries = x3p_entries_of(small_surface(), 'L');
+  std::string& main = entries.at("main.xml");
+  main = replaced(replaced(main, "<p:ISO5436_2 ", "<ISO5436 "), "</p:ISO5436_2>", "</ISO5436>");
+  expect_small_surface(decoded(zip_of(entries)), 1e-15);
+}
+
 TEST(MeasuredSurface, HasTheHeightsOfSurWithBothSizesPlainAndCompressed) {
   const StoredLevels levels{.step_m = 1e-9, .offset_m = 2e-7};
   for (const int bits : {16, 32}) {
@@ -127,6 +135,28 @@ TEST(MeasuredSurface, TakesSizeAndUnitOfATiffFromOutside) {
               HasSubstr("--height-unit-m in metres"));
   EXPECT_THAT(surface_refusal(file, {.width_m = -1.0, .height_unit_m = 1e-6}),
               HasSubstr("--width-m in metres"));
+}
+
+// GDAL and the programs that use it write the number of a missing point as the text of the entry 42113.
+TEST(MeasuredSurface, HasNoPointsWhereATiffHasItsNoDataValue) {
+  const SurfaceReading reading{.width_m = 1e-5, .height_unit_m = 1e-6};
+  MeasuredSurface stored = small_surface();
+  stored.heights_m[1] = -9999e-6;
+  EXPECT_FALSE(std::isnan(decoded(float_tiff_of(stored, 1e-6), reading).heights_m[1]));
+  const MeasuredSurface found = decoded(float_tiff_of(stored, 1e-6, "-9999.0 "), reading);
+  EXPECT_TRUE(std::isnan(found.heights_m[1]));
+  EXPECT_NEAR(found.heights_m[0], stored.heights_m[0], 1e-12);
+  EXPECT_THAT(surface_refusal(float_tiff_of(stored, 1e-6, "lowest"), reading),
+              HasSubstr("\"lowest\" as the value of missing points, which is not a number"));
+}
+
+TEST(MeasuredSurface, OfATiffKnowsThatThereAreFurtherPages) {
+  const SurfaceReading reading{.width_m = 1e-5, .height_unit_m = 1e-6};
+  std::string file = float_tiff_of(small_surface(), 1e-6);
+  EXPECT_FALSE(decoded(file, reading).has_further_pages);
+  // The directory of ten entries at byte 8 ends with the offset of the next one: here the same again.
+  file.replace(8 + 2 + 12 * 10, 4, little_endian(8, 4));
+  EXPECT_TRUE(decoded(file, reading).has_further_pages);
 }
 
 TEST(MeasuredSurface, IsRefusedWhereItsFileContradictsItself) {
@@ -169,6 +199,21 @@ TEST(MeasuredSurface, IsRefusedAsATiffThatIsToBeTurnedOrContradictsItself) {
   }
   EXPECT_THAT(surface_refusal(replaced(upright, entry(262, 1), entry(277, 2)), reading),
               HasSubstr("states the entry 277 of its directory twice"));
+}
+
+TEST(MeasuredSurface, OfWholeNumbersWithASignIsRefusedWithWhatToSave) {
+  const auto entry = [](std::uint64_t tag, std::uint64_t value) {
+    return little_endian(tag, 2) + little_endian(3, 2) + little_endian(1, 4) +
+           little_endian(value, 4);
+  };
+  const std::string file =
+      replaced(replaced(float_tiff_of(small_surface(), 1e-6), entry(258, 32), entry(258, 16)),
+               entry(339, 3), entry(339, 2));
+  EXPECT_FALSE(surface_format_of(bytes_in(file), "scan"));
+  EXPECT_EQ(refusal_of<std::invalid_argument>([&] { inspect_picture(bytes_in(file), "scan"); }),
+            "scan is a TIFF with 16-bit whole numbers with a sign; save a photograph with whole "
+            "numbers of 8 or 16 bits without a sign, and measured heights with 32-bit "
+            "floating-point numbers.");
 }
 
 TEST(MeasuredSurface, IsRefusedWithoutRelief) {

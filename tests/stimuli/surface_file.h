@@ -212,30 +212,38 @@ inline std::string gwy_of(const MeasuredSurface& surface) {
                                  gwy_component("/2/data", 'o', gwy_field(surface, heights, "m")));
 }
 
-/// One strip of 32-bit floating-point numbers.
-inline std::string float_tiff_of(const MeasuredSurface& surface, double height_unit_m) {
+/// One strip of 32-bit floating-point numbers; with a text of `no_data`, as GDAL states the number of missing points.
+inline std::string float_tiff_of(const MeasuredSurface& surface, double height_unit_m,
+                                 const std::string& no_data = "") {
   std::string data{};
   for (const double height_m : surface.heights_m) data += float_bytes(height_m / height_unit_m);
   constexpr std::uint64_t kDirectory = 8;
-  const std::vector<std::pair<std::uint64_t, std::uint64_t>> tags{{256, surface.columns},
-                                                                  {257, surface.rows},
-                                                                  {258, 32},
-                                                                  {259, 1},
-                                                                  {262, 1},
-                                                                  {273, 0},
-                                                                  {277, 1},
-                                                                  {278, surface.rows},
-                                                                  {279, data.size()},
-                                                                  {339, 3}};
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> tags{{256, surface.columns},
+                                                            {257, surface.rows},
+                                                            {258, 32},
+                                                            {259, 1},
+                                                            {262, 1},
+                                                            {273, 0},
+                                                            {277, 1},
+                                                            {278, surface.rows},
+                                                            {279, data.size()},
+                                                            {339, 3}};
+  if (!no_data.empty()) tags.emplace_back(42113, 0);
   const std::uint64_t data_at = kDirectory + 2 + 12 * tags.size() + 4;
   std::string file =
       "II*" + std::string(1, '\0') + little_endian(kDirectory, 4) + little_endian(tags.size(), 2);
   for (const auto& [tag, value] : tags) {
     const bool is_short = tag == 258 || tag == 259 || tag == 262 || tag == 277 || tag == 339;
+    if (tag == 42113) {
+      file += little_endian(tag, 2) + little_endian(2, 2) + little_endian(no_data.size() + 1, 4) +
+              little_endian(data_at + data.size(), 4);
+      continue;
+    }
     file += little_endian(tag, 2) + little_endian(is_short ? 3 : 4, 2) + little_endian(1, 4) +
             little_endian(tag == 273 ? data_at : value, 4);
   }
-  return file + little_endian(0, 4) + data;
+  file += little_endian(0, 4) + data;
+  return no_data.empty() ? file : file + no_data + '\0';
 }
 
 }  // namespace asperity::test
