@@ -1,5 +1,8 @@
 #include "app/cli/height_field_line.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "analysis/number_text.h"
 #include "app/cli/terminal.h"
 #include "app/findings/reading_number.h"
@@ -7,11 +10,17 @@
 namespace asperity {
 
 std::string height_field_line(const std::filesystem::path& out, const HeightField& field) {
+  // Three digits of a relief of nanometres, the RMS of which is less than the noise of a scan of micrometres.
+  const double rms_um = field.rms_m() * 1e6;
+  constexpr double kCoarse_um = 10.0;
+  const int decimals = rms_um > 0.0 && rms_um < kCoarse_um
+                           ? std::min(2 - static_cast<int>(std::floor(std::log10(rms_um))), 9)
+                           : 1;
   return out.string() + ": " + std::to_string(field.grid().columns) + " × " +
          std::to_string(field.grid().rows) + " samples, pitch " +
          fixed(field.grid().pitch_m * 1e6, 1) + " µm, height " +
-         reading_signed(field.minimum_m() * 1e6, 1) + " to " +
-         reading_signed(field.maximum_m() * 1e6, 1) + " µm, RMS " + fixed(field.rms_m() * 1e6, 1) +
+         reading_signed(field.minimum_m() * 1e6, decimals) + " to " +
+         reading_signed(field.maximum_m() * 1e6, decimals) + " µm, RMS " + fixed(rms_um, decimals) +
          " µm\n";
 }
 

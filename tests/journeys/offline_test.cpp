@@ -45,6 +45,15 @@ TEST(Synth, StatesHeightsBelowZeroWithAMinusSign) {
   EXPECT_THAT(made.out, testing::HasSubstr(" µm, height −"));
 }
 
+// 2 nm/√2 is 1.41 nm.
+TEST(Synth, StatesAReliefOfNanometresWithItsDigits) {
+  const TemporaryFolder place{};
+  const Outcome made = asperity({"synth", "sinusoid", "--param", "amplitude_m=2e-9", "--pixels",
+                                 "64", "--width-m", "0.02", "--out", place / "wave.png"});
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(made.out, testing::HasSubstr("RMS 0.00141 µm\n"));
+}
+
 TEST(Render, OfAFlatFieldIsASpringWithFriction) {
   const TemporaryFolder place{};
   ASSERT_EQ(asperity({"synth", "sinusoid", "--param", "amplitude_m=0", "--pixels", "64",
