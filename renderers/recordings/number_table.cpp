@@ -33,6 +33,8 @@ NumberTable number_table_in(
     const std::function<void(const std::vector<std::string>&)>& check_columns) {
   NumberTable table{};
   std::size_t line_number = 0;
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (tsv.starts_with(kByteOrderMark)) tsv.remove_prefix(kByteOrderMark.size());
   do {
     const std::size_t end = std::min(tsv.find('\n'), tsv.size());
     std::string_view line = tsv.substr(0, end);

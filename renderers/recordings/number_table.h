@@ -22,7 +22,8 @@ struct NumberTable {
 };
 
 /// Reads a table; `name` names it in messages. `check_columns` gets the names of the columns before any row is read, and
-/// throws for those that it does not accept. Empty lines are skipped; a line may end with CR LF.
+/// throws for those that it does not accept. A byte order mark and empty lines are skipped; a line may
+/// end with CR LF.
 ///
 /// Errors: std::invalid_argument with `name` and the line, for a row with another number of cells than the first line and for
 /// cells that are not finite numbers; what `check_columns` throws. A file without a line has one column without a name.

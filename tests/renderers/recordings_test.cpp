@@ -115,9 +115,11 @@ TEST(TextureRecording, RefusesATableWithItsLineAndTheCorrection) {
   EXPECT_THAT(refusal_of_table(tsv_of(still)), HasSubstr("stroke 1 does not move"));
 }
 
-// Windows ends lines in two characters, and columns come in any order.
-TEST(TextureRecording, ReadsOtherLineEndsAndOrders) {
-  std::string table = "force_N\tstroke\ttime_s\tnormal_force_N\tpath_m\r\n";
+// Windows ends lines in two characters, some of its programs begin a file with a mark, and columns come in any order.
+TEST(TextureRecording, ReadsOtherLineEndsAndOrdersAndAByteOrderMark) {
+  std::string table =
+      "\xEF\xBB\xBF"
+      "force_N\tstroke\ttime_s\tnormal_force_N\tpath_m\r\n";
   for (int i = 0; i < 70; ++i) {
     table += std::to_string(0.5 * i) + "\t7\t" + std::to_string(0.001 * i) + "\t1\t" +
              std::to_string(0.0001 * i) + "\r\n";
