@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "analysis/look_alikes.h"
 #include "protocols/design/json_pointer.h"
 
 namespace asperity {
@@ -112,6 +113,11 @@ std::string correction_at(std::string_view text, std::size_t from, std::string_v
   }
   if (expects("end of input")) {
     return "delete what follows the end of the protocol, or a closing bracket too many before it";
+  }
+  const bool is_digit = std::isdigit(static_cast<unsigned char>(token)) != 0;
+  if (is_digit && from > 1 && text[from - 1] == ',' &&
+      std::isdigit(static_cast<unsigned char>(text[from - 2])) != 0) {
+    return "write a decimal point in place of the comma before it";
   }
   if (token == ',') {
     return before == ':' ? "write a value after the colon" : "delete this comma";
@@ -228,6 +234,10 @@ class JsonDocument::Handler {
                                      ? "the file is empty; write a JSON object {…}"
                                      : "the text ends before the JSON is complete; close every "
                                        "quotation mark and bracket");
+    }
+    if (const auto other = look_alike_at(text.substr(from))) {
+      return refuse(
+          from, "there is " + std::string(other->name) + " here; " + std::string(other->remedy));
     }
     std::string expected{};
     if (const std::size_t at = what.find("; expected "); at != std::string::npos) {
