@@ -19,10 +19,56 @@ bool is_missing(std::string_view cell) {
   return cell.empty() || cell == "NA" || cell == kMissingCell;
 }
 
+/// The unseen character at an end of a text; null without one.
+const UnseenCharacter* unseen_at_end(std::string_view text) {
+  for (const UnseenCharacter& each : kUnseenCharacters) {
+    if (text.starts_with(each.bytes) || text.ends_with(each.bytes)) return &each;
+  }
+  return nullptr;
+}
+
 std::string_view without_blanks(std::string_view cell) {
-  while (!cell.empty() && (cell.front() == ' ' || cell.front() == '\t')) cell.remove_prefix(1);
-  while (!cell.empty() && (cell.back() == ' ' || cell.back() == '\t')) cell.remove_suffix(1);
-  return cell;
+  for (;;) {
+    if (const UnseenCharacter* const unseen = unseen_at_end(cell)) {
+      const bool is_first = cell.starts_with(unseen->bytes);
+      cell.remove_prefix(is_first ? unseen->bytes.size() : 0);
+      cell.remove_suffix(is_first ? 0 : unseen->bytes.size());
+    } else if (cell.starts_with(' ') || cell.starts_with('\t')) {
+      cell.remove_prefix(1);
+    } else if (cell.ends_with(' ') || cell.ends_with('\t')) {
+      cell.remove_suffix(1);
+    } else {
+      return cell;
+    }
+  }
+}
+
+/// The digits of a number whose thousands are separated, such as "1,000", "-1 000 000.5" or "1'000": without the
+/// separators. Nothing for any other text.
+std::optional<std::string> without_thousands(std::string_view cell) {
+  std::string plain(cell);
+  for (const UnseenCharacter& each : kUnseenCharacters) {
+    for (std::size_t at = 0; (at = plain.find(each.bytes)) != std::string::npos;) {
+      plain.replace(at, each.bytes.size(), " ");
+    }
+  }
+  const auto is_digit = [&plain](std::size_t i) {
+    return i < plain.size() && plain[i] >= '0' && plain[i] <= '9';
+  };
+  std::size_t at = plain.starts_with('-') ? 1 : 0;
+  const std::size_t first = at;
+  while (is_digit(at)) ++at;
+  // 0,125 is no number of thousands.
+  if (at == first || at - first > 3 || plain[first] == '0' || at >= plain.size()) return {};
+  const char separator = plain[at];
+  if (separator != ',' && separator != ' ' && separator != '\'') return {};
+  while (at < plain.size() && plain[at] == separator) {
+    if (!is_digit(at + 1) || !is_digit(at + 2) || !is_digit(at + 3)) return {};
+    plain.erase(at, 1);
+    at += 3;
+  }
+  if (!number_in(plain)) return {};
+  return plain;
 }
 
 bool has_decimal_comma(std::string_view cell) {
@@ -36,8 +82,8 @@ bool has_decimal_comma(std::string_view cell) {
 /// Walks over the text of a file from a place in its first line on, cell by cell.
 class CellReader final {
  public:
-  CellReader(std::string& text, std::size_t begin, const std::string& name)
-      : text_(text), name_(name), at_(begin) {}
+  CellReader(std::string& text, std::size_t begin, std::uint32_t line, const std::string& name)
+      : text_(text), name_(name), at_(begin), line_(line) {}
 
   bool at_end() const { return at_ >= text_.size(); }
   std::uint32_t line() const { return line_; }
@@ -97,7 +143,7 @@ class CellReader final {
   std::string& text_;
   const std::string& name_;
   std::size_t at_;
-  std::uint32_t line_ = 1;
+  std::uint32_t line_;
   std::size_t column_ = 0;
 };
 
@@ -165,13 +211,20 @@ TidyTable::TidyTable(std::string whole, std::string name)
                            "line feeds (LF or CRLF)",
                        name_);
   }
-  CellReader reader(*text_, text_->size() - text.size(), name_);
+  // Spreadsheets write this line for themselves: it states the separator, which the header shows as well.
+  std::uint32_t header = 1;
+  if (text.starts_with("sep=") && text.find_first_of("\r\n") == 5) {
+    text.remove_prefix(std::min(text.find('\n') + 1, text.size()));
+    ++header;
+  }
+  CellReader reader(*text_, text_->size() - text.size(), header, name_);
   const char separator = separator_of(text.substr(0, text.find('\n')), name_);
   if (reader.at_end())
     reader.refuse("the header line is missing; add a line with the names of the columns");
   for (bool last = false; !last;) {
     const std::string_view cell = reader.next(separator, last);
-    const auto place = name_ + ":1:" + std::to_string(reader.column()) + ": ";
+    const auto place =
+        name_ + ':' + std::to_string(header) + ':' + std::to_string(reader.column()) + ": ";
     if (cell.empty()) throw ResultsError(place + "the column has no name; give it one", name_);
     if (has(cell)) {
       throw ResultsError(place + "the column name \"" + std::string(cell) +
@@ -303,6 +356,14 @@ std::vector<std::string_view> TidyTable::texts(std::string_view column) const {
   return texts;
 }
 
+bool TidyTable::has_certain_decimal_comma(std::size_t column) const {
+  for (std::size_t row = 0; row < rows(); ++row) {
+    const std::string_view text = without_blanks(cell(row, column));
+    if (has_decimal_comma(text) && !without_thousands(text)) return true;
+  }
+  return false;
+}
+
 std::vector<std::optional<double>> TidyTable::numbers(std::string_view column) const {
   const std::size_t index = index_of(column);
   if (!made_.empty()) {
@@ -323,6 +384,12 @@ std::vector<std::optional<double>> TidyTable::numbers(std::string_view column) c
                  "unit");
     }
     const std::string of = std::string(column) + " is \"" + std::string(text) + "\", ";
+    if (const auto plain = without_thousands(text); plain && !has_certain_decimal_comma(index)) {
+      refuse(row, column, of + "with a thousands separator; write " + *plain);
+    }
+    if (text.starts_with(kMinusSign)) {
+      refuse(row, column, of + "with a minus sign (U+2212); write a hyphen (-)");
+    }
     if (has_decimal_comma(text))
       refuse(row, column, of + "with a decimal comma; write a decimal point");
     refuse(row, column, of + "which is not a number; write a number, or leave the cell empty");
@@ -385,6 +452,12 @@ LabelColumn TidyTable::labels(std::string_view column) const {
     const auto [found, first] = code_of.emplace(text, labels.names.size());
     if (first) labels.names.emplace_back(text);
     labels.codes[row] = found->second;
+    if (!first) continue;
+    if (const UnseenCharacter* const unseen = unseen_at_end(text)) {
+      refuse(row, column,
+             std::string(column) + " is \"" + std::string(text) + "\", with " +
+                 std::string(unseen->name) + " at an end; delete it");
+    }
   }
   if (const auto pair = names_in_two_forms(labels.names)) {
     const auto second = std::find(labels.codes.begin(), labels.codes.end(), pair->second);

@@ -30,11 +30,12 @@ using NumberColumn = std::vector<std::optional<double>>;
 /// Reads UTF-8 with or without a byte order mark, LF and CRLF, separated by commas (RFC 4180: quoted
 /// cells may hold commas, quotes twice and line breaks) or by tabs, where the header has those. A
 /// cell is missing when it is empty, `NA` or `n/a`. Empty lines are no rows. Numbers have a decimal
-/// point whatever the locale, and blanks around them mean nothing; blanks in names do.
+/// point whatever the locale, and blanks around them, also those without a break or a width, mean nothing; blanks in names
+/// do, and a name that begins or ends with one of the latter is refused. A first line "sep=," of a spreadsheet is skipped.
 ///
 /// Errors: ResultsError "FILE:LINE:COLUMN: …", COLUMN counting columns from 1, for a row of another
-/// length, a header with no name or the same twice, semicolons between columns, a decimal comma, a
-/// text where a number belongs, a quote that does not close; "FILE:LINE: …" for what is not UTF-8.
+/// length, a header with no name or the same twice, semicolons between columns, a decimal comma,
+/// a thousands separator, a text where a number belongs, a quote that does not close; "FILE:LINE: …" for what is not UTF-8.
 class TidyTable final {
  public:
   /// `name` is what messages call the file. Cells are views into `text`, which is kept: moved
@@ -86,6 +87,8 @@ class TidyTable final {
  private:
   void add_column(std::string column);
   std::size_t index_of(std::string_view column) const;
+  /// Whether a cell has a comma that can only be a decimal one, such as "0,5".
+  bool has_certain_decimal_comma(std::size_t column) const;
   static std::size_t rows_in(const std::variant<LabelColumn, NumberColumn>& cells) noexcept;
   LabelColumn made_labels(const LabelColumn& made) const;
   /// Throws std::logic_error for a column of numbers: a mistake in the program.

@@ -108,6 +108,41 @@ TEST(TidyTable, SaysWhatADecimalCommaIs) {
             "file.csv:2:2: k is \"1,5\", with a decimal comma; write a decimal point");
 }
 
+// 1,000 with a point for its comma would be 1.
+TEST(TidyTable, SaysWhatAThousandsSeparatorIs) {
+  const auto numbers = [](const TidyTable& table) { table.numbers("k"); };
+  EXPECT_EQ(table_refusal("id,k\na,20\nb,\"1,000\"\n", numbers),
+            "file.csv:3:2: k is \"1,000\", with a thousands separator; write 1000");
+  EXPECT_EQ(table_refusal("id\tk\na\t-1 234 567.5\n", numbers),
+            "file.csv:2:2: k is \"-1 234 567.5\", with a thousands separator; write -1234567.5");
+  EXPECT_EQ(table_refusal("id\tk\na\t1\u202f000\n", numbers),
+            "file.csv:2:2: k is \"1\u202f000\", with a thousands separator; write 1000");
+  // The 0,5 of another row, and 0,125 itself, have decimal commas.
+  EXPECT_EQ(table_refusal("id\tk\na\t1,000\nb\t0,5\n", numbers),
+            "file.csv:2:2: k is \"1,000\", with a decimal comma; write a decimal point");
+  EXPECT_EQ(table_refusal("id\tk\na\t0,125\n", numbers),
+            "file.csv:2:2: k is \"0,125\", with a decimal comma; write a decimal point");
+}
+
+TEST(TidyTable, ReadsPastSpacesThatAreNotSeenAndNamesThoseOfNames) {
+  const TidyTable table = table_of("id,k\na,\u00a01.5\u200b\nb c,2\n");
+  EXPECT_EQ(table.all_numbers("k"), (std::vector<double>{1.5, 2.0}));
+  EXPECT_EQ(table_refusal("id\na\na\u00a0\n", [](const TidyTable& read) { read.labels("id"); }),
+            "file.csv:3:1: id is \"a\u00a0\", with a no-break space (U+00A0) at an end; delete it");
+  EXPECT_EQ(table_refusal("id,k\na,\u22121\n", [](const TidyTable& read) { read.numbers("k"); }),
+            "file.csv:2:2: k is \"\u22121\", with a minus sign (U+2212); write a hyphen (-)");
+}
+
+TEST(TidyTable, SkipsTheLineInWhichASpreadsheetStatesTheSeparator) {
+  const TidyTable table = table_of("\xEF\xBB\xBFsep=,\r\nid,k\r\na,1\r\n");
+  EXPECT_EQ(table.texts("id"), (std::vector<std::string_view>{"a"}));
+  EXPECT_EQ(table_refusal("sep=,\nid,id\n"),
+            "file.csv:2:2: the column name \"id\" occurs twice; rename one of the columns");
+  EXPECT_EQ(table_refusal("sep=;\nid;k\n"),
+            "file.csv:1:1: the columns are separated by semicolons; save the table with commas (or "
+            "tabs) and decimal points");
+}
+
 TEST(TidyTable, RefusesNumbersThatAreNone) {
   const auto numbers = [](const TidyTable& table) { table.all_numbers("k"); };
   const auto counts = [](const TidyTable& table) { table.counts("k"); };
