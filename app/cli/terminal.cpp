@@ -131,7 +131,7 @@ std::string aligned(const Table& table) {
   for (const std::vector<Cell>& row : table.rows) {
     std::vector<std::string>& cells = texts.emplace_back();
     for (std::size_t column = 0; column < columns; ++column) {
-      cells.push_back(text_of_cell(row.at(column)));
+      cells.push_back(shown_in_a_line(text_of_cell(row.at(column))));
       widths[column] = std::max(widths[column], width_of(cells.back()));
       if (std::holds_alternative<std::string>(row[column])) numeric[column] = false;
     }

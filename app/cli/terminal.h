@@ -74,7 +74,8 @@ std::string local_time_text(const std::string& utc);
 /// "1 session", "3 sessions".
 std::string counted(std::size_t count, const std::string& thing);
 
-/// Aligned columns: text to the left, numbers to the right, two spaces between.
+/// Aligned columns: text to the left, numbers to the right, two spaces between. Each row is one line: line breaks and other
+/// control characters of a text are shown by their numbers.
 std::string aligned(const Table& table);
 
 }  // namespace asperity

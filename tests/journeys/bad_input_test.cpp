@@ -434,6 +434,14 @@ TEST(BadTable, IsQuotedWithItsControlCharactersShown) {
   EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << "one line";
 }
 
+TEST(GoodTable, IsPrintedWithALinePerRow) {
+  const TemporaryFolder place{};
+  write_text(place / "t.csv", "id,k,n,p0\n\"two\nlines\",5,10,0.5\n");
+  const Outcome outcome = asperity({"analyze", "--table", place / "t.csv", "--as", "proportion"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("\ntwo\\u000alines  "), std::string::npos) << outcome.out;
+}
+
 TEST(BadOption, OfATableIsToldFromOneThatTheDataHaveNoUseFor) {
   const std::string table = "id,k,n,p0\na,5,10,0.5\n";
   expect_table_refused("proportion", table, {"nonsense=1"},
