@@ -276,6 +276,9 @@ void add_render(CLI::App& program, Job& job) {
       }
       const std::vector<ProbeState> path =
           path_in(read_file(options->path, kTableFile), options->path.string());
+      if (const std::string warning = position_warning(path); !warning.empty()) {
+        say("asperity: warning: " + options->path.string() + ": " + warning);
+      }
       const auto renderer = make_renderer(model, inputs);
       const ToolAlongPath along = tool_along_path(*renderer, path, rate_Hz_of(path));
       if (!renderer->error().empty()) {

@@ -140,6 +140,24 @@ std::vector<ProbeState> path_in(std::string_view tsv, const std::string& file_na
   return path;
 }
 
+std::string position_warning(std::span<const ProbeState> path) {
+  // The workspaces of devices reach to 0.2 m from their middle, those of the largest to 0.4 m.
+  constexpr double kFarthest_m = 0.4;
+  double farthest_m = 0.0;
+  std::string axis{};
+  for (const ProbeState& probe : path) {
+    for (int i = 0; i < 3; ++i) {
+      if (std::abs(probe.position_m[i]) <= std::abs(farthest_m)) continue;
+      farthest_m = probe.position_m[i];
+      axis = kNeeded[static_cast<std::size_t>(i) + 1];
+    }
+  }
+  if (std::abs(farthest_m) <= kFarthest_m) return {};
+  return axis + " reaches " + text_of_number(farthest_m) +
+         " m, farther than a hand moves at a device; if the positions are in millimetres, divide "
+         "them by 1000";
+}
+
 std::string forces_tsv(std::span<const ProbeState> path, std::span<const RenderedTick> forces) {
   Table table{};
   table.columns = {"time_s", "fx_N", "fy_N", "fz_N", "tx_N_m", "ty_N_m", "tz_N_m", "penetration_m"};

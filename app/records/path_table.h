@@ -22,6 +22,9 @@ namespace asperity {
 /// unknown, a cell that is not a finite number, time that does not increase, fewer than two rows.
 std::vector<ProbeState> path_in(std::string_view tsv, const std::string& file_name);
 
+/// A sentence on a path that reaches farther than a hand moves at a device, as one in millimetres does; empty for others.
+std::string position_warning(std::span<const ProbeState> path);
+
 /// `time_s fx_N fy_N fz_N tx_N_m ty_N_m tz_N_m penetration_m`, in the fewest digits that give the
 /// same numbers when read.
 std::string forces_tsv(std::span<const ProbeState> path, std::span<const RenderedTick> forces);

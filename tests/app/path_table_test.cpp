@@ -26,6 +26,17 @@ std::vector<ProbeState> turning_path(const std::vector<int>& signs) {
   return path_in(tsv, "path.tsv");
 }
 
+TEST(PathTable, WarnsOfPositionsInMillimetres) {
+  const std::string columns = "time_s\tx_m\ty_m\tz_m\n";
+  const auto warning = [&](const std::string& rows) {
+    return position_warning(path_in(columns + rows, "path.tsv"));
+  };
+  EXPECT_EQ(warning("0\t0.39\t0\t-0.0005\n0.001\t0\t0\t-0.4\n"), "");
+  EXPECT_EQ(warning("0\t0.45\t0\t0\n0.001\t0.025\t0\t-0.5\n"),
+            "z_m reaches -0.5 m, farther than a hand moves at a device; if the positions are in "
+            "millimetres, divide them by 1000");
+}
+
 TEST(PathTable, DerivesTheSameTurnOfAQuaternionThatChangesItsSign) {
   const std::vector<ProbeState> plain = turning_path({1, 1, 1, 1, 1, 1, 1, 1});
   const std::vector<ProbeState> flipped = turning_path({1, 1, 1, -1, -1, 1, -1, 1});
