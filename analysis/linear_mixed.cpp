@@ -152,7 +152,9 @@ double profile_slope(const ParticipantSums& sums, double lambda) {
   return sums.freedom() * at.squares_slope() / at.squares + at.determinants_slope();
 }
 
-// λ from 0 to 10⁸: the least of a grid, because with unequal n_i there can be several minima, and then the root of the
+constexpr double kGreatestLambda = 1e8;
+
+// λ from 0 to kGreatestLambda: the least of a grid, because with unequal n_i there can be several minima, and then the root of the
 // slope next to it.
 std::variant<double, NoLinearMixed> best_lambda(const ParticipantSums& sums) {
   std::vector<double> grid{0.0};
@@ -175,7 +177,7 @@ std::variant<double, NoLinearMixed> best_lambda(const ParticipantSums& sums) {
     if (low == 0.0) return NoLinearMixed::no_participant_variance;
     low = grid[best];
   }
-  if (slope(low) >= 0.0 || slope(high) <= 0.0) return grid[best];
+  if (!(slope(low) < 0.0 && slope(high) > 0.0)) return grid[best];
   std::uintmax_t most_steps = 200;
   const auto [below, above] = boost::math::tools::toms748_solve(
       slope, low, high, boost::math::tools::eps_tolerance<double>(50), most_steps);
@@ -295,16 +297,16 @@ std::variant<LinearMixedFit, NoLinearMixed> linear_mixed(const GroupedMeasuremen
     return NoLinearMixed::too_few_participants;
   }
   if (are_equal_numbers(data.y)) return NoLinearMixed::no_residual_variance;
+  // Of a fit without residuals rounding is left: that of y itself, and that of the difference that y'Py is. y'Py falls with
+  // λ; at the greatest one it is what participants and fixed effects together leave.
+  constexpr double kRoundingOfDifference = 1e-14;
+  const double of_y = kRounding * data.y.cwiseAbs().maxCoeff();
+  const double none = std::max(sums.rows * of_y * of_y, kRoundingOfDifference * sums.yy);
+  if (at_lambda(sums, kGreatestLambda).squares <= none) return NoLinearMixed::no_residual_variance;
   const std::variant<double, NoLinearMixed> found = best_lambda(sums);
   if (const auto* const why = std::get_if<NoLinearMixed>(&found)) return *why;
   const double lambda = std::get<double>(found);
   const AtLambda at = at_lambda(sums, lambda);
-  // Of a fit without residuals rounding is left: that of y itself, and that of the difference that y'Py is.
-  constexpr double kRoundingOfDifference = 1e-14;
-  const double of_y = kRounding * data.y.cwiseAbs().maxCoeff();
-  if (at.squares <= std::max(sums.rows * of_y * of_y, kRoundingOfDifference * sums.yy)) {
-    return NoLinearMixed::no_residual_variance;
-  }
   const double freedom = sums.freedom();
   const double variance = at.squares / freedom;
   LinearMixedFit::Estimates made{.lambda = lambda,

@@ -154,6 +154,15 @@ TEST(LinearMixed, HasAReasonInPlaceOfAFit) {
   Eigen::MatrixXd additive(3, 2);
   additive << 1.0, 1.5, 2.0, 2.5, 7.0, 7.5;
   EXPECT_EQ(reason(measurements_of(additive)), NoLinearMixed::no_residual_variance);
+  // The conditions alone determine every number, of which 1/3 and 2/3 are rounded.
+  for (const double unit : {1.0, 1.0 / 3.0, 1e-9}) {
+    Eigen::MatrixXd determined(8, 2);
+    determined.col(0).setConstant(0.0);
+    determined.col(1).setConstant(unit);
+    EXPECT_EQ(reason(measurements_of(determined)), NoLinearMixed::no_residual_variance) << unit;
+    determined.array() += 2.0 / 3.0;
+    EXPECT_EQ(reason(measurements_of(determined)), NoLinearMixed::no_residual_variance) << unit;
+  }
   // All participants have the same mean.
   Eigen::MatrixXd alike(3, 3);
   alike << 1.0, 2.0, 3.0, 3.0, 1.0, 2.0, 2.0, 3.0, 1.0;
