@@ -67,8 +67,13 @@ PsychometricJudgement judge(std::span<const PsychometricBlock> all,
     levels[block.x].hits += hits_of(block);
     levels[block.x].trials += static_cast<double>(block.trials);
   }
-  if (distinct_levels(blocks, model.shape).size() < 2) {
+  const std::size_t different_levels = distinct_levels(blocks, model.shape).size();
+  if (different_levels < 2) {
     return {.status = PsychometricStatus::one_level};
+  }
+  const std::size_t parameters = 2U + (model.gamma ? 0U : 1U) + (model.lambda ? 0U : 1U);
+  if (different_levels < parameters) {
+    return {.status = PsychometricStatus::too_few_levels};
   }
   if (!model.gamma || *model.gamma != 0.0 || !model.lambda || *model.lambda != 0.0) {
     return {};

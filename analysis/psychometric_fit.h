@@ -18,6 +18,7 @@ enum class PsychometricStatus {
   all_correct,
   all_wrong,
   one_level,        ///< of a weibull, above 0
+  too_few_levels,   ///< fewer than free parameters
   separated,        ///< γ = λ = 0, all incorrect below and all correct above: no finite β
   quasi_separated,  ///< the same except for one level with both
   not_increasing    ///< no increasing function has a greater likelihood than every constant

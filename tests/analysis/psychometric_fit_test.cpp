@@ -69,6 +69,11 @@ TEST(PsychometricJudgement, StatesWhyDataHaveNoFit) {
   EXPECT_EQ(status_of({{1, 4, 1}, {1, 4, 3}, {2, 0, 0}}), PsychometricStatus::one_level);
   EXPECT_EQ(status_of({{0, 4, 0}, {2, 4, 3}}, {.shape = PsychometricShape::weibull}),
             PsychometricStatus::one_level);
+  const Blocks two_levels{{1, 9, 2}, {2, 9, 7}};
+  EXPECT_EQ(status_of(two_levels), PsychometricStatus::ok);
+  EXPECT_EQ(status_of(two_levels, {.lambda = std::nullopt}), PsychometricStatus::too_few_levels);
+  EXPECT_EQ(status_of({{1, 9, 2}, {2, 9, 5}, {3, 9, 7}}, {.lambda = std::nullopt}),
+            PsychometricStatus::ok);
   EXPECT_EQ(status_of({{1, 4, 0}, {2, 4, 2}, {3, 4, 4}}), PsychometricStatus::quasi_separated);
   EXPECT_EQ(status_of({{1, 4, 1}, {2, 4, 2}, {3, 4, 4}}), PsychometricStatus::ok);
   // With a guess rate of 1/2, only incorrect responses below a step are improbable.

@@ -217,6 +217,8 @@ const CellWords& words_of_reasons() {
       {"not_defined", phrase("CellWords", "not defined")},
       {"not_increasing", phrase("CellWords", "responses do not depend on the level as expected")},
       {"one_level", phrase("CellWords", "only one level was presented")},
+      {"too_few_levels",
+       phrase("CellWords", "fewer levels were presented than the function has parameters")},
       {"one_order",
        phrase("CellWords", "too few participants felt the comparison in both positions")},
       {"no_interval",

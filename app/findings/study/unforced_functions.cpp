@@ -33,6 +33,10 @@ bool add_fit_status(const std::vector<PsychometricBlock>& blocks, const Psychome
     case PsychometricStatus::all_wrong:
       return none("all_wrong",
                   "every response is incorrect: check the question and its correct response");
+    case PsychometricStatus::too_few_levels:
+      return none("too_few_levels",
+                  "the function has more parameters than there are levels with trials, so that "
+                  "many functions fit equally well: present more levels");
     default:
       return none("one_level", "all trials are at one level: present several");
   }

@@ -81,6 +81,10 @@ Word word_of(PsychometricStatus status) {
       return {"all_wrong", "every response is incorrect: present stronger stimuli"};
     case PsychometricStatus::one_level:
       return {"one_level", "a slope requires at least two levels with trials: present more levels"};
+    case PsychometricStatus::too_few_levels:
+      return {"too_few_levels",
+              "the function has more parameters than there are levels with trials, so that many "
+              "functions fit equally well: present more levels, or fix gamma or lambda"};
     case PsychometricStatus::separated:
       return {"separated",
               "a step function fits perfectly: present levels between those on either side of the "

@@ -4491,6 +4491,10 @@
         <source>upper bound: the others are below the levels</source>
         <translation>obere Schranke: die übrigen liegen unter den Stufen</translation>
     </message>
+    <message>
+        <source>fewer levels were presented than the function has parameters</source>
+        <translation>es wurden weniger Stufen dargeboten, als die Funktion Parameter hat</translation>
+    </message>
 </context>
 <context>
     <name>DeviceSurvey</name>
