@@ -38,6 +38,13 @@ std::string word_of(const std::vector<Finding>& findings, const std::string& qua
   return "(absent)";
 }
 
+std::string sentence_of(const std::vector<Finding>& findings, const std::string& quantity) {
+  for (const Finding& finding : findings) {
+    if (finding.quantity == quantity) return finding.status;
+  }
+  return "(absent)";
+}
+
 constexpr const char* kLabels = R"({"labels": ["x", "y", "z"]})";
 constexpr const char* kMagnitude = R"({"zero_rule": "halfmin", "normalisation": "geomean"})";
 constexpr const char* kWithin = R"({"within": {"s": ["a", "b"]}})";
@@ -240,6 +247,11 @@ TEST(TidyRefusals, GiveNoNumberOfAMixedModelThatHasNone) {
                     "glmm.status"),
             "no_item_variance");
   EXPECT_EQ(word_of(findings_of("glmm", columns, "{}"), "glmm.status"), "no_data");
+  // Advice is not what the options already have.
+  const auto of_participants =
+      findings_of("glmm", columns + "A,x,4,10\nB,x,4,10\nC,x,4,10\n", R"({"random": "subject"})");
+  EXPECT_EQ(word_of(of_participants, "glmm.status"), "no_participant_variance");
+  EXPECT_THAT(sentence_of(of_participants, "glmm.status"), HasSubstr("use the family proportion"));
   EXPECT_EQ(
       family_refusal("glmm", columns + "A,x,4,3\n", "{}"),
       "t.csv:2:3: correct is 4 and trials is 3; trials must be at least 1, and correct at most "
@@ -248,6 +260,64 @@ TEST(TidyRefusals, GiveNoNumberOfAMixedModelThatHasNone) {
               HasSubstr("\"random\" names \"texture\"; it must be subject, item, or both"));
   EXPECT_THAT(family_refusal("glmm", columns + "A,x,1,3\n", R"({"link": "log"})"),
               HasSubstr("it must be logit or probit"));
+}
+
+TEST(TidyRefusals, NameTheLevelWhoseResponsesAreAllCorrect) {
+  const std::string columns = "subject,item,correct,trials,tip\n";
+  const auto findings = findings_of(
+      "glmm",
+      columns + "A,x,4,10,thin\nA,y,7,10,thin\nB,x,5,10,thin\nB,y,9,10,thin\nB,x,3,3,thick\n",
+      R"({"random": "subject", "fixed": {"tip": ["thin", "thick"]}})");
+  EXPECT_EQ(word_of(findings, "glmm.status"), "separated_level");
+  EXPECT_THAT(sentence_of(findings, "glmm.status"),
+              HasSubstr("every response at the level \"thick\" of tip is correct"));
+}
+
+TEST(TidyRefusals, FitNoFunctionWithMoreParametersThanLevels) {
+  const auto findings =
+      findings_of("psyfit", "condition,x,n,k\na,1,20,4\na,2,20,15\n",
+                  R"({"shape": "logistic", "gamma": 0, "lambda": "free", "pt": 0.5})");
+  EXPECT_EQ(word_of(findings, "status"), "too_few_levels");
+  EXPECT_EQ(word_of(findings, "threshold"), "(absent)");
+}
+
+// The effect is the same in all participants.
+TEST(TidyRefusals, SayThatThereIsNoErrorVariance) {
+  const auto findings = findings_of(
+      "rmanova", "subject,a,y\nA,1,1\nA,2,2\nA,3,4\nB,1,2\nB,2,3\nB,3,5\nC,1,3\nC,2,4\nC,3,6\n",
+      R"({"within": {"a": [1, 2, 3]}})");
+  for (const char* const quantity : {"F", "p", "eps.GG", "mauchly.W"}) {
+    word_of(findings, quantity);
+    EXPECT_THAT(sentence_of(findings, quantity), HasSubstr("no error variance")) << quantity;
+  }
+}
+
+TEST(TidyRefusals, DrawNoConfigurationOfPairsThatAreJudgedAlike) {
+  std::string table = "subject,first,second,dissimilarity\n";
+  for (const char* const subject : {"A", "B"}) {
+    for (const char* const pair : {"a,b", "a,c", "a,d", "b,c", "b,d", "c,d"}) {
+      table += std::string(subject) + ',' + pair + ",0.3\n";
+    }
+  }
+  const auto findings = findings_of("similarity", table, "{}");
+  EXPECT_EQ(word_of(findings, "stress.ordinal"), "no_differences");
+  EXPECT_EQ(word_of(findings, "dimensions"), "(absent)");
+}
+
+TEST(TidyRefusals, NameATrackThatStaysAtABound) {
+  const auto track = [](const std::string& responses) {
+    std::string table = "track,trial,response\n";
+    for (std::size_t i = 0; i < responses.size(); ++i) {
+      table += "a," + std::to_string(i + 1) + ',' + responses[i] + '\n';
+    }
+    return findings_of("staircase", table,
+                       R"({"tracks": {"a": {"start": 2, "n_down": 1, "n_up": 1, "step": 1,
+                           "scale": "linear", "min": 1, "discard": 0}}})");
+  };
+  // The levels are 2 and then 1, four times.
+  EXPECT_EQ(word_of(track("11111"), "bound.status"), "at_lowest");
+  EXPECT_THAT(sentence_of(track("11111"), "bound.status"), HasSubstr("4 of 5 trials"));
+  EXPECT_EQ(word_of(track("10101"), "bound.status"), "(absent)");
 }
 
 TEST(TidyRefusals, SayWhichOptionIsWrong) {

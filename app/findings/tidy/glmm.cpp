@@ -23,6 +23,7 @@ namespace {
 struct FixedEffect {
   std::string name{};
   std::vector<std::string> keys{};
+  std::vector<std::string> levels{};  ///< of a factor; the first has no column
   Eigen::Index first_column = 1;
 
   Eigen::Index columns() const { return static_cast<Eigen::Index>(keys.size()); }
@@ -121,6 +122,7 @@ class EffectsDesign final {
       keys.push_back(both(name, levels[level]));
     }
     begin(name, std::move(keys));
+    effects_.back().levels = levels;
     for (std::size_t row = 0; row < table_.rows(); ++row) {
       const std::size_t level = codes.codes[row];
       if (level == LabelColumn::kMissing) {
@@ -213,19 +215,38 @@ struct ProblemWords {
   const char* word;
   const char* status;
 };
-ProblemWords crossed_problem_words(CrossedProblem problem) {
+/// What can be done depends on the intercepts that the model has.
+ProblemWords crossed_problem_words(CrossedProblem problem, const CrossedModel& model) {
+  const bool both_vary = model.participants_vary && model.items_vary;
   switch (problem) {
     case CrossedProblem::no_maximum:
+      if (!both_vary) {
+        return {"no_maximum",
+                "the random intercepts can predict every response, so that the likelihood has no "
+                "maximum: collect more responses"};
+      }
       return {"no_maximum",
               "the intercepts of participants and items can predict every response, so that the "
               "likelihood has no maximum: collect more responses, or fit with the option "
               "random=subject or random=item"};
     case CrossedProblem::no_participant_variance:
+      if (!both_vary) {
+        return {"no_participant_variance",
+                "the standard deviation of the participants' intercepts is estimated as 0: "
+                "participants do not differ more than expected by chance; use the family "
+                "proportion, or group for two groups"};
+      }
       return {
           "no_participant_variance",
           "the standard deviation of the participants' intercepts is estimated as 0: fit with the "
           "option random=item"};
     case CrossedProblem::no_item_variance:
+      if (!both_vary) {
+        return {"no_item_variance",
+                "the standard deviation of the items' intercepts is estimated as 0: items do not "
+                "differ more than expected by chance; use the family proportion, or group for two "
+                "groups"};
+      }
       return {
           "no_item_variance",
           "the standard deviation of the items' intercepts is estimated as 0: fit with the option "
@@ -236,6 +257,34 @@ ProblemWords crossed_problem_words(CrossedProblem problem) {
               "more than expected by chance; use the family proportion, or group for two groups"};
   }
   return {"", ""};
+}
+
+/// A sentence on a level of a factor with correct or incorrect responses only, whose coefficient has no finite estimate;
+/// empty where there is none.
+std::string separated_level(const CrossedTable& table) {
+  for (const FixedEffect& effect : table.effects) {
+    std::vector<HitCount> of_level(effect.levels.size());
+    for (std::size_t row = 0; row < table.responses.size() && !effect.levels.empty(); ++row) {
+      std::size_t level = 0;
+      for (Eigen::Index column = 0; column < effect.columns(); ++column) {
+        const auto at = static_cast<Eigen::Index>(row);
+        if (table.model.design(at, effect.first_column + column) == 1.0) {
+          level = static_cast<std::size_t>(column) + 1;
+        }
+      }
+      of_level[level].hits += table.responses[row].count.hits;
+      of_level[level].trials += table.responses[row].count.trials;
+    }
+    for (std::size_t level = 0; level < of_level.size(); ++level) {
+      const HitCount& count = of_level[level];
+      if (count.trials == 0 || (count.hits > 0 && count.hits < count.trials)) continue;
+      return "every response at the level \"" + effect.levels[level] + "\" of " + effect.name +
+             (count.hits == 0 ? " is incorrect" : " is correct") +
+             ", so that its coefficient has no finite estimate: leave out the level, or collect "
+             "more responses at it";
+    }
+  }
+  return {};
 }
 
 class CrossedFindings final {
@@ -266,9 +315,13 @@ class CrossedFindings final {
                  basis(method_));
       return list_.take();
     }
+    if (const std::string separated = separated_level(table_); !separated.empty()) {
+      list_.word("glmm.status", "", "separated_level", separated, basis(method_));
+      return list_.take();
+    }
     const CrossedAnswer answer = crossed_fit(table_.responses, table_.model);
     if (!answer.fit) {
-      const ProblemWords why = crossed_problem_words(answer.problem);
+      const ProblemWords why = crossed_problem_words(answer.problem, table_.model);
       list_.word("glmm.status", "", why.word, why.status, basis(method_));
       return list_.take();
     }
@@ -367,8 +420,8 @@ class CrossedFindings final {
         table_.model.design.rightCols(behind);
     const CrossedAnswer answer = crossed_fit(table_.responses, without);
     if (!answer.fit) {
-      list_.word("glmm.lr", effect.name, crossed_problem_words(answer.problem).word,
-                 crossed_problem_words(answer.problem).status, basis("model without the effect"));
+      const ProblemWords why = crossed_problem_words(answer.problem, without);
+      list_.word("glmm.lr", effect.name, why.word, why.status, basis("model without the effect"));
       return;
     }
     const double ratio = std::max(0.0, 2.0 * (full.log_likelihood - answer.fit->log_likelihood));

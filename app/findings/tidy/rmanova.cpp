@@ -20,6 +20,10 @@
 namespace asperity {
 namespace {
 
+constexpr const char* kNoErrorVariance =
+    "the participants differ in the effect by nothing but rounding, so that there is no error "
+    "variance to test it against: check that the table has the participants' own values";
+
 using DesignFactor = std::pair<std::string, std::vector<std::string>>;
 
 struct Design {
@@ -228,7 +232,9 @@ class AnovaList final {
   }
   void number(const char* quantity, const std::string& key, const std::optional<double>& value,
               std::string method) {
-    list_.number(quantity, key, value.value_or(kUndefined), basis(std::move(method)));
+    Basis shown = basis(std::move(method));
+    shown.undefined = undefined_;
+    list_.number(quantity, key, value.value_or(kUndefined), std::move(shown));
   }
 
   std::string name_of(const AnovaEffect& effect) const {
@@ -268,6 +274,7 @@ class AnovaList final {
 
   void effect(const AnovaEffect& effect, double all_errors) {
     const std::string key = name_of(effect);
+    undefined_ = effect.error_sum_of_squares > 0.0 ? "" : kNoErrorVariance;
     number("SS", key, effect.sum_of_squares, "sum of squares");
     number("SS.error", key, effect.error_sum_of_squares,
            "sum of squares of the effect's error term");
@@ -294,6 +301,7 @@ class AnovaList final {
     }
     number("omega2.partial", key, effect.omega2, "partial ω²");
     if (effect.sphericity) sphericity(key, *effect.sphericity);
+    undefined_.clear();
   }
 
   void sphericity(const std::string& key, const AnovaEffect::Sphericity& of) {
@@ -304,6 +312,10 @@ class AnovaList final {
     number("p.GG", key, of.p_gg, "F test, Greenhouse–Geisser-corrected");
     number("p.HF", key, of.p_hf, "F test, Huynh–Feldt-corrected (Lecoutre), ε at most 1");
     number("p.lower", key, of.p_lower_bound, "F test, corrected with the lower bound of ε");
+    if (!undefined_.empty()) {
+      list_.word("mauchly.W", key, "undefined", undefined_, basis("Mauchly's test of sphericity"));
+      return;
+    }
     if (!of.mauchly) {
       list_.word("mauchly.W", key, "undefined",
                  "there are fewer participants than contrasts, so that W is undefined: use the "
@@ -442,6 +454,8 @@ class AnovaList final {
 
   const TidyInput& input_;
   const Design& design_;
+  std::string
+      undefined_{};  ///< why numbers of the current effect are not defined; empty: the default reason
   double confidence_ = 0.95;
   FindingList list_{};
 };

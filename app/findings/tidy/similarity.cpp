@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -62,6 +63,20 @@ std::vector<Property> properties_in(const TidyTable& table, const std::vector<st
 /// The number of an axis in a key.
 std::string axis_name(Eigen::Index axis) { return std::to_string(axis + 1); }
 
+/// Whether the dissimilarities of all judged pairs are equal but for rounding.
+bool are_alike(const RatedPairs& pairs) {
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = 0.0;
+  for (Eigen::Index i = 0; i < pairs.values.rows(); ++i) {
+    for (Eigen::Index j = 0; j < i; ++j) {
+      if (pairs.weights(i, j) == 0.0) continue;
+      least = std::min(least, pairs.values(i, j));
+      greatest = std::max(greatest, pairs.values(i, j));
+    }
+  }
+  return greatest - least <= 16.0 * std::numeric_limits<double>::epsilon() * greatest;
+}
+
 class SimilarityFindings {
  public:
   SimilarityFindings(const JudgedPairs& judged, const FamilyOptions& options)
@@ -102,6 +117,13 @@ class SimilarityFindings {
       list_.word("stress.ordinal", "", "no_variance",
                  "all pairs were judged identical, so that there are no distances: check the "
                  "direction of the scale, or use items that differ",
+                 basis("non-metric multidimensional scaling"));
+      return list_.take();
+    }
+    if (are_alike(mean_)) {
+      list_.word("stress.ordinal", "", "no_differences",
+                 "all pairs were judged equally dissimilar, so that every configuration fits as well "
+                 "as any other: check the use of the scale, or use items that differ more",
                  basis("non-metric multidimensional scaling"));
       return list_.take();
     }

@@ -161,6 +161,7 @@ class TrackFindings final {
 
   void add() {
     levels();
+    bounds();
     reversals();
     threshold();
     target();
@@ -181,6 +182,28 @@ class TrackFindings final {
                        {.n = 1, .method = "level of a trial, from the rule and the responses"});
     }
     number("next.level", track_.next_level, "level of the next trial");
+  }
+
+  /// A track that stays at a bound of its levels.
+  void bounds() {
+    const auto at = [this](double bound) {
+      return std::count_if(track_.trials.begin(), track_.trials.end(),
+                           [bound](const auto& trial) { return trial.level == bound; });
+    };
+    const auto state = [this](auto count, const char* which, const char* where) {
+      if (2 * static_cast<std::size_t>(count) <= track_.trials.size()) return;
+      findings_.word("bound.status", answered_.name, std::string("at_") + which,
+                     std::to_string(count) + " of " + std::to_string(track_.trials.size()) +
+                         " trials are at the " + which +
+                         " level, so that the mean of the reversals "
+                         "is that of the bound, and the threshold may lie " +
+                         where +
+                         ": extend the "
+                         "levels, and run the track again",
+                     basis("trials at a bound of the levels"));
+    };
+    state(at(rule_.staircase.lowest), "lowest", "below it");
+    state(at(rule_.staircase.highest), "highest", "above it");
   }
 
   void reversals() {
