@@ -93,4 +93,20 @@ std::optional<std::pair<std::size_t, std::size_t>> names_in_two_forms(
   return std::nullopt;
 }
 
+std::string label_form(std::string_view label) {
+  const auto is_digit = [label](std::size_t i) {
+    return i < label.size() && label[i] >= '0' && label[i] <= '9';
+  };
+  std::string form{};
+  for (std::size_t i = 0; i < label.size(); ++i) {
+    const bool begins_number = is_digit(i) && (i == 0 || !is_digit(i - 1));
+    if (begins_number) {
+      while (label[i] == '0' && is_digit(i + 1)) ++i;
+    }
+    const char letter = label[i];
+    form += letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+  }
+  return form;
+}
+
 }  // namespace asperity

@@ -27,6 +27,7 @@
 #include "app/study_files/study_condition.h"
 #include "app/words/text_parts.h"
 #include "protocols/design/protocol.h"
+#include "results_schema/name_forms.h"
 #include "results_schema/stored_json.h"
 
 namespace asperity {
@@ -190,6 +191,24 @@ class StudyExport final {
     std::string text = publication_text(export_files(vocabulary_), options_.audience);
     if (options_.audience == ExportAudience::relabelled) text += versions_text(participants_);
     return wrapped_text(text + identifying_text(options_), kColumns);
+  }
+
+  // Warnings of labels that could be those of one participant.
+  std::vector<Phrase> alike_labels() const {
+    std::vector<Phrase> warnings{};
+    std::map<std::string, std::string> of_form{};
+    for (const ExportedParticipant& participant : participants_) {
+      const std::string& label = participant.listed.label;
+      const auto [first, is_new] = of_form.emplace(label_form(label), label);
+      if (is_new) continue;
+      warnings.push_back(
+          phrase("StudyExport",
+                 "The labels %1 and %2 differ only in letter case or leading zeros: some programs "
+                 "and file systems take them for one. If they are of one participant, state this "
+                 "where the data are used.")
+              .with(first->second, label));
+    }
+    return warnings;
   }
 
   // Completes all files. The outcome receives what could not be exported.
@@ -385,6 +404,7 @@ ExportOutcome export_study(const Study& study, const ModelRegistry& models, cons
   bool stopped = false;
   ExportOutcome outcome{};
   std::string publication{};
+  std::vector<Phrase> alike{};
   // All of one moment: what was written is discarded where the study has changed under it.
   const auto export_one_moment = [&] {
     if (std::exchange(has_begun, true)) making.emplace(folder, options.overwrite);
@@ -397,6 +417,7 @@ ExportOutcome export_study(const Study& study, const ModelRegistry& models, cons
     stopped = !walk.walk(stop, progress);
     if (stopped) return;
     walk.finish(outcome);
+    alike = walk.alike_labels();
     publication = walk.publication();
   };
   read_unless_broken(
@@ -404,6 +425,8 @@ ExportOutcome export_study(const Study& study, const ModelRegistry& models, cons
   if (stopped) return {};
   making->write("README.txt",
                 export_readme(options, remark_on(study), outcome.warnings, publication));
+  // README.txt states what is missing, and nothing is here.
+  outcome.warnings.insert(outcome.warnings.end(), alike.begin(), alike.end());
   making->write("import.R", import_script_for_r());
   making->write("import.py", import_script_for_python());
   outcome.files = making->take_place();

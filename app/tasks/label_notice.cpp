@@ -1,26 +1,16 @@
 #include "app/tasks/label_notice.h"
 
-#include <algorithm>
-
 #include "app/session/rig/clock.h"
 #include "app/session/session_setup.h"
 #include "app/tasks/study_overview.h"
 #include "app/tasks/unfinished_session.h"
 #include "app/words/time_ago.h"
 #include "app/words/utc_time.h"
+#include "results_schema/name_forms.h"
 
 namespace asperity {
 
 namespace {
-
-char without_case(char letter) {
-  return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-}
-
-bool differs_in_case_at_most(const std::string& one, const std::string& other) {
-  return std::equal(one.begin(), one.end(), other.begin(), other.end(),
-                    [](char a, char b) { return without_case(a) == without_case(b); });
-}
 
 Phrase time_of(const Study& study, const SessionRow& row) {
   if (has_made_up_dates(row)) return phrase("LabelNotice", "on a simulated clock");
@@ -47,12 +37,13 @@ Phrase data_of(SessionMode mode) {
 
 /// The notice for a label that is not in the study.
 std::optional<LabelNotice> notice_of_new_label(const Study& study, const std::string& label) {
+  const std::string form = label_form(label);
   for (const ParticipantRow& person : study.participants()) {
-    if (!differs_in_case_at_most(person.label, label)) continue;
+    if (label_form(person.label) != form) continue;
     return LabelNotice{
         .text = phrase("LabelNotice",
-                       "%1 is a new participant; %2, whose label differs only in letter case, is "
-                       "in the study already (%3)")
+                       "%1 is a new participant; %2, whose label differs only in letter case or "
+                       "leading zeros, is in the study already (%3)")
                     .with(label, person.label, origin_of(person)),
         .remedy = phrase("LabelNotice", "If %1 is meant, use that label.").with(person.label),
         .command_remedy = "for " + person.label + ", use --participant " + person.label};

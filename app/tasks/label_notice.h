@@ -30,7 +30,7 @@ struct LabelNotice {
 /// For a session that begins; not for one that is resumed. Nothing where the label is new and
 /// unlike all others, or has no session of a protocol of this name, in any version and mode,
 /// because a participant who knows the task from a pilot session is not naive. Labels that differ
-/// only in letter case are alike.
+/// only in letter case or in leading zeros are alike.
 ///
 /// Errors: ResultsError.
 std::optional<LabelNotice> label_notice(const Study& study, const Protocol& protocol,

@@ -52,6 +52,20 @@ TEST(Export, WritesTheFilesThatAreDocumented) {
   EXPECT_THAT(names_in(made.beside("")), ElementsAre("out", "study"));
 }
 
+TEST(Export, WarnsOfLabelsThatDifferInLetterCaseOrLeadingZeros) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("selection", "selection");
+  for (const char* const label : {"1", "01", "p2", "q2"}) {
+    made.add_person(label, "F");
+    made.add_session(label, protocol, {});
+  }
+  const ExportOutcome outcome = export_to(made, made.beside("out"), tables_only());
+  ASSERT_EQ(outcome.warnings.size(), 1U);
+  EXPECT_THAT(outcome.warnings[0].english(),
+              HasSubstr("The labels 01 and 1 differ only in letter case or leading zeros"));
+  EXPECT_THAT(read_file(made.beside("out") / "README.txt"), Not(HasSubstr("INCOMPLETE")));
+}
+
 TEST(Export, WritesWhatIsAskedForBesideTheTables) {
   MadeUpStudy made;
   fill(made);

@@ -257,8 +257,8 @@ TEST_F(SessionChecks, StateWhatTheStudyHoldsOfALabelBeforeANewSession) {
                  "For another participant, use another label.");
   inputs.participant = "p001";
   expect_noticed(State::look,
-                 "p001 is a new participant; P001, whose label differs only in letter case, is in "
-                 "the study already (added less than an hour ago).",
+                 "p001 is a new participant; P001, whose label differs only in letter case or "
+                 "leading zeros, is in the study already (added less than an hour ago).",
                  "If P001 is meant, use that label.");
   inputs.participant = "P001";
   add_completed(SessionMode::run);

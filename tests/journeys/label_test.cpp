@@ -1,4 +1,5 @@
-// run with a participant's label that is already in the study, or differs from one only in letter case.
+// run with a participant's label that is already in the study, or differs from one only in letter case or
+// leading zeros.
 
 #include <csignal>
 
@@ -44,11 +45,13 @@ TEST(Label, ThatDiffersInLetterCaseIsStatedToAScriptWhichContinues) {
   const Outcome other = virtual_run(small, "StandIn1");
   EXPECT_EQ(other.status, 0) << other.err;
   EXPECT_THAT(other.err, HasSubstr("asperity: warning: StandIn1 is a new participant; standin1, "
-                                   "whose label differs only in letter case, is in the study "
+                                   "whose label differs only in letter case or leading zeros, is in the study "
                                    "already (virtual participant); for standin1, use "
                                    "--participant standin1\n"));
   // Both are there now, so that neither is a slip.
   EXPECT_THAT(virtual_run(small, "standin1").err, Not(HasSubstr("letter case")));
+  EXPECT_THAT(virtual_run(small, "standin01").err,
+              HasSubstr("asperity: warning: standin01 is a new participant; "));
 }
 
 /// A person at a terminal, up to the first prompt.

@@ -6187,10 +6187,6 @@
         <translation>simulierte Daten</translation>
     </message>
     <message>
-        <source>%1 is a new participant; %2, whose label differs only in letter case, is in the study already (%3)</source>
-        <translation>%1 ist eine neue Versuchsperson; %2 ist schon in der Studie (%3), und das Kürzel unterscheidet sich nur in der Groß- und Kleinschreibung</translation>
-    </message>
-    <message>
         <source>If %1 is meant, use that label.</source>
         <translation>Falls %1 gemeint ist, dieses Kürzel verwenden.</translation>
     </message>
@@ -6221,6 +6217,10 @@
     <message>
         <source>%1 has completed %2 of %3 planned sessions of this protocol, the latest %4</source>
         <translation>%1 hat %2 von %3 geplanten Sitzungen dieses Protokolls abgeschlossen, die letzte %4</translation>
+    </message>
+    <message>
+        <source>%1 is a new participant; %2, whose label differs only in letter case or leading zeros, is in the study already (%3)</source>
+        <translation>%1 ist eine neue Versuchsperson; %2 ist schon in der Studie (%3), und das Kürzel unterscheidet sich nur in der Groß- und Kleinschreibung oder in führenden Nullen</translation>
     </message>
 </context>
 <context>
@@ -8216,6 +8216,10 @@
     <message>
         <source>The study has no sessions, so that there are no files for other programs; run a session, then export again.</source>
         <translation>Die Studie hat keine Sitzungen, sodass es keine Dateien für andere Programme gibt; eine Sitzung durchführen, dann erneut exportieren.</translation>
+    </message>
+    <message>
+        <source>The labels %1 and %2 differ only in letter case or leading zeros: some programs and file systems take them for one. If they are of one participant, state this where the data are used.</source>
+        <translation>Die Kürzel %1 und %2 unterscheiden sich nur in der Groß- und Kleinschreibung oder in führenden Nullen: Manche Programme und Dateisysteme halten sie für dasselbe. Falls sie zu einer Versuchsperson gehören, dies angeben, wo die Daten verwendet werden.</translation>
     </message>
 </context>
 <context>
