@@ -1,4 +1,4 @@
-// The same bytes where the decimal point is a comma.
+// The same bytes whatever the locale: a decimal comma, another capital of i, digits of another script, other dates.
 
 #include <clocale>
 #include <cstdlib>
@@ -20,6 +20,11 @@ std::map<std::string, std::string> journey(const SmallStudy& small, const std::s
   write_text(folder / "path.tsv",
              "time_s\tx_m\ty_m\tz_m\n0\t0\t0\t-0.0005\n0.001\t0.0001\t0\t-0.0005\n"
              "0.002\t0.00025\t1e-5\t-0.00075\n");
+  write_text(folder / "solid.obj",
+             "v 0 0 0\nv 10.5 0 0\nv 0 10.5 0\nv 0 0 10.5\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  write_text(folder / "shares.csv", "id,k,n,p0\na,5,10,0.5\nb,9,12,0.25\n");
+  write_text(folder / "levels.csv",
+             "condition,x,n,k\na,0.1,20,3\na,0.25,20,9\na,0.5,20,16\na,0.75,20,19\n");
   const std::vector<std::vector<std::string>> steps{
       {"new", "study"},
       {"synth", "sinusoid", "--out", "study/stimuli/walnut.png", "--pixels", "128", "--width-m",
@@ -37,7 +42,32 @@ std::map<std::string, std::string> journey(const SmallStudy& small, const std::s
       {"models", "--json"},
       {"replay", "study", "--attempt", "1", "--out", "replayed.tsv"},
       {"render", "--model", "height_map", "--stimulus", "study/stimuli/walnut.png", "--param",
-       "height_scale=0.5", "--path", "path.tsv", "--out", "forces.tsv"}};
+       "height_scale=0.5", "--path", "path.tsv", "--out", "forces.tsv"},
+      {"analyze", "--table", "shares.csv", "--as", "proportion"},
+      {"texture-recording", "--relief", "study/stimuli/walnut.png", "--out", "made/strokes.tsv"},
+      {"fit-model", "made/strokes.tsv", "--out", "made/vibrations.tsv"},
+      {"bake", "solid.obj", "--triangles", "4", "--out", "made/solid.mesh"},
+      {"sweep", "--model", "height_map", "--vary", "exploratory_speed", "--values", "0.05,0.1",
+       "--spacings", "0.001:0.004:3", "--out", "made/sweep"},
+      {"clean-stiffness", "--model", "height_map", "--amplitudes", "0.0001", "--wavelengths",
+       "0.002", "--rates", "1000", "--strokes", "1", "--out", "made/clean.tsv"},
+      {"devices"},
+      {"bench", "--list"},
+      {"metadata", "study", "--author", "I\u015f\u0131k, \u0130lk", "--license", "CC-BY-4.0"},
+#ifdef ASPERITY_WITH_WINDOWS
+      {"render", "--model", "height_map", "--stimulus", "study/stimuli/walnut.png", "--path",
+       "path.tsv", "--out", "made/forces.tsv", "--tool-out", "made/tool.tsv", "--plot",
+       "made/plot.svg"},
+      {"analyze", "--table", "levels.csv", "--as", "psyfit", "--option", "shape=logistic",
+       "gamma=0", "lambda=0.02", "pt=0.5", "bootstrap=20", "--figures", "made/figures"},
+      {"report", "study", "--out", "made/report.html"},
+#endif
+      {"run", "selection.json", "--study", "study", "--participant", "iris", "--virtual", "--seed",
+       "9"},
+      {"copy", "study", "copied"},
+      {"withdraw", "study", "iris", "--by", "me"},
+      {"export", "study", "--out", "tables_after"}};
+  fs::create_directory(folder / "made");
   std::map<std::string, std::string> results{};
   for (std::size_t i = 0; i < steps.size(); ++i) {
     Invocation invocation{};
@@ -46,12 +76,12 @@ std::map<std::string, std::string> journey(const SmallStudy& small, const std::s
     invocation.folder = folder;
     const Outcome outcome = run(invocation);
     EXPECT_EQ(outcome.status, 0) << steps[i].front() << ": " << outcome.err;
-    // How long a simulation took is its own affair.
-    if (steps[i].front() != "simulate") {
+    // How long a simulation took is its own affair, and so is the day of a withdrawal.
+    if (steps[i].front() != "simulate" && steps[i].front() != "withdraw") {
       results[std::to_string(i) + ' ' + steps[i].front()] = outcome.out;
     }
   }
-  for (const char* part : {"tables", "study/stimuli", "study/recordings"}) {
+  for (const char* part : {"tables", "made", "study/stimuli", "study/recordings"}) {
     for (const auto& [file, content] : contents_of(folder / part)) {
       results[std::string(part) + '/' + file] = content;
     }
@@ -61,21 +91,28 @@ std::map<std::string, std::string> journey(const SmallStudy& small, const std::s
   return results;
 }
 
-TEST(Locale, WithADecimalCommaChangesNoByte) {
+constexpr const char* kLocales[] = {"de_DE.UTF-8", "tr_TR.UTF-8", "ar_EG.UTF-8", "ja_JP.UTF-8"};
+
+TEST(Locale, ChangesNoByte) {
   const SmallStudy small(2);
   const auto plain = journey(small, "plain", {{"LC_ALL", "C"}});
-  const auto german =
-      journey(small, "german", {{"LC_ALL", "de_DE.UTF-8"}, {"LOCPATH", ASPERITY_LOCALE_FOLDER}});
-  for (const auto& [name, content] : plain) {
-    ASSERT_TRUE(german.contains(name)) << name;
-    EXPECT_TRUE(german.at(name) == content) << name << " differs";
+  for (const std::string locale : kLocales) {
+    SCOPED_TRACE(locale);
+    const auto other =
+        journey(small, locale, {{"LC_ALL", locale}, {"LOCPATH", ASPERITY_LOCALE_FOLDER}});
+    for (const auto& [name, content] : plain) {
+      ASSERT_TRUE(other.contains(name)) << name;
+      EXPECT_TRUE(other.at(name) == content) << name << " differs";
+    }
+    EXPECT_EQ(other.size(), plain.size());
   }
-  EXPECT_EQ(german.size(), plain.size());
 }
 
 TEST(Locale, IsTheOneThatWasAskedFor) {
-  // The journey above would prove nothing where the locale is not found.
+  // The journey above would prove nothing where a locale is not found.
   ::setenv("LOCPATH", ASPERITY_LOCALE_FOLDER, 1);
+  for (const char* const locale : kLocales)
+    EXPECT_NE(std::setlocale(LC_ALL, locale), nullptr) << locale;
   ASSERT_NE(std::setlocale(LC_ALL, "de_DE.UTF-8"), nullptr);
   EXPECT_STREQ(std::localeconv()->decimal_point, ",");
   std::setlocale(LC_ALL, "C");
