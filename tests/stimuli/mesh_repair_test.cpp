@@ -204,6 +204,17 @@ TEST(MeshRepair, LeavesOutDebrisAndWhatEnclosesNothing) {
   EXPECT_EQ(result.mesh.triangles.size(), 12U);
 }
 
+// A sheet of 10 mm next to a body of which holes up to 7.5 mm are closed.
+TEST(MeshRepair, TakesNoSheetForABodyWithAHole) {
+  const TriangleMesh sheet{{{0.02, 0, 0}, {0.03, 0, 0}, {0.03, 0.01, 0}, {0.02, 0.01, 0}},
+                           {{0, 1, 2}, {0, 2, 3}}};
+  const RepairedMesh result = repaired(together(small_box(), sheet));
+  EXPECT_EQ(result.found.flat_parts, 1U);
+  EXPECT_EQ(result.found.holes_filled, 0U);
+  EXPECT_EQ(result.found.widest_hole_m, 0.0);
+  EXPECT_EQ(result.mesh.triangles.size(), 12U);
+}
+
 TEST(MeshRepair, LeavesASurfaceThatPassesThroughItselfAsItLies) {
   TriangleMesh mesh = box({0.01, 0.01, 0.01});
   const TriangleMesh other = box({0.01, 0.01, 0.01}, {0.005, 0.004, 0.003});

@@ -38,20 +38,33 @@ void fill_holes(MeshInRepair& repair) {
   }
   const double widest_m =
       repair.limits.widest_hole_m.value_or(kWidestHole * repair.found.diagonal_m);
-  std::size_t too_wide = 0;
-  std::vector<std::vector<std::uint32_t>> holes{};
+  struct Hole {
+    std::vector<std::uint32_t> border{};
+    double width_m = 0.0;
+  };
+  std::vector<Hole> holes{};
   for (std::uint32_t start = 0; start < leaving.size(); ++start) {
     if (leaving[start] == kNone) continue;
-    std::vector<std::uint32_t> hole{};
+    Hole hole{};
     Box box{};
     for (std::uint32_t vertex = start; leaving[vertex] != kNone;) {
-      hole.push_back(vertex);
+      hole.border.push_back(vertex);
       box.add(repair.mesh.vertices_m[vertex]);
       vertex = repair.to(std::exchange(leaving[vertex], kNone));
     }
-    repair.found.widest_hole_m = std::max(repair.found.widest_hole_m, box.diagonal_m());
-    if (box.diagonal_m() > widest_m) ++too_wide;
+    hole.width_m = box.diagonal_m();
     holes.push_back(std::move(hole));
+  }
+  for (const Hole& hole : holes) fill(repair, hole.border);
+  // A sheet is not a body with a hole: closed, it has no volume, and is left out with the other flat parts.
+  const Parts closed = parts_of(repair.mesh);
+  std::erase_if(holes, [&closed](const Hole& hole) {
+    return closed.parts[closed.of_vertex[hole.border.front()]].is_flat();
+  });
+  std::size_t too_wide = 0;
+  for (const Hole& hole : holes) {
+    repair.found.widest_hole_m = std::max(repair.found.widest_hole_m, hole.width_m);
+    if (hole.width_m > widest_m) ++too_wide;
   }
   if (too_wide > 0) {
     repair.refuse("is not closed: it has " + std::to_string(holes.size()) +
@@ -60,7 +73,6 @@ void fill_holes(MeshInRepair& repair) {
                   millimetres(widest_m) +
                   " are closed. Close the holes in the mesh, or allow wider holes to be closed.");
   }
-  for (const std::vector<std::uint32_t>& hole : holes) fill(repair, hole);
   repair.found.holes_filled = holes.size();
 }
 

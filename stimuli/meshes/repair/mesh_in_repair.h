@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -37,6 +38,26 @@ struct Box {
   /// 0 without points.
   double diagonal_m() const { return low_m.x > high_m.x ? 0.0 : glm::length(high_m - low_m); }
 };
+
+/// Faces that are connected by vertices.
+struct Part {
+  Box box{};
+  double volume_m3 = 0.0;  ///< negative for a surface that faces inwards; only a closed one has one
+  double area_m2 = 0.0;
+  std::size_t faces = 0;
+  std::uint32_t first_face = 0;
+  bool dropped = false;
+  bool turned = false;
+
+  bool is_flat() const { return std::abs(volume_m3) < kFlat * std::pow(area_m2, 1.5); }
+};
+
+struct Parts {
+  std::vector<Part> parts{};
+  std::vector<std::uint32_t> of_vertex{};  ///< kNone of a vertex without a face
+};
+
+Parts parts_of(const TriangleMesh& mesh);  // parts.cpp
 
 /// Disjoint sets that are joined step by step; each is represented by its smallest member.
 class Sets final {

@@ -14,16 +14,6 @@
 namespace asperity::mesh_repair {
 namespace {
 
-struct Part {
-  Box box{};
-  double volume_m3 = 0.0;
-  double area_m2 = 0.0;
-  std::size_t faces = 0;
-  std::uint32_t first_face = 0;
-  bool dropped = false;
-  bool turned = false;
-};
-
 // Whether a ray from a corner of the part crosses the parts around it an odd number of times.
 bool lies_within_another(const MeshInRepair& repair, std::size_t which,
                          const std::vector<Part>& parts,
@@ -85,43 +75,46 @@ void keep(MeshInRepair& repair, const std::vector<Part>& parts,
 
 }  // namespace
 
-// Leaves out debris and flat parts, and turns parts so that they face outwards, cavities inwards.
-//
 // The volume is the sum of the signed tetrahedra between a point and the faces: p₀·((p₁ − p₀) × (p₂ − p₀))/6, negative
 // for a surface that faces inwards.
-void sort_out_parts(MeshInRepair& repair) {
-  Sets sets(repair.mesh.vertices_m.size());
-  for (const Triangle& triangle : repair.mesh.triangles) {
+Parts parts_of(const TriangleMesh& mesh) {
+  Sets sets(mesh.vertices_m.size());
+  for (const Triangle& triangle : mesh.triangles) {
     sets.join(triangle[0], triangle[1]);
     sets.join(triangle[0], triangle[2]);
   }
-  std::vector<std::uint32_t> part_of(repair.mesh.vertices_m.size(), kNone);
-  std::vector<Part> parts{};
-  for (std::uint32_t face = 0; face < repair.mesh.triangles.size(); ++face) {
-    const Triangle& triangle = repair.mesh.triangles[face];
+  Parts made{.of_vertex = std::vector<std::uint32_t>(mesh.vertices_m.size(), kNone)};
+  for (std::uint32_t face = 0; face < mesh.triangles.size(); ++face) {
+    const Triangle& triangle = mesh.triangles[face];
     const std::uint32_t root = sets.of(triangle[0]);
-    if (part_of[root] == kNone) {
-      part_of[root] = static_cast<std::uint32_t>(parts.size());
-      parts.emplace_back().first_face = face;
+    if (made.of_vertex[root] == kNone) {
+      made.of_vertex[root] = static_cast<std::uint32_t>(made.parts.size());
+      made.parts.emplace_back().first_face = face;
     }
-    Part& part = parts[part_of[root]];
-    const glm::dvec3& origin_m = repair.mesh.vertices_m[repair.mesh.triangles[part.first_face][0]];
+    Part& part = made.parts[made.of_vertex[root]];
+    const glm::dvec3& origin_m = mesh.vertices_m[mesh.triangles[part.first_face][0]];
     std::array<glm::dvec3, 3> corners_m{};
     for (std::size_t i = 0; i < 3; ++i) {
-      part_of[triangle[i]] = part_of[root];
-      part.box.add(repair.mesh.vertices_m[triangle[i]]);
-      corners_m[i] = repair.mesh.vertices_m[triangle[i]] - origin_m;
+      made.of_vertex[triangle[i]] = made.of_vertex[root];
+      part.box.add(mesh.vertices_m[triangle[i]]);
+      corners_m[i] = mesh.vertices_m[triangle[i]] - origin_m;
     }
     const glm::dvec3 doubled = glm::cross(corners_m[1] - corners_m[0], corners_m[2] - corners_m[0]);
     part.volume_m3 += glm::dot(corners_m[0], doubled) / 6.0;
     part.area_m2 += 0.5 * glm::length(doubled);
     ++part.faces;
   }
+  return made;
+}
+
+// Leaves out debris and flat parts, and turns parts so that they face outwards, cavities inwards.
+void sort_out_parts(MeshInRepair& repair) {
+  auto [parts, part_of] = parts_of(repair.mesh);
   for (Part& part : parts) {
     if (part.box.diagonal_m() < repair.limits.smallest_part * repair.found.diagonal_m) {
       ++repair.found.debris_parts;
       part.dropped = true;
-    } else if (std::abs(part.volume_m3) < kFlat * std::pow(part.area_m2, 1.5)) {
+    } else if (part.is_flat()) {
       ++repair.found.flat_parts;
       part.dropped = true;
     }
