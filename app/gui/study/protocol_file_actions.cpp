@@ -54,15 +54,15 @@ ProtocolFileActions::ProtocolFileActions(OpenStudy& study, QWidget* parent)
   name_->setFixedWidth(kNewNameWidth);
   act_ = make_button({}, ButtonRole::plain, this);
   act_->setObjectName("protocol_file_act");
-  QPushButton* cancel = make_button(tr("Cancel"), ButtonRole::link, this);
-  cancel->setObjectName("protocol_file_cancel");
+  cancel_ = make_button(tr("Cancel"), ButtonRole::link, this);
+  cancel_->setObjectName("protocol_file_cancel");
   row->addWidget(text_, 1);
   row->addWidget(name_);
   row->addWidget(act_);
-  row->addWidget(cancel);
+  row->addWidget(cancel_);
   connect(act_, &QPushButton::clicked, this, &ProtocolFileActions::act);
   connect(name_, &QLineEdit::returnPressed, this, &ProtocolFileActions::act);
-  connect(cancel, &QPushButton::clicked, this, &QWidget::hide);
+  connect(cancel_, &QPushButton::clicked, this, &QWidget::hide);
   hide();
 }
 
@@ -122,7 +122,7 @@ void ProtocolFileActions::ask_for_name() {
 void ProtocolFileActions::ask_whether_to_delete() {
   ask(tr("Delete %1? It was never run. The file cannot be restored.").arg(file_name_of(file_)),
       tr("Delete"), false);
-  act_->setFocus();
+  cancel_->setFocus();  // Return deletes nothing
 }
 
 void ProtocolFileActions::ask(const QString& text, const QString& verb, bool for_name) {

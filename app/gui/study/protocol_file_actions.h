@@ -54,6 +54,7 @@ class ProtocolFileActions final : public QFrame {
   QLabel* text_ = nullptr;
   QLineEdit* name_ = nullptr;
   QPushButton* act_ = nullptr;
+  QPushButton* cancel_ = nullptr;
   BackgroundTask task_{};
 };
 

@@ -253,6 +253,14 @@ TEST_F(StudyPages, DuplicateRenameAndDeleteAProtocolThatWasNeverRun) {
   auto& really = child<QPushButton>(window_, "protocol_file_act");
   ASSERT_TRUE(eventually([&] { return really.isVisible(); }));
   EXPECT_FALSE(name.isVisible());
+  // Return does not delete: the file cannot be restored.
+  const auto& cancel = child<QPushButton>(window_, "protocol_file_cancel");
+  EXPECT_EQ(window_.focusWidget(), &cancel);
+  QTest::keyClick(window_.focusWidget(), Qt::Key_Return);
+  EXPECT_TRUE(eventually([&] { return !really.isVisible(); }));
+  EXPECT_EQ(table.shown_rows(), 4);
+  act("protocol_delete");
+  ASSERT_TRUE(eventually([&] { return really.isVisible(); }));
   really.click();
   EXPECT_TRUE(eventually([&] { return table.shown_rows() == 3; }));
 }
