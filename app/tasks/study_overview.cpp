@@ -339,17 +339,6 @@ std::vector<ParticipantOverview> participant_overviews(const Study& study) {
   return overviews;
 }
 
-std::string TrialOverview::answer() const {
-  if (!attempt) return {};
-  std::string text{};
-  for (const ResponseRow& response : attempt->responses) {
-    if (!text.empty()) text += ", ";
-    if (attempt->responses.size() > 1) text += std::to_string(response.item) + ' ';
-    text += response.answer;
-  }
-  return text;
-}
-
 std::optional<bool> TrialOverview::correct() const {
   std::optional<bool> all{};
   if (!attempt) return all;

@@ -103,8 +103,6 @@ struct TrialOverview {
   PlannedTrialRow planned{};
   std::optional<AttemptRow> attempt{};
 
-  /// The answers in order: "metal", or "1 brick, 2 wood".
-  std::string answer() const;
   /// Whether all responses were correct, where there are correct ones.
   std::optional<bool> correct() const;
 };

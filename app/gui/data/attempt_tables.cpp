@@ -262,7 +262,7 @@ void MeasureTables::show_attempt(const AttemptDetail& detail) {
   for (const ResponseRow& response : attempt.responses) {
     const QString right = !response.correct ? tr("–") : *response.correct ? tr("yes") : tr("no");
     add({number_cell(response.item), text_cell(text(response.question)),
-         text_cell(text(response.answer)), text_cell(right),
+         text_cell(OutcomeWords::of_response(response.answer)), text_cell(right),
          text_cell(words_of_list(response.options_json)), decimal_cell(response.from_contact_s, 2),
          decimal_cell(response.from_cue_s, 2), text_cell(text(response.source).replace('_', ' '))});
   }

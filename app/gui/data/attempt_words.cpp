@@ -47,17 +47,12 @@ QString AttemptWords::title(const AttemptDetail& detail) {
 
 QString AttemptWords::summary(const AttemptDetail& detail) {
   const AttemptRow& attempt = detail.attempt;
-  QStringList answers{};
-  for (const ResponseRow& response : attempt.responses) {
-    answers << (attempt.responses.size() > 1
-                    ? QString("%1 %2").arg(response.item).arg(text(response.answer))
-                    : text(response.answer));
-  }
+  const QString answers = OutcomeWords::of_responses(attempt.responses);
   const QString outcome = OutcomeWords::of(attempt.outcome);
   QStringList parts{tr("Session %1").arg(detail.session.session),
                     tr("%1 %2").arg(text(detail.protocol_name), text(detail.protocol_version)),
                     tr("block %1").arg(text(detail.planned.block)),
-                    answers.isEmpty() ? outcome : tr("%1: %2").arg(outcome, answers.join(", "))};
+                    answers.isEmpty() ? outcome : tr("%1: %2").arg(outcome, answers)};
   if (!attempt.responses.empty()) {
     parts << tr("answered %1 after the first contact")
                  .arg(of_seconds(attempt.responses.back().from_contact_s));

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QString>
@@ -24,6 +25,11 @@ class OutcomeWords final {
   static QString of_fault(Fault fault);
   /// As a row stores it: by its name.
   static QString of_fault(const std::string& name);
+  /// A response as its question labels it, "4", "B", "3 (rough)": a number without rounding errors, with six significant
+  /// digits where a participant would not enter it in full, and the user's decimal point.
+  static QString of_response(const std::string& label);
+  /// All responses of an attempt: "4", or "1 4, 2 6" by item.
+  static QString of_responses(const std::vector<ResponseRow>& responses);
   /// The text of an event.
   static QString of_event(const EventRow& event);
 };

@@ -135,7 +135,7 @@ QString SessionText::of_phase(const SessionSnapshot& snapshot, double in_phase_s
 
 QString SessionText::of_answers(const AttemptSummary& attempt) {
   QStringList answers{};
-  for (const std::string& answer : attempt.answers) answers += QString::fromStdString(answer);
+  for (const std::string& answer : attempt.answers) answers += OutcomeWords::of_response(answer);
   return answers.join(' ');
 }
 

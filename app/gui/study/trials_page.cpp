@@ -139,8 +139,8 @@ StudyTable::Row trial_row(const SessionDetail& detail, const TrialOverview& tria
       {number_cell(trial.planned.trial),
        attempt ? number_cell(attempt->attempt) : empty_number_cell(),
        text_cell(text(trial.planned.block)), text_cell(text_of_condition(trial.planned)), outcome,
-       text_cell(text(trial.answer())), text_cell(right), seconds_cell(from_contact_s),
-       seconds_cell(from_cue_s),
+       text_cell(attempt ? OutcomeWords::of_responses(attempt->responses) : QString()),
+       text_cell(right), seconds_cell(from_contact_s), seconds_cell(from_cue_s),
        attempt ? clock_cell(since_start_s(detail, attempt->onset_ns)) : empty_number_cell(),
        track_cell(trial.planned)}};
   if (attempt && attempt->excluded) strike_through(row.cells);
@@ -268,12 +268,14 @@ void TrialsPage::show_selected() {
     return;
   }
   const QString remarks = text_of_remarks(found->planned, *found->attempt);
-  selected_->setText(tr("Trial %1, attempt %2: %3")
-                         .arg(found->planned.trial)
-                         .arg(found->attempt->attempt)
-                         .arg(QStringList{text_of_outcome(*found), text(found->answer()), remarks}
-                                  .filter(QRegularExpression("."))
-                                  .join("; ")));
+  selected_->setText(
+      tr("Trial %1, attempt %2: %3")
+          .arg(found->planned.trial)
+          .arg(found->attempt->attempt)
+          .arg(QStringList{text_of_outcome(*found),
+                           OutcomeWords::of_responses(found->attempt->responses), remarks}
+                   .filter(QRegularExpression("."))
+                   .join("; ")));
 }
 
 void TrialsPage::ask_to_exclude() {

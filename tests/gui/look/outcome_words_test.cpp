@@ -62,5 +62,31 @@ TEST(OutcomeWords, SayReasonsInTheLanguageOfTheWindows) {
   apply_language("en");
 }
 
+// A point of a line from -100 to 100 is computed: 25.8 is stored as 25.799999999999997.
+TEST(OutcomeWords, ShowResponsesWithoutRoundingErrors) {
+  EXPECT_EQ(OutcomeWords::of_response("25.799999999999997"), "25.8");
+  EXPECT_EQ(OutcomeWords::of_response("-8.400000000000006"), "−8.4");
+  EXPECT_EQ(OutcomeWords::of_response("0.16666666666666666 (weak)"), "0.166667 (weak)");
+  EXPECT_EQ(OutcomeWords::of_response("1234567"), "1234567") << "as it was entered";
+  EXPECT_EQ(OutcomeWords::of_response("007"), "007") << "a name";
+  EXPECT_EQ(OutcomeWords::of_response("brick"), "brick");
+  EXPECT_EQ(OutcomeWords::of_response(""), "");
+  apply_language("de");
+  EXPECT_EQ(OutcomeWords::of_response("59.80000000000001"), "59,8");
+  apply_language("en");
+}
+
+TEST(OutcomeWords, NumberTheResponsesOfSeveralItems) {
+  ResponseRow brick{};
+  brick.item = 1;
+  brick.answer = "brick";
+  ResponseRow wood = brick;
+  wood.item = 2;
+  wood.answer = "59.80000000000001";
+  EXPECT_EQ(OutcomeWords::of_responses({brick}), "brick");
+  EXPECT_EQ(OutcomeWords::of_responses({brick, wood}), "1 brick, 2 59.8");
+  EXPECT_EQ(OutcomeWords::of_responses({}), "");
+}
+
 }  // namespace
 }  // namespace asperity

@@ -606,6 +606,20 @@ TEST(SessionWindow, SaysFromWhenTheTimeOfAnAnswerCounts) {
   }
 }
 
+TEST(SessionWindow, ShowsResponsesOnLinesWithoutRoundingErrors) {
+  FilledMonitor session{};
+  session.answer_up_to(1);
+  AttemptSummary attempt{};
+  attempt.trial = 5;
+  attempt.attempt = 1;
+  attempt.answers = {"25.799999999999997", "-42.4", "-8.400000000000006", "59.80000000000001"};
+  session.monitor.add_attempt(attempt);
+  const auto window = session.window();
+  const auto& model = window->findChild<PlanTable*>()->model();
+  EXPECT_EQ(model.index(model.row_of(5), 2).data().toString(), "✓ 25.8 −42.4 −8.4 59.8");
+  EXPECT_TRUE(child<QLabel>(*window, "last_answer").text().contains("25.8 −42.4 −8.4 59.8"));
+}
+
 TEST(SessionWindow, CallsAnEmergencyStopByItsNameInThePlan) {
   FilledMonitor session{};
   session.answer_up_to(1);
