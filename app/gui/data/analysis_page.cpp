@@ -97,33 +97,45 @@ AnalysisPage::AnalysisPage(OpenStudy& study, QWidget* parent) : QWidget(parent),
   layout->addWidget(writing_);
   stack_ = new QStackedWidget(this);
   layout->addWidget(stack_, 1);
-  stack_->addWidget(
+  // The study may have thousands: what it has is unknown until they have been counted.
+  unknown_ = new EmptyState(
+      tr("The responses have not been counted yet"),
+      tr("The questions, answers and figures of the study appear here when they have been."),
+      stack_);
+  unknown_->setObjectName("analysis_unknown");
+  stack_->addWidget(unknown_);
+  none_ =
       new EmptyState(tr("No responses yet"),
                      tr("When a session has been run or simulated, its responses are counted and "
                         "tested here. Start a session on the Protocols page."),
-                     stack_));
-  auto* both = new QWidget(stack_);
-  auto* columns = new QHBoxLayout(both);
+                     stack_);
+  none_->setObjectName("analysis_none");
+  stack_->addWidget(none_);
+  both_ = new QWidget(stack_);
+  auto* columns = new QHBoxLayout(both_);
   columns->setContentsMargins(0, 0, 0, 0);
   columns->setSpacing(kMargin);
-  list_ = new QListWidget(both);
+  list_ = new QListWidget(both_);
   list_->setObjectName("outcomes");
   list_->setFixedWidth(280);
   list_->setWordWrap(true);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area_ = new QScrollArea(both);
+  area_ = new QScrollArea(both_);
   area_->setWidgetResizable(true);
   columns->addWidget(list_);
   columns->addWidget(area_, 1);
-  stack_->addWidget(both);
+  stack_->addWidget(both_);
   connect(list_, &QListWidget::currentRowChanged, this, &AnalysisPage::show_outcome);
   connect(export_, &QPushButton::clicked, this, &AnalysisPage::ask_where_to_export);
   connect(analysing_, &TaskLine::cancelWanted, this, [this] {
     analysis_.abandon();
-    banner_->show_news(State::look,
-                       tr("Counting the responses was cancelled; the previous results are shown. "
-                          "Count again to update them."),
-                       tr("Count again"), [this] { refresh(); });
+    banner_->show_news(
+        State::look,
+        stack_->currentWidget() == unknown_
+            ? tr("Counting the responses was cancelled. Count again to see the results.")
+            : tr("Counting the responses was cancelled; the previous results are shown. "
+                 "Count again to update them."),
+        tr("Count again"), [this] { refresh(); });
   });
   connect(writing_, &TaskLine::cancelWanted, &exporting_, &BackgroundTask::cancel);
   connect(&exporting_, &BackgroundTask::started, this, &AnalysisPage::show_whether_exportable);
@@ -182,7 +194,7 @@ void AnalysisPage::show_analysis(Analysis analysis) {
                                 ? tr("%1 · %2").arg(text_of_kind(outcome.kind), responses)
                                 : responses));
   }
-  stack_->setCurrentIndex(outcomes_.empty() ? 0 : 1);
+  stack_->setCurrentWidget(outcomes_.empty() ? none_ : both_);
   show_whether_exportable();
   list_->setCurrentRow(std::min(shown, list_->count() - 1));
   select_wanted();

@@ -64,6 +64,9 @@ class AnalysisPage final : public QWidget {
   std::set<std::string> running_{};
   Banner* banner_ = nullptr;
   QStackedWidget* stack_ = nullptr;
+  QWidget* unknown_ = nullptr;  ///< until the responses have been counted once
+  QWidget* none_ = nullptr;
+  QWidget* both_ = nullptr;
   QListWidget* list_ = nullptr;
   QScrollArea* area_ = nullptr;
   ReportSaving* report_ = nullptr;
