@@ -102,10 +102,11 @@ void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
         phrase("Analysis", "Attempts that do not count: %1.").with(not_counted));
   }
   if (count.flagged > 0) {
-    outcome.remarks.push_back(phrase("Analysis",
-                                     "Flagged attempts among those that count: %1; the reasons are "
-                                     "in attempts.tsv of an export.")
-                                  .with(std::to_string(count.flagged)));
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "Flagged attempts among those that count: %1; the reasons are "
+               "in the trials of each session and in attempts.tsv of an export.")
+            .with(std::to_string(count.flagged)));
   }
 }
 

@@ -138,13 +138,14 @@ void PlanModel::set_blind(bool blind) {
   if (!rows_.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, kOutcomeColumn));
 }
 
-void PlanModel::set_attempts(std::shared_ptr<const std::vector<AttemptSummary>> attempts) {
-  if (attempts == attempts_) return;
+bool PlanModel::set_attempts(std::shared_ptr<const std::vector<AttemptSummary>> attempts) {
+  if (attempts == attempts_) return false;
   attempts_ = std::move(attempts);
   write_outcomes();
   if (!rows_.empty()) {
     emit dataChanged(index(0, kOutcomeColumn), index(rowCount() - 1, kOutcomeColumn));
   }
+  return true;
 }
 
 void PlanModel::set_now(int trial, const QString& phase) {
@@ -176,6 +177,8 @@ bool PlanModel::is_heading(int row) const {
   return rows_[static_cast<std::size_t>(row)].trial == nullptr;
 }
 
+bool PlanModel::explains(int row) const { return explains(rows_[static_cast<std::size_t>(row)]); }
+
 bool PlanModel::tells_right(const AttemptSummary& attempt) const {
   if (!blind_) return true;
   const int row = row_of(attempt.trial);
@@ -191,6 +194,7 @@ void PlanModel::write_outcomes() {
     row.history.clear();
     row.attempts = 0;
     row.reason.clear();
+    row.is_of_hand = false;
     row.state = State::unknown;
   }
   if (attempts_ == nullptr) return;
@@ -207,6 +211,8 @@ void PlanModel::write_outcomes() {
     row.state = SessionText::state_of(attempt);
     const QString reason = words_of(attempt.reason);
     row.reason = blind_ ? veil_.veiled(reason) : reason;
+    row.is_of_hand = attempt.outcome == AttemptOutcome::answered ||
+                     attempt.outcome == AttemptOutcome::not_compliant;
   }
 }
 
@@ -231,8 +237,9 @@ QString PlanModel::text_of(const Row& row, int column) const {
       if (now && !phase_.isEmpty()) {
         return numbered(phase_, row.attempts + 1);
       }
-      return row.outcome.isEmpty() ? QString()
-                                   : QString("%1 %2").arg(shape_of(row.state), row.outcome);
+      if (row.outcome.isEmpty()) return {};
+      const QString outcome = QString("%1 %2").arg(shape_of(row.state), row.outcome);
+      return explains(row) ? tr("%1: %2").arg(outcome, row.reason) : outcome;
     }
     default:
       return {};
@@ -380,6 +387,13 @@ void PlanTable::fit_row(int row) {
   }
   const int needed = kRowHeight + height - letters.height();
   if (view_->rowHeight(row) != needed) view_->setRowHeight(row, needed);
+}
+
+void PlanTable::set_attempts(std::shared_ptr<const std::vector<AttemptSummary>> attempts) {
+  if (!model_->set_attempts(std::move(attempts))) return;
+  for (int row = 0; row < model_->rowCount(); ++row) {
+    if (model_->explains(row) || view_->rowHeight(row) != kRowHeight) fit_row(row);
+  }
 }
 
 void PlanTable::set_now(int trial, const QString& phase) {

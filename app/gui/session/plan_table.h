@@ -28,9 +28,12 @@ class PlanModel final : public QAbstractTableModel {
   void set_facts(std::shared_ptr<const SessionFacts> facts);
   /// Codes stand for the conditions; otherwise their names.
   void set_blind(bool blind);
-  void set_attempts(std::shared_ptr<const std::vector<AttemptSummary>> attempts);
+  /// False where they are those that it has.
+  bool set_attempts(std::shared_ptr<const std::vector<AttemptSummary>> attempts);
   /// `trial` is under way or comes (0: none does), and this is what happens in it.
   void set_now(int trial, const QString& phase);
+  /// Whether the row's outcome states its reason: why it is flagged or was not explored as instructed.
+  bool explains(int row) const;
 
   /// Of one surface of a trial (position from 1): its code or its name; empty where there is none.
   QString condition(int trial, int surface) const;
@@ -57,9 +60,12 @@ class PlanModel final : public QAbstractTableModel {
     QString outcome{};  ///< of the last attempt
     QString history{};  ///< of all, the last one first
     QString reason{};   ///< why the last attempt does not count or is flagged
+    bool is_of_hand =
+        false;  ///< the reason is one that the experimenter can explain to the participant
     State state = State::unknown;
   };
   void write_outcomes();
+  static bool explains(const Row& row) { return row.is_of_hand && !row.reason.isEmpty(); }
   QString text_of(const Row& row, int column) const;
 
   std::shared_ptr<const SessionFacts> facts_{};
@@ -81,6 +87,7 @@ class PlanTable final : public QWidget {
   explicit PlanTable(QWidget* parent = nullptr);
   PlanModel& model() noexcept { return *model_; }
   void set_facts(std::shared_ptr<const SessionFacts> facts);
+  void set_attempts(std::shared_ptr<const std::vector<AttemptSummary>> attempts);
   void set_now(int trial, const QString& phase);
   void set_blind(bool blind);
   bool is_following() const noexcept { return following_; }

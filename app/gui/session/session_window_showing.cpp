@@ -83,7 +83,7 @@ void SessionWindow::take_snapshot() {
   } else {
     header_->show_progress(shown_);
   }
-  plan_->model().set_attempts(shown_.attempts);
+  plan_->set_attempts(shown_.attempts);
   write_answers();
   show_exploration();
   lock_fields();
