@@ -151,6 +151,8 @@ struct SessionSnapshot {
   int blocks = 0;
   int trials_done = 0;
   int trials = 0;
+  /// Of `trials_done`, those without an attempt that completes them: their block needed no more (TrialTally::is_over).
+  int trials_not_needed = 0;
   bool trials_are_estimated = false;  ///< their number depends on responses
   /// Absent until enough trials have been completed for an estimate.
   std::optional<double> expected_left_s{};

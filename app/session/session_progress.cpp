@@ -83,6 +83,7 @@ void SessionProgress::set_aside(const AttemptRow& attempt) {
 /// Updates everything at once: no snapshot shows an attempt as done whose trial is still current.
 void SessionProgress::publish(std::size_t step, int coming, std::optional<AttemptSummary> added) {
   int done = 0;
+  int not_needed = 0;
   double trials_left_s = 0.0;
   // Breaks and screens, whose duration does not depend on the pace.
   double others_left_s = 0.0;
@@ -94,6 +95,7 @@ void SessionProgress::publish(std::size_t step, int coming, std::optional<Attemp
       const Trial& trial = plan_.trials[of_trial->trial];
       if (tally_.is_done(trial) || tally_.is_over(trial)) {
         ++done;
+        if (!tally_.is_done(trial)) ++not_needed;
       } else {
         trials_left_s += planned_s_[i];
       }
@@ -127,6 +129,7 @@ void SessionProgress::publish(std::size_t step, int coming, std::optional<Attemp
     }
     snapshot.last_done = last == nullptr ? 0 : last->trial;
     snapshot.trials_done = done;
+    snapshot.trials_not_needed = not_needed;
     snapshot.expected_left_s = left_s;
     snapshot.rows_stored = static_cast<std::int64_t>(tally_.attempts().size());
   });

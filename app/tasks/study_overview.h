@@ -60,6 +60,11 @@ struct SessionOverview {
 
   /// See the function.
   bool is_blind() const noexcept { return is_running && row.mode == SessionMode::run; }
+  /// Planned trials that a complete session did without: the criterion of their block was reached, or their procedure
+  /// had ended.
+  int trials_not_needed() const noexcept {
+    return row.state == SessionState::completed ? planned_trials - done_trials : 0;
+  }
   /// It can be resumed: neither completed, nor ended by a rule, nor running.
   bool is_unfinished() const noexcept {
     return !row.withdrawn && row.state != SessionState::completed && !ended_by_rule && !is_running;

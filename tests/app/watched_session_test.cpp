@@ -220,6 +220,9 @@ TEST_F(WatchedSession, NamesTheTrialThatComesWhileItTellsWhatWasRight) {
   // The fourth meets the criterion, and the fifth of the practice is not asked.
   EXPECT_THAT(told, ElementsAre(testing::Pair(1, 2), testing::Pair(2, 3), testing::Pair(3, 4),
                                 testing::Pair(4, 6)));
+  const SessionSnapshot end = monitor_.snapshot();
+  EXPECT_EQ(end.trials_done, end.trials);
+  EXPECT_EQ(end.trials_not_needed, 1);
 }
 
 // A frame of a window may fall at any moment.

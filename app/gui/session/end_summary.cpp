@@ -4,11 +4,13 @@
 #include <utility>
 #include <vector>
 
+#include <QtCore/QStringList>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
 #include "app/gui/session/session_text.h"
 
 namespace asperity {
@@ -18,6 +20,35 @@ namespace {
 /// The one filled button of the page, or not.
 void fill(QPushButton& button, bool is_filled) {
   set_role(button, is_filled ? ButtonRole::primary : ButtonRole::plain);
+}
+
+/// Why attempts are flagged or invalid, the most frequent reason first.
+QString reasons_of(const std::vector<AttemptSummary>& attempts) {
+  constexpr std::size_t kMost = 3;
+  std::vector<std::pair<QString, int>> reasons{};
+  for (const AttemptSummary& attempt : attempts) {
+    if (attempt.outcome == AttemptOutcome::skipped) continue;
+    if (attempt.valid && !attempt.flagged) continue;
+    const QString reason = words_of(attempt.reason);
+    if (reason.isEmpty()) continue;
+    const auto known = std::find_if(reasons.begin(), reasons.end(),
+                                    [&reason](const auto& one) { return one.first == reason; });
+    if (known == reasons.end()) {
+      reasons.emplace_back(reason, 1);
+    } else {
+      ++known->second;
+    }
+  }
+  std::stable_sort(reasons.begin(), reasons.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  QStringList lines{};
+  for (std::size_t i = 0; i < std::min(kMost, reasons.size()); ++i) {
+    lines += EndSummary::tr("%1 × %2").arg(reasons[i].second).arg(reasons[i].first);
+  }
+  if (reasons.size() > kMost) {
+    lines += EndSummary::tr("Further reasons: %1; see the trials.").arg(reasons.size() - kMost);
+  }
+  return lines.join('\n');
 }
 
 }  // namespace
@@ -101,17 +132,23 @@ void EndSummary::show_end(const SessionSnapshot& snapshot, const SessionRow& row
       std::count_if(attempts.begin(), attempts.end(), [](const AttemptSummary& each) {
         return !each.valid && each.outcome != AttemptOutcome::skipped;
       });
-  QString text =
-      tr("Trials completed: %1 of %2. Attempts: %3 (%4 flagged, %5 invalid, %6 skipped).")
-          .arg(snapshot.trials_done)
-          .arg(snapshot.trials)
-          .arg(attempts.size())
-          .arg(flagged)
-          .arg(invalid)
-          .arg(skipped);
+  const int taken = snapshot.trials_done - snapshot.trials_not_needed;
+  QString text = tr("Trials completed: %1 of %2.").arg(taken).arg(snapshot.trials);
+  if (snapshot.trials_not_needed > 0) {
+    text += ' ' + tr("Trials not needed, because the criterion of their block was reached or could "
+                     "no longer be: %1.")
+                      .arg(snapshot.trials_not_needed);
+  }
+  text += ' ' + tr("Attempts: %1 (%2 flagged, %3 invalid, %4 skipped).")
+                    .arg(attempts.size())
+                    .arg(flagged)
+                    .arg(invalid)
+                    .arg(skipped);
   if (refreshers > 0) {
     text += ' ' + tr("Practice trials made again: %1.").arg(refreshers);
   }
+  const QString reasons = reasons_of(attempts);
+  if (!reasons.isEmpty()) text += '\n' + reasons;
   if (snapshot.trials == 0) text = began ? tr("No trial was begun.") : tr("Nothing was stored.");
   if (!outcome.why.isEmpty()) text = tr("%1\n\n%2").arg(outcome.why, text);
   if (outcome.can_go_on) {

@@ -68,6 +68,21 @@ QString text_of_mode(SessionMode mode) {
   return SessionsPage::tr("Simulated");
 }
 
+QString text_of_trials(const SessionOverview& session) {
+  if (session.trials_not_needed() > 0) {
+    return SessionsPage::
+        tr("Trials completed and stored: %1. Further trials in the plan: %2, not needed, because "
+           "the criterion of their block was reached or their procedure had ended.")
+            .arg(session.done_trials)
+            .arg(session.trials_not_needed());
+  }
+  return (session.planned_is_estimated
+              ? SessionsPage::tr("Trials completed and stored: %1 of about %2.")
+              : SessionsPage::tr("Trials completed and stored: %1 of %2."))
+      .arg(session.done_trials)
+      .arg(session.planned_trials);
+}
+
 QString text_of_session_state(const SessionOverview& session) {
   if (session.is_running) {
     return SessionsPage::tr("running now");
@@ -161,9 +176,14 @@ void SessionsPage::show_sessions(const std::vector<SessionOverview>& sessions) {
   sessions_ = sessions;
   std::vector<StudyTable::Row> rows{};
   for (const SessionOverview& session : sessions_) {
-    const QString trials = (session.planned_is_estimated ? tr("%1 of about %2") : tr("%1 of %2"))
-                               .arg(session.done_trials)
-                               .arg(session.planned_trials);
+    QStandardItem* trials =
+        number_cell(session.trials_not_needed() > 0
+                        ? QString::number(session.done_trials)
+                        : (session.planned_is_estimated ? tr("%1 of about %2") : tr("%1 of %2"))
+                              .arg(session.done_trials)
+                              .arg(session.planned_trials),
+                    session.done_trials);
+    if (session.trials_not_needed() > 0) trials->setToolTip(text_of_trials(session));
     rows.push_back(
         {QString::number(session.row.id),
          {text_cell(QString::fromStdString(session.row.participant)),
@@ -171,8 +191,8 @@ void SessionsPage::show_sessions(const std::vector<SessionOverview>& sessions) {
           text_cell(QString::fromStdString(session.protocol_name + ' ' + session.protocol_version)),
           mode_cell(session.row.mode), session_state_cell(session),
           text_cell(text_of_start(session.row), order_of_start(session.row)),
-          number_cell(text_of_duration(session.duration_s), session.duration_s),
-          number_cell(trials, session.done_trials), number_cell(session.notes)}});
+          number_cell(text_of_duration(session.duration_s), session.duration_s), trials,
+          number_cell(session.notes)}});
   }
   table_->fill(rows);
   show_empty(sessions_.empty());
@@ -211,7 +231,9 @@ void SessionsPage::show_selected() {
         tr("The session is running, here or in another program; wait until it has ended, or stop "
            "it there."));
   } else if (session->row.state == SessionState::completed) {
-    reason_->setText(tr("The session is complete: there is nothing to resume."));
+    const QString complete = tr("The session is complete: there is nothing to resume.");
+    reason_->setText(session->trials_not_needed() > 0 ? text_of_trials(*session) + ' ' + complete
+                                                      : complete);
   } else if (session->ended_by_rule) {
     reason_->setText(
         tr("The session has ended as its protocol specifies: there is nothing to resume."));
@@ -225,11 +247,7 @@ void SessionsPage::show_selected() {
         tr("This study is read-only: no session can be stored. Copy it to a folder that you may "
            "write to."));
   } else {
-    reason_->setText((session->planned_is_estimated
-                          ? tr("Trials completed and stored: %1 of about %2.")
-                          : tr("Trials completed and stored: %1 of %2."))
-                         .arg(session->done_trials)
-                         .arg(session->planned_trials));
+    reason_->setText(text_of_trials(*session));
   }
 }
 

@@ -40,6 +40,8 @@ class SessionsPage final : public StudyPage {
 
 /// "open here or elsewhere", "complete", …: a session's state as a shape and words.
 QString text_of_session_state(const SessionOverview& session);
+/// "Trials completed and stored: 7 of 12."; of a complete session also those that it did without.
+QString text_of_trials(const SessionOverview& session);
 State state_of_session(const SessionOverview& session);
 QString text_of_mode(SessionMode mode);
 

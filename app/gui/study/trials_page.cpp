@@ -48,8 +48,11 @@ QStandardItem* seconds_cell(const std::optional<double>& time_s) {
   return time_s ? number_cell(shown_number(*time_s, 'f', 2), *time_s) : empty_number_cell();
 }
 
-QString text_of_outcome(const TrialOverview& trial) {
-  if (!trial.attempt) return TrialsPage::tr("pending");
+QString text_of_outcome(const SessionOverview& session, const TrialOverview& trial) {
+  if (!trial.attempt) {
+    return session.row.state == SessionState::completed ? TrialsPage::tr("not needed")
+                                                        : TrialsPage::tr("pending");
+  }
   return OutcomeWords::of(trial.attempt->outcome);
 }
 
@@ -104,7 +107,7 @@ constexpr const char* kHidden = "▒▒▒";
 StudyTable::Row blind_row_of(const SessionDetail& detail, const TrialOverview& trial) {
   const auto& attempt = trial.attempt;
   const auto hidden_if = [](bool there) { return text_cell(there ? QString(kHidden) : QString()); };
-  QStandardItem* outcome = text_cell(text_of_outcome(trial));
+  QStandardItem* outcome = text_cell(text_of_outcome(detail.overview, trial));
   if (!attempt) outcome->setForeground(theme().muted);
   return {attempt ? QString::number(attempt->id) : QString{},
           {number_cell(trial.planned.trial),
@@ -129,7 +132,7 @@ StudyTable::Row trial_row(const SessionDetail& detail, const TrialOverview& tria
     from_contact_s = attempt->responses.back().from_contact_s;
     from_cue_s = attempt->responses.back().from_cue_s;
   }
-  QStandardItem* outcome = text_cell(text_of_outcome(trial));
+  QStandardItem* outcome = text_cell(text_of_outcome(detail.overview, trial));
   if (!attempt) outcome->setForeground(theme().muted);
   const QString remarks = attempt ? text_of_remarks(trial.planned, *attempt) : QString{};
   QStandardItem* remark_cell = text_cell(remarks);
@@ -272,7 +275,7 @@ void TrialsPage::show_selected() {
       tr("Trial %1, attempt %2: %3")
           .arg(found->planned.trial)
           .arg(found->attempt->attempt)
-          .arg(QStringList{text_of_outcome(*found),
+          .arg(QStringList{text_of_outcome(detail_.overview, *found),
                            OutcomeWords::of_responses(found->attempt->responses), remarks}
                    .filter(QRegularExpression("."))
                    .join("; ")));
@@ -306,11 +309,13 @@ void TrialsPage::show_detail(const SessionDetail& detail) {
   const QString started = has_made_up_dates(session.row)
                               ? tr("on a simulated clock")
                               : tr("started %1").arg(text_of_time(session.row.started_utc));
-  summary_->setText(tr("%1 %2 · %3 · trials: %4 of %5 in %6 · %7 · device %8 · asperity %9")
+  const QString trials =
+      session.trials_not_needed() > 0
+          ? tr("%1 (%2 not needed)").arg(session.done_trials).arg(session.trials_not_needed())
+          : tr("%1 of %2").arg(session.done_trials).arg(session.planned_trials);
+  summary_->setText(tr("%1 %2 · %3 · trials: %4 in %5 · %6 · device %7 · asperity %8")
                         .arg(text(session.protocol_name), text(session.protocol_version),
-                             text_of_session_state(session))
-                        .arg(session.done_trials)
-                        .arg(session.planned_trials)
+                             text_of_session_state(session), trials)
                         .arg(text_of_duration(session.duration_s), started,
                              text(session.row.device), text(session.row.program_version)));
   const bool blind = session.is_blind();

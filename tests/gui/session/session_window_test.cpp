@@ -890,6 +890,18 @@ TEST(SessionWindow, OffersNoWayOnAfterAFaultThatCannotBeCleared) {
   EXPECT_FALSE(child<QPushButton>(*window, "fault_clear").isVisible());
 }
 
+TEST(SessionWindow, DoesNotCountTrialsThatWereNotNeededAsCompleted) {
+  FilledMonitor session{};
+  session.answer_up_to(static_cast<int>(session.plan->trials.size()));
+  session.monitor.update([](SessionSnapshot& s) { s.trials_not_needed = 6; });
+  session.set_phase(SessionPhase::ended);
+  const auto window = session.window();
+  const QString text = child<QLabel>(*window, "end_text").text();
+  EXPECT_TRUE(text.contains("Trials completed: 54 of 60. Trials not needed,"))
+      << text.toStdString();
+  EXPECT_TRUE(text.contains("could no longer be: 6. Attempts: ")) << text.toStdString();
+}
+
 TEST(SessionWindow, SumsUpASessionThatHasEnded) {
   FilledMonitor session{};
   session.answer_up_to(static_cast<int>(session.plan->trials.size()));
@@ -899,6 +911,8 @@ TEST(SessionWindow, SumsUpASessionThatHasEnded) {
   EXPECT_TRUE(child<QLabel>(*window, "end_title").text().contains("complete"));
   EXPECT_TRUE(child<QLabel>(*window, "end_text").text().contains("Trials completed: 60 of 60"));
   EXPECT_TRUE(child<QLabel>(*window, "end_text").text().contains("7 flagged"));
+  EXPECT_FALSE(child<QLabel>(*window, "end_text").text().contains("not needed"));
+  EXPECT_TRUE(child<QLabel>(*window, "end_text").text().contains("7 × too fast: 41 % in band"));
   EXPECT_TRUE(
       child<QLabel>(*window, "end_place").text().contains("/data/rough-surfaces/study.sqlite"));
   QSignalSpy trials(window.get(), &SessionWindow::trials_wanted);

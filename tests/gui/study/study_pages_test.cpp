@@ -33,6 +33,7 @@
 #include "app/gui/window/study_window.h"
 #include "protocols/file/library_protocols.h"
 #include "results_schema/atomic_file.h"
+#include "results_schema/study.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/screenshot.h"
 #include "tests/support/temporary_folder.h"
@@ -533,6 +534,37 @@ TEST_F(PagesToRead, GoOnWithAnUnfinishedSessionOnly) {
   EXPECT_TRUE(wish.session);
   EXPECT_EQ(wish.participant, "P004");
   EXPECT_EQ(wish.protocol.filename(), "chapter_recognition.json");
+}
+
+TEST_F(StudyPages, CallTrialsOfACompleteSessionWithoutAttemptNotNeeded) {
+  const TemporaryFolder folder{};
+  copy(lively_study(), folder.path(), std::filesystem::copy_options::recursive);
+  {
+    // P004, who was stopped after 7 of 12 trials, as if a criterion had been reached.
+    Study study = Study::open(folder.path(), Access::read_write);
+    for (const SessionRow& session : study.sessions()) {
+      if (session.participant != "P004") continue;
+      study.end_session(session.id, SessionState::completed, "2026-03-02T10:00:00Z");
+    }
+  }
+  ASSERT_TRUE(window_.open_study(folder.path()));
+  StudyTable& table = table_of("sessions", "sessions_table", 15);
+  child<QLineEdit>(window_, "sessions_filter").setText("P004");
+  table.selectRow(0);
+  EXPECT_EQ(table.text_at(0, 7), "7");
+  EXPECT_TRUE(
+      child<QLabel>(window_, "sessions_reason")
+          .text()
+          .startsWith(
+              "Trials completed and stored: 7. Further trials in the plan: 5, not needed,"));
+  table.setFocus();
+  QTest::keyClick(&table, Qt::Key_Return);
+  const auto& trials = child<StudyTable>(window_, "trials_table");
+  ASSERT_TRUE(eventually([&] { return trials.shown_rows() == 12; }));
+  EXPECT_TRUE(child<QLabel>(window_, "trials_summary").text().contains("trials: 7 (5 not needed)"))
+      << child<QLabel>(window_, "trials_summary").text().toStdString();
+  EXPECT_EQ(trials.text_at(6, 4), "answered");
+  EXPECT_EQ(trials.text_at(7, 4), "not needed");
 }
 
 TEST_F(PagesToRead, OpenTheTrialsOfASessionWithItsNotes) {
