@@ -214,12 +214,12 @@ void TrialAttempt::carry_out() {
       for (int pass = 0; pass < trial_.arrangement.minimum_visits; ++pass) {
         for (std::size_t i = 0; i < surfaces_.size(); ++i) {
           if (!felt_.empty()) wait_between_surfaces();
-          feel(i);
+          feel_once(i);
         }
       }
       break;
     case Arrangement::Surfaces::side_by_side:
-      feel(0);
+      feel_once(0);
       break;
     case Arrangement::Surfaces::on_request:
       break;  // the question is asked, and the participant requests each surface
@@ -273,7 +273,10 @@ bool TrialAttempt::answer_page(std::span<const TrialQuestion> page) {
     course_.enter(SessionPhase::fore);
     course_.put_mask(true, waiting_);
     if (trial_.arrangement.interval && !felt_.empty()) wait_between_surfaces();
-    feel(static_cast<std::size_t>(wish->position - 1));
+    // What was felt before stays valid: without a contact the question returns, and the visit does not count.
+    if (feel(static_cast<std::size_t>(wish->position - 1)) == Contact::none) {
+      course_.respondent().visit_was_without_contact(wish->position);
+    }
   }
   if (reply.answers() == nullptr && asking.doubted) {
     reply = *asking.doubted;
@@ -286,6 +289,7 @@ bool TrialAttempt::answer_page(std::span<const TrialQuestion> page) {
   }
   const GivenAnswers* const given = reply.answers();
   if (given == nullptr) return false;
+  for (const PlannedPresentation& planned : trial_.presentations) require_visits(planned.position);
   for (std::size_t i = 0; i < page.size(); ++i) {
     answered_.push_back({.question = page[i],
                          .answer = given->at(i).answer,
@@ -346,7 +350,29 @@ Reply TrialAttempt::ask(Asking& asking) {
   return reply;
 }
 
-void TrialAttempt::feel(std::size_t index) {
+void TrialAttempt::require_visits(int position) const {
+  const auto visits = static_cast<int>(std::count(felt_.begin(), felt_.end(), position));
+  if (visits == 0) {
+    throw Interruption{AttemptOutcome::not_compliant,
+                       phrase_of(Reason::not_touched).with(std::to_string(position))};
+  }
+  // Side by side, one presentation has all the visits, which `feel` has counted.
+  const int required = trial_.arrangement.surfaces == Arrangement::Surfaces::side_by_side
+                           ? 1
+                           : trial_.arrangement.minimum_visits;
+  if (visits >= required) return;
+  throw Interruption{
+      AttemptOutcome::not_compliant,
+      phrase_of(Reason::visited_too_rarely)
+          .with(std::to_string(position), std::to_string(visits), std::to_string(required))};
+}
+
+void TrialAttempt::feel_once(std::size_t index) {
+  if (feel(index) == Contact::made) return;
+  require_visits(trial_.presentations.at(index).position);
+}
+
+TrialAttempt::Contact TrialAttempt::feel(std::size_t index) {
   const PlannedPresentation& planned = trial_.presentations.at(index);
   const bool all = trial_.arrangement.surfaces == Arrangement::Surfaces::side_by_side;
   const auto show = [this](ParticipantScene scene) {
@@ -380,9 +406,10 @@ void TrialAttempt::feel(std::size_t index) {
            : scene_of_lifting(trial_, felt_, planned.position));
   course_.play(Cue::next);
   lift_and_take_back(index);
+  if (course_.recorder().live().contact_s <= 0.0) return Contact::none;
   for (const PlannedPresentation& surface : trial_.presentations) {
     if (!all && surface.position != planned.position) continue;
-    if (visits_.visits(surface.position).empty() || course_.recorder().live().contact_s <= 0.0) {
+    if (visits_.visits(surface.position).empty()) {
       throw Interruption{AttemptOutcome::not_compliant,
                          phrase_of(Reason::not_touched).with(std::to_string(surface.position))};
     }
@@ -395,6 +422,7 @@ void TrialAttempt::feel(std::size_t index) {
                                    std::to_string(trial_.arrangement.minimum_visits))};
     }
   }
+  return Contact::made;
 }
 
 /// Waits for the hand to lift, removes the surface and waits until the loop has returned it.
@@ -457,7 +485,8 @@ void TrialAttempt::explore(int position) {
     course_.wait(kSlice_s);
     passed_s += kSlice_s;
   }
-  if (arrangement.strokes || arrangement.contact_s) cut_short_.insert(position);
+  const bool was_touched = course_.recorder().live().contact_s > 0.0;
+  if (was_touched && (arrangement.strokes || arrangement.contact_s)) cut_short_.insert(position);
 }
 
 /// Waits until every patch was visited and felt for long enough and the participant wants to continue, or the contact

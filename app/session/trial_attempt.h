@@ -100,8 +100,14 @@ class TrialAttempt final {
   bool is_doubtful(const Asking& asking, const Reply& reply) const;
   void doubt(Asking& asking, const Reply& reply);
   void wait_between_surfaces();
+  /// Whether the hand touched a surface while it was presented.
+  enum class Contact { none, made };
   /// Presents a surface, or all of them side by side, until it was felt.
-  void feel(std::size_t index);
+  Contact feel(std::size_t index);
+  /// The same for a visit that the arrangement prescribes: without a contact the attempt ends.
+  void feel_once(std::size_t index);
+  /// Throws Interruption where the surface was felt less often than the arrangement requires.
+  void require_visits(int position) const;
   void let_hand_stroke();
   void explore(int position);
   void explore_patches();

@@ -20,6 +20,7 @@
 #include "renderers/servo/contact.h"
 #include "results_schema/recording.h"
 #include "tests/app/scripted_session.h"
+#include "tests/support/replies.h"
 
 namespace asperity {
 namespace {
@@ -310,6 +311,42 @@ TEST_F(ArrangedSession, DoesNotCountAnAttemptWithTooFewVisits) {
   const AttemptRow first = attempts().at(0);
   EXPECT_EQ(first.outcome, AttemptOutcome::not_compliant);
   EXPECT_EQ(codes_of(first.invalid_reason.value()), "surface_visited_too_rarely");
+}
+
+/// The first wish to feel a surface again ends without contact: what was felt before is not lost.
+TEST_F(ArrangedSession, KeepsAnAttemptWhoseSurfaceIsNotTouchedWhenFeltAgain) {
+  begin(arranged(R"({"visits": {"minimum": 1}})"));
+  links_ = {};
+  person_.at_question = [](int question, const Trial&) {
+    return question == 1 ? feels_again(1) : chooses(0);
+  };
+  rig_->at_pass = [this] {
+    if (person_.felt_positions.size() == 3) rig_->hand().lift();
+  };
+  EXPECT_EQ(run().state, SessionState::completed);
+  EXPECT_THAT(person_.felt_positions, ElementsAre(1, 2, 1, 1, 2));
+  const std::vector<AttemptRow> attempts = this->attempts();
+  ASSERT_EQ(attempts.size(), 2U);
+  EXPECT_EQ(attempts[0].outcome, AttemptOutcome::answered);
+  EXPECT_TRUE(attempts[0].valid);
+  EXPECT_FALSE(attempts[0].flagged);
+  EXPECT_EQ(attempts[0].presentations.at(0).visits.size(), 1U);
+  EXPECT_EQ(attempts[0].responses.size(), 1U);
+  expect_verified();
+}
+
+/// A prescribed second visit without contact: the surface was touched, but not often enough.
+TEST_F(ArrangedSession, StatesThatASurfaceWasVisitedTooRarelyWhereItWasTouchedOnce) {
+  begin(arranged(R"({"visits": {"minimum": 2, "maximum": 2}})"));
+  links_ = {};
+  rig_->at_pass = [this] {
+    if (person_.felt_positions.size() == 3) rig_->hand().lift();
+    if (!done_.empty()) conductor_->requests().abort("tested");
+  };
+  EXPECT_NE(run().state, SessionState::completed);
+  const AttemptRow first = attempts().at(0);
+  EXPECT_EQ(first.outcome, AttemptOutcome::not_compliant);
+  EXPECT_EQ(first.invalid_reason.value().text, "visits to surface 1: 1 of at least 2");
 }
 
 /// The participant's screen shows A on the left in every session.

@@ -205,7 +205,7 @@ TEST_F(ANumber, IsRefusedInWordsUntilItIsAboveZero) {
 TEST_F(ANumber, AsksToFeelTheSurfaceAgainWhereThatIsAllowed) {
   trial_.arrangement.maximum_visits.reset();
   feel_all(trial_);
-  press(0.5, Kind::next);
+  press(1.0, Kind::next);
   EXPECT_EQ(felt_again(ask(trial_)), 1);
 }
 
@@ -454,6 +454,46 @@ TEST_F(PressedTwice, SpaceThatComesALittleTooLateAsksForNothing) {
   EXPECT_TRUE(events("refused").empty());
 }
 
+// The surface was removed while a finger was on its way to "Finish": at the same place there is then "Feel again".
+TEST_F(PressedTwice, FinishingThatComesTooLateDoesNotMeanFeelingAgain) {
+  const Trial trial = selection();
+  feel_all(trial);
+  press(0.33, Kind::next);
+  press(PersonAtWindow::kUnexpected_s - 0.01, Kind::next);
+  EXPECT_EQ(ask(trial, 2.0).feel_again(), nullptr);
+  ASSERT_EQ(events("input").size(), 2U);
+  for (const EventRow& event : events("input")) {
+    EXPECT_THAT(event.data_json, testing::HasSubstr(R"("too_soon":true)"));
+  }
+  feel(trial, 1);
+  press(PersonAtWindow::kUnexpected_s, Kind::next);
+  EXPECT_NE(ask(trial, 2.0).feel_again(), nullptr) << "by then the screen has been read";
+}
+
+// Who has finished expects the question.
+TEST_F(PressedTwice, FeelingAgainWaitsOnlyWhereFeelingEndedByItself) {
+  const Trial trial = selection();
+  person_.begin_attempt(1, 1);
+  feel(trial, 1);
+  feel(trial, 2);
+  monitor_.show(scene_of_surface(trial, {1, 2}, 3));
+  person_.announce(trial, trial.presentations[2]);
+  press(1.0, Kind::next);
+  pass(1.0);
+  ASSERT_TRUE(person_.wants_next(true));
+  press(0.33, Kind::next);
+  EXPECT_NE(ask(trial, 2.0).feel_again(), nullptr);
+}
+
+// The keys of the response have no other meaning before.
+TEST_F(PressedTwice, ResponsesDoNotWaitWhereFeelingEndedByItself) {
+  const Trial trial = selection();
+  feel_all(trial);
+  press(0.3, Kind::option, 2);
+  press(0.4, Kind::confirm);
+  EXPECT_EQ(options_of(ask(trial, 2.0)), Options{1});
+}
+
 TEST_F(PressedTwice, KeysOfOneQuestionFollowAsFastAsFingersAre) {
   feel_all(selection());
   press(1.0, Kind::option, 2);
@@ -502,6 +542,20 @@ TEST_F(FeelingAgain, GoesRoundTheSurfaces) {
     ASSERT_EQ(felt_again(reply), expected);
     feel(trial, felt_again(reply));
   }
+}
+
+TEST_F(FeelingAgain, ReportsAVisitWithoutContactAndDoesNotCountIt) {
+  Trial trial = selection();
+  trial.arrangement.maximum_visits = 2;
+  feel_all(trial);
+  press(1.0, Kind::surface, 2);
+  ASSERT_EQ(felt_again(ask(trial)), 2);
+  feel(trial, 2);
+  person_.visit_was_without_contact(2);
+  look(0.5,
+       [](const ParticipantScene& scene) { EXPECT_EQ(scene.cue, "Surface B was not touched."); });
+  press(1.0, Kind::surface, 2);
+  EXPECT_EQ(felt_again(ask(trial)), 2) << "its second visit is still possible";
 }
 
 TEST_F(FeelingAgain, MayNameTheSurface) {

@@ -118,6 +118,8 @@ Phrase phrase_of(const Saying& saying) {
     case Saying::What::no_going_back:
       return phrase("ParticipantWords",
                     "The surfaces cannot be felt again. Please answer without feeling them.");
+    case Saying::What::not_touched:
+      return phrase("ParticipantWords", "Surface %1 was not touched.").with(saying.code);
     case Saying::What::felt_often_enough:
       return phrase("ParticipantWords",
                     "Surface %1 cannot be felt again. Please continue without it.")

@@ -41,6 +41,7 @@ struct Saying {
     assign_first,     ///< refused: surface `code` has no picture yet
     feel_again,       ///< a confirmation now requests surface `code` again
     no_going_back,    ///< refused: surfaces cannot be felt again in this trial
+    not_touched,      ///< surface `code` could be felt again and was not touched
     felt_often_enough,  ///< refused: surface `code` cannot be felt again in this trial
     was_right,          ///< feedback
     was_wrong,          ///< feedback; the correct response was `code`, where it is shown

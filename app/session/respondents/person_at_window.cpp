@@ -52,12 +52,18 @@ struct PersonAtWindow::Desk {
   std::int64_t shown_ns = 0;      ///< inputs stamped earlier were meant for another scene
   /// Inputs stamped earlier cannot refer to the current state of the scene.
   std::int64_t perceived_ns = 0;
+  /// A request to feel again that is stamped earlier was meant to finish.
+  std::int64_t unexpected_until_ns = 0;
   std::optional<std::int64_t> deadline_ns{};  ///< inputs stamped later came too late
 
   std::vector<std::string> codes{};  ///< of the trial's surfaces, by position
   std::set<int> felt{};              ///< positions, of this attempt
   int now = 0;                       ///< position of the current surface; 0 between surfaces
   int last_felt = 0;
+  /// A surface was announced, and the participant has not requested to finish.
+  bool ends_without_request = false;
+  std::optional<int>
+      untouched{};  ///< the surface of a visit without contact, to be reported with the question
   VisitTally visits{};                   ///< of this attempt
   bool is_side_by_side = false;          ///< all surfaces of the trial are felt at once
   std::unique_ptr<AnswerSheet> sheet{};  ///< kept while surfaces are felt again
@@ -165,7 +171,9 @@ std::optional<ParticipantInput> PersonAtWindow::Desk::hear() {
     }
     const bool is_release = input.kind == Kind::released;
     const bool is_stale = !is_release && input.time_ns < shown_ns;
-    const bool is_too_soon = !is_release && !is_stale && input.time_ns < perceived_ns;
+    const bool is_too_soon = !is_release && !is_stale &&
+                             (input.time_ns < perceived_ns ||
+                              (input.kind == Kind::next && input.time_ns < unexpected_until_ns));
     nlohmann::ordered_json data{{"source", input.source}};
     if (input.held_s > 0.0) data["held_s"] = input.held_s;
     const bool is_late = !is_release && deadline_ns && input.time_ns > *deadline_ns;
@@ -370,12 +378,17 @@ void PersonAtWindow::begin_attempt(int, int) {
   desk_->is_side_by_side = false;
   desk_->now = 0;
   desk_->last_felt = 0;
+  desk_->ends_without_request = false;
+  desk_->unexpected_until_ns = 0;
+  desk_->untouched.reset();
   desk_->sheet.reset();
 }
 
 void PersonAtWindow::announce(const Trial& trial, const PlannedPresentation& surface) {
   desk_->leave_surface();
   desk_->now = surface.position;
+  desk_->ends_without_request = true;
+  desk_->unexpected_until_ns = 0;
   desk_->visits.add(surface.position);
   desk_->know_codes(trial);
   desk_->is_side_by_side = trial.arrangement.surfaces == Arrangement::Surfaces::side_by_side;
@@ -416,7 +429,10 @@ bool PersonAtWindow::wants_next(bool may_go) {
       case Kind::released:
         continue;
     }
-    if (may_go) return true;
+    if (may_go) {
+      desk_->ends_without_request = false;
+      return true;
+    }
     if (desk_->is_side_by_side) {
       desk_->refuse(*input, {.what = Saying::What::feel_all_longer});
       continue;
@@ -424,6 +440,12 @@ bool PersonAtWindow::wants_next(bool may_go) {
     desk_->refuse(*input, {.what = Saying::What::feel_longer, .code = desk_->code_of(desk_->now)});
   }
   return false;
+}
+
+void PersonAtWindow::visit_was_without_contact(int position) {
+  desk_->visits.take_back(position);
+  desk_->untouched = position;
+  desk_->now = 0;  // it was not felt
 }
 
 void PersonAtWindow::refuse_answers() {
@@ -466,6 +488,12 @@ Reply PersonAtWindow::ask(const Trial& trial, std::span<const TrialQuestion> pag
   desk_->face({ParticipantScene::Kind::question},
               scene_of_question(trial, page, desk_->felt_positions()));
   desk_->show_sheet(trial);
+  desk_->unexpected_until_ns =
+      std::exchange(desk_->ends_without_request, false) ? desk_->after_shown_ns(kUnexpected_s) : 0;
+  if (const std::optional<int> untouched = std::exchange(desk_->untouched, {})) {
+    desk_->remind({.what = Saying::What::not_touched, .code = desk_->code_of(*untouched)});
+    desk_->play(Cue::refused);
+  }
   std::optional<std::int64_t> until_ns{};
   if (deadline_s) {
     desk_->deadline_ns = desk_->after_shown_ns(*deadline_s);
@@ -476,6 +504,7 @@ Reply PersonAtWindow::ask(const Trial& trial, std::span<const TrialQuestion> pag
     reply = desk_->hear_answer(trial, input);
     return reply.has_value();
   });
+  desk_->unexpected_until_ns = 0;
   return reply.value_or(Reply{});
 }
 

@@ -54,6 +54,10 @@ class PersonAtWindow final : public Respondent {
  public:
   /// Measured from the time at which the scene was shown to the time stamp of the input.
   static constexpr double kTooSoon_s = 0.2;
+  /// The same for a request to feel again on the screen that follows a surface which was removed without a request:
+  /// until then its key and its place meant to finish. The screen comes unexpectedly and has to be read, while a finger may be
+  /// on its way: a click arrived 0.33 s after such a screen.
+  static constexpr double kUnexpected_s = 1.0;
   /// Contacts of a switch bounce for a few milliseconds; a finger cannot press again this soon.
   static constexpr double kBounce_s = 0.02;
 
@@ -82,6 +86,7 @@ class PersonAtWindow final : public Respondent {
   std::string source() const override;
   void begin_attempt(int trial, int attempt) override;
   bool wants_next(bool may_go) override;
+  void visit_was_without_contact(int position) override;
   void refuse_answers() override;
   bool wears_mask() const override { return true; }
   bool leaves_prompts_to_experimenter() const override { return true; }

@@ -115,6 +115,10 @@ class Respondent {
     static_cast<void>(may_go);
     return false;
   }
+  /// The surface that the participant wished to feel was presented and not touched: this visit does not count, what was
+  /// felt before stays valid, and the question is asked next. A virtual participant does not request the surface once
+  /// more: its hand cannot reach it.
+  virtual void visit_was_without_contact(int position) { static_cast<void>(position); }
   /// Polled in an attempt while neither a surface is felt nor the question is shown: the hand
   /// lifts, or waits for the next surface. Answers are refused.
   virtual void refuse_answers() {}

@@ -50,6 +50,10 @@ class TerminalRespondent final : public Respondent {
     visits_.clear();
     felt_side_by_side_ = false;
   }
+  void visit_was_without_contact(int position) override {
+    visits_.take_back(position);
+    output_ << "The surface was not touched." << std::endl;
+  }
   /// Surfaces side by side are finished as soon as possible: a terminal has no key for it while the hand moves.
   bool wants_next(bool may_go) override { return felt_side_by_side_ && may_go; }
 

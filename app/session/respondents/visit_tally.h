@@ -14,6 +14,8 @@ class VisitTally final {
  public:
   void clear() { visits_.clear(); }
   void add(int position) { ++visits_[position]; }
+  /// One visit of those added did not take place.
+  void take_back(int position) { --visits_[position]; }
   int of(int position) const {
     const auto found = visits_.find(position);
     return found == visits_.end() ? 0 : found->second;

@@ -108,6 +108,7 @@ TEST_F(ArrangementsInWindows, SurfacesAreFeltInTheOrderThatTheParticipantRequest
       key(Qt::Key_Space);   // feels B
     } else if (!scene.surfaces[0].felt) {
       key(Qt::Key_A);
+      wait_until_feeling_again_counts();
       key(Qt::Key_Space);
     } else {
       choose(Qt::Key_A);

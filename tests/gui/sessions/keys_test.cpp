@@ -134,7 +134,8 @@ TEST_F(SessionKeysAtWork, DigitsLettersSpaceAndReturnAnswerAndNothingElseDoesAny
   int questions = 0;
   take_part([&](const Scene& scene) {
     if (++questions == 1) {
-      key(Qt::Key_Space);  // feel again
+      wait_until_feeling_again_counts();
+      key(Qt::Key_Space);
       return;
     }
     ASSERT_EQ(scene.choices.size(), 3U);

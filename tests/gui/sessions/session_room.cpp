@@ -209,6 +209,14 @@ bool SessionRoom::can_be_perceived() {
   return shown_s > PersonAtWindow::kTooSoon_s;
 }
 
+void SessionRoom::wait_until_feeling_again_counts() {
+  wait_for("feeling again to count", [this] {
+    const SessionSnapshot now = monitor().snapshot();
+    const auto shown_s = 1e-9 * static_cast<double>(now.now_ns - now.scene->shown_ns);
+    return shown_s > PersonAtWindow::kUnexpected_s;
+  });
+}
+
 // --- hands ---------------------------------------------------------------------------------------
 
 void SessionRoom::require(bool holds, const std::string& what) {

@@ -75,6 +75,8 @@ class SessionRoom : public QuietHome {
 
   /// The scene has been there long enough to be answered.
   bool can_be_perceived();
+  /// Until a request to feel again counts where feeling has ended without a request.
+  void wait_until_feeling_again_counts();
 
   // --- hands ---
   /// To whichever window has the focus.
