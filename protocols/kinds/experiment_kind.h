@@ -119,6 +119,9 @@ struct ExperimentKind {
 /// Null where the kind has no test of this name.
 const KindTest* find_test(const ExperimentKind& kind, std::string_view name) noexcept;
 
+/// Whether the analysis of the kind compares the groups to which a protocol assigns participants (its test `groups`).
+bool compares_groups(const ExperimentKind& kind, const AnalysisDeclaration& analysis) noexcept;
+
 /// All kinds, in the order in which documents list them.
 std::span<const ExperimentKind* const> experiment_kinds();
 

@@ -37,6 +37,11 @@ const KindTest* find_test(const ExperimentKind& kind, std::string_view name) noe
   return found == kind.tests.end() ? nullptr : &*found;
 }
 
+bool compares_groups(const ExperimentKind& kind, const AnalysisDeclaration& analysis) noexcept {
+  const KindTest* const test = find_test(kind, "groups");
+  return test != nullptr && (!test->needs_target || analysis.target.has_value());
+}
+
 const ExperimentKind& kind_named(std::string_view id) {
   if (const ExperimentKind* const kind = find_kind(id)) return *kind;
   throw std::logic_error("there is no kind of experiment \"" + std::string(id) +
