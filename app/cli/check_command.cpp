@@ -192,11 +192,8 @@ std::vector<StimulusDrag> check_with_study(ProtocolCheck& check, const std::file
   if (Study::exists(study)) {
     try {
       const Study own = Study::open(study, Access::read_only);
-      if (auto warning = warning_about_version(*check.protocol, check.file, own)) {
-        warnings.push_back(std::move(*warning));
-      }
       for (Diagnostic& warning :
-           warnings_about_plugins(*check.protocol, check.file, own, models, std::nullopt)) {
+           warnings_about_sessions(*check.protocol, check.file, own, models)) {
         warnings.push_back(std::move(warning));
       }
     } catch (const std::exception& error) {  // the protocol can be checked all the same

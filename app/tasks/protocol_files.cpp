@@ -24,6 +24,7 @@
 #include "app/tasks/level_problems.h"
 #include "app/tasks/new_study.h"
 #include "app/tasks/plugin_stimuli.h"
+#include "app/tasks/plugin_warnings.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
 #include "protocols/file/analysis_warnings.h"
@@ -573,6 +574,17 @@ std::optional<Diagnostic> warning_about_version(const Protocol& protocol,
                               use->version +
                               " with another text of the protocol; their responses would be "
                               "analysed together with new ones; raise \"version\"");
+}
+
+std::vector<Diagnostic> warnings_about_sessions(const Protocol& protocol,
+                                                const std::string& file_name, const Study& study,
+                                                const ModelRegistry& models) {
+  std::vector<Diagnostic> warnings =
+      warnings_about_plugins(protocol, file_name, study, models, std::nullopt);
+  if (auto warning = warning_about_version(protocol, file_name, study)) {
+    warnings.insert(warnings.begin(), std::move(*warning));
+  }
+  return warnings;
 }
 
 std::vector<Phrase> complaints_about_device(const Protocol& protocol,

@@ -96,6 +96,12 @@ std::optional<VersionUse> other_text_of_version(const Study& study, const std::s
 std::optional<Diagnostic> warning_about_version(const Protocol& protocol,
                                                 const std::string& file_name, const Study& study);
 
+/// The warnings about sessions of the study that are analysed together with new ones: of another text of this version, and
+/// with another build of a plug-in. Errors: ResultsError as for Study.
+std::vector<Diagnostic> warnings_about_sessions(const Protocol& protocol,
+                                                const std::string& file_name, const Study& study,
+                                                const ModelRegistry& models);
+
 /// The requirements of a protocol that a device does not meet, a sentence each.
 std::vector<Phrase> complaints_about_device(const Protocol& protocol,
                                             const DeviceCapability& device);

@@ -23,6 +23,7 @@
 #include "app/study_files/textured_mesh_files.h"
 #include "app/tasks/unfinished_session.h"
 #include "device/simulated_device.h"
+#include "protocols/file/protocol_problems.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/plan/course.h"
 #include "renderers/built_in_models.h"
@@ -307,6 +308,12 @@ std::vector<ProtocolOverview> protocol_overviews(const Study& study, const Model
     ProtocolOverview overview{};
     overview.check = check_protocol(file, models, study.folder(), std::nullopt);
     if (overview.check.protocol) {
+      ProtocolCheck& check = overview.check;
+      for (Diagnostic& warning :
+           warnings_about_sessions(*check.protocol, check.file, study, models)) {
+        check.warnings.push_back(std::move(warning));
+      }
+      sort_by_line(check.warnings);
       const Plan plan = example_plan(*overview.check.protocol, {1, 0});
       if (!plan.trials.empty()) overview.blocks = plan.trials.back().block_ordinal;
     }

@@ -87,12 +87,30 @@ TEST_F(SessionChecks, SayInOrderThatASmallStudyIsReady) {
     ids.push_back(line.id);
     EXPECT_FALSE(line.text.empty()) << line.id;
     if (line.id == "rate") continue;  // a busy machine may be late
+    if (line.id == "protocol_warnings") continue;
     EXPECT_EQ(line.state, State::fine) << line.id << ": " << line.text.english();
     EXPECT_TRUE(line.remedy.empty()) << line.id;
   }
-  EXPECT_EQ(ids, (std::vector<std::string>{"protocol", "participant", "study", "disk", "stimuli",
-                                           "device", "calibration", "force_zero", "rate", "screens",
-                                           "masking_noise"}));
+  EXPECT_EQ(ids, (std::vector<std::string>{"protocol", "protocol_warnings", "participant", "study",
+                                           "disk", "stimuli", "device", "calibration", "force_zero",
+                                           "rate", "screens", "masking_noise"}));
+}
+
+TEST_F(SessionChecks, NameWhatCheckWarnsOf) {
+  const SessionCheck warned = check("protocol_warnings");
+  EXPECT_EQ(warned.state, State::look);
+  EXPECT_NE(warned.text.english().find("question uses the factor \"go\""), std::string::npos)
+      << warned.text.english();
+  EXPECT_EQ(warned.text.english().find("Further warnings"), std::string::npos);
+  EXPECT_FALSE(warned.remedy.empty());
+  std::string text = small_protocol();
+  const std::string crossed = R"("crossed": ["go"])";
+  text.replace(text.find(crossed), crossed.size(), R"("repetitions": 3)");
+  const std::string levels = R"(, "go": {"levels": [1, 2, 3]})";
+  text.replace(text.find(levels), levels.size(), "");
+  write_protocol(text);
+  EXPECT_EQ(check("protocol").state, State::fine) << check("protocol").text.english();
+  EXPECT_EQ(check("protocol_warnings").id, "absent");
 }
 
 TEST_F(SessionChecks, RunTheLoopInRealTimeAndFindNoForce) {

@@ -301,16 +301,27 @@ void ProtocolEditorPage::show_whether_saved() {
 void ProtocolEditorPage::show_checked(const LiveCheck::Result& result) {
   result_ = result;
   const std::vector<Diagnostic>& problems = result->diagnostics;
-  edit_->show_problems(problems);
+  // Of a text with problems, what it may not mean is not known.
+  const std::vector<Diagnostic> warnings =
+      problems.empty() ? result->warnings : std::vector<Diagnostic>{};
+  edit_->show_problems(problems, warnings);
   std::vector<StudyTable::Row> rows{};
-  for (std::size_t i = 0; i < problems.size(); ++i) {
-    rows.push_back({QString::number(i),
-                    {number_cell(problems[i].line), text_cell(text(problems[i].message)),
-                     text_cell(text(problems[i].pointer))}});
+  const auto add = [&rows](const Diagnostic& place, const QString& sentence) {
+    rows.push_back(
+        {QString::number(rows.size()),
+         {number_cell(place.line), text_cell(sentence), text_cell(text(place.pointer))}});
+  };
+  for (const Diagnostic& problem : problems) add(problem, text(problem.message));
+  for (const Diagnostic& warning : warnings) {
+    add(warning, tr("Warning: %1").arg(text(warning.message)));
   }
   problems_->fill(rows);
-  if (problems.empty()) {
+  if (problems.empty() && warnings.empty()) {
     state_->set_state(State::fine, tr("valid"));
+  } else if (problems.empty()) {
+    state_->set_state(State::look, warnings.size() == 1
+                                       ? tr("valid, 1 warning")
+                                       : tr("valid, %1 warnings").arg(warnings.size()));
   } else {
     state_->set_state(State::stop, how_many_problems(problems.size()));
   }

@@ -1,7 +1,7 @@
 #include "app/gui/editor/protocol_text_edit.h"
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 #include <QtGui/QHelpEvent>
 #include <QtGui/QPainter>
@@ -80,16 +80,24 @@ void ProtocolTextEdit::replace(TextRange range, const QString& text) {
   cursor.insertText(text);
 }
 
-void ProtocolTextEdit::show_problems(const std::vector<Diagnostic>& problems) {
+void ProtocolTextEdit::show_problems(const std::vector<Diagnostic>& problems,
+                                     const std::vector<Diagnostic>& warnings) {
   underlines_.clear();
   sentences_.clear();
+  add_underlines(problems, theme().stop);
+  add_underlines(warnings, theme().look);
+  show_marks();
+  numbers_->update();
+}
+
+void ProtocolTextEdit::add_underlines(const std::vector<Diagnostic>& places, const QColor& color) {
   const QString whole = text();
-  for (const Diagnostic& problem : problems) {
+  for (const Diagnostic& problem : places) {
     const TextRange range =
         range_to_underline(whole, position_of(whole, problem.line, problem.column));
     QTextEdit::ExtraSelection underline{};
     underline.format.setUnderlineStyle(QTextCharFormat::WaveUnderline);
-    underline.format.setUnderlineColor(theme().stop);
+    underline.format.setUnderlineColor(color);
     underline.cursor = QTextCursor(document());
     underline.cursor.setPosition(static_cast<int>(range.start));
     underline.cursor.setPosition(static_cast<int>(range.start + range.length),
@@ -97,8 +105,6 @@ void ProtocolTextEdit::show_problems(const std::vector<Diagnostic>& problems) {
     underlines_.append(underline);
     sentences_.push_back(QString::fromStdString(problem.message));
   }
-  show_marks();
-  numbers_->update();
 }
 
 QString ProtocolTextEdit::problems_at(int position) const {
@@ -233,9 +239,10 @@ void ProtocolTextEdit::make_room_for_numbers() {
 }
 
 void ProtocolTextEdit::paint_numbers(QWidget& numbers) {
-  std::set<int> with_problem{};
+  std::map<int, QColor> with_problem{};  // problems come before warnings
   for (const QTextEdit::ExtraSelection& underline : underlines_) {
-    with_problem.insert(document()->findBlock(underline.cursor.selectionStart()).blockNumber());
+    with_problem.emplace(document()->findBlock(underline.cursor.selectionStart()).blockNumber(),
+                         underline.format.underlineColor());
   }
   QPainter painter(&numbers);
   painter.fillRect(numbers.rect(), theme().raised);
@@ -253,9 +260,10 @@ void ProtocolTextEdit::paint_numbers(QWidget& numbers) {
     painter.setFont(letters);
     const QRectF row(0.0, area.top(), right, fontMetrics().lineSpacing());
     if (problem) {
-      painter.setPen(theme().stop);
+      const QColor color = with_problem.at(number);
+      painter.setPen(color);
       painter.drawText(row.adjusted(kGrid / 2, 0.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignVCenter,
-                       "✕");
+                       color == theme().stop ? "✕" : "▲");
     } else {
       painter.setPen(current ? theme().text : theme().muted);
     }

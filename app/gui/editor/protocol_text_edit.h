@@ -26,9 +26,10 @@ class ProtocolTextEdit final : public QPlainTextEdit {
   void replace_text(const QString& text);
   void replace(TextRange range, const QString& text);
 
-  /// Underlines every problem and marks its line. The marks move with the text.
-  void show_problems(const std::vector<Diagnostic>& problems);
-  /// What is underlined, in the order of the problems.
+  /// Underlines every problem and every warning and marks its line. The marks move with the text.
+  void show_problems(const std::vector<Diagnostic>& problems,
+                     const std::vector<Diagnostic>& warnings);
+  /// What is underlined, in the order of the problems and then of the warnings.
   const QList<QTextEdit::ExtraSelection>& underlined() const noexcept { return underlines_; }
   /// What is said of the problems at a position, a line each; empty where there is none.
   QString problems_at(int position) const;
@@ -43,6 +44,7 @@ class ProtocolTextEdit final : public QPlainTextEdit {
  private:
   class Numbers;
 
+  void add_underlines(const std::vector<Diagnostic>& places, const QColor& color);
   int width_of_numbers() const;
   void paint_numbers(QWidget& numbers);
   void make_room_for_numbers();

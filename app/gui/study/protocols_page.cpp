@@ -67,6 +67,15 @@ QString last_run_of(const ProtocolOverview& overview) {
 
 QStandardItem* validity_cell(const ProtocolOverview& overview) {
   const int problems = static_cast<int>(overview.check.diagnostics.size());
+  const int warnings = static_cast<int>(overview.check.warnings.size());
+  if (overview.is_valid() && warnings > 0) {
+    QStandardItem* cell =
+        text_cell("▲ " + count_text(warnings, ProtocolsPage::tr("valid, 1 warning"),
+                                    ProtocolsPage::tr("valid, %1 warnings")),
+                  0);
+    cell->setForeground(theme().look);
+    return cell;
+  }
   if (overview.is_valid()) {
     QStandardItem* cell = text_cell("● " + ProtocolsPage::tr("valid"), 0);
     cell->setForeground(theme().fine);
@@ -89,6 +98,23 @@ StudyTable::Row protocol_row(const ProtocolOverview& overview) {
            text_cell(protocol ? text(protocol->version) : QString("–")),
            progress_cell(overview.people_done, protocol ? protocol->planned_participants : 0),
            validity_cell(overview)}};
+}
+
+/// What is permitted and may not be meant, then what the author wrote, then the designs of the main blocks.
+QString description_of(const ProtocolOverview& overview) {
+  QStringList paragraphs{};
+  for (const Diagnostic& warning : overview.check.warnings) {
+    paragraphs +=
+        (warning.line > 0
+             ? ProtocolsPage::tr("▲ Line %1: %2").arg(warning.line).arg(text(warning.message))
+             : ProtocolsPage::tr("▲ %1").arg(text(warning.message)));
+  }
+  paragraphs += text(overview.check.protocol->description);
+  for (const auto& [block, design] : overview.check.designs) {
+    paragraphs += ProtocolsPage::tr("Block %1: %2.").arg(text(block), text(design));
+  }
+  paragraphs.removeAll(QString());
+  return paragraphs.join("\n\n");
 }
 
 }  // namespace
@@ -124,7 +150,7 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
                            {tr("Kind"), 120, Align::text},
                            {tr("Version"), 80, Align::text},
                            {tr("Participants"), 168, Align::text},
-                           {tr("State"), 120, Align::text}},
+                           {tr("State"), 144, Align::text}},
                           splitter_);
   table_->setObjectName("protocols_table");
   table_->setAccessibleName(tr("Protocols"));
@@ -221,6 +247,7 @@ QWidget* ProtocolsPage::make_detail() {
   scroll->setWidgetResizable(true);
   scroll->viewport()->setAutoFillBackground(false);
   description_ = make_text({}, scroll);
+  description_->setObjectName("protocol_description");
   description_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   scroll->setWidget(description_);
   description_->setAutoFillBackground(false);  // setWidget turns it on
@@ -352,7 +379,7 @@ void ProtocolsPage::show_selected() {
                              : tr("This study is read-only: no session can be stored. Copy it to a "
                                   "folder that you may write to."));
   }
-  description_->setText(protocol ? text(protocol->description) : QString{});
+  description_->setText(protocol ? description_of(*overview) : QString{});
   std::vector<StudyTable::Row> rows{};
   for (std::size_t i = 0; i < overview->check.diagnostics.size(); ++i) {
     const Diagnostic& problem = overview->check.diagnostics[i];

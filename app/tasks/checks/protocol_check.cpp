@@ -1,7 +1,13 @@
 #include "app/tasks/checks/protocol_check.h"
 
+#include <utility>
+#include <vector>
+
+#include "app/tasks/protocol_files.h"
+#include "protocols/file/protocol_problems.h"
 #include "results_schema/sha256.h"
 #include "results_schema/short_hash.h"
+#include "results_schema/study.h"
 
 namespace asperity {
 namespace {
@@ -26,6 +32,30 @@ SessionCheck protocol_check(const CheckInputs& inputs, const Protocol& protocol)
   }
   check.text = phrase("SessionChecks", "The protocol is valid: version %1, SHA-256 %2.")
                    .with(protocol.version, short_hash(sha256));
+  return check;
+}
+
+std::optional<SessionCheck> protocol_warnings_check(const CheckInputs& inputs,
+                                                    const Protocol& protocol,
+                                                    const ModelRegistry& models) {
+  const std::string file = inputs.protocol.string();
+  // Without the study, whose files the session has read already.
+  std::vector<Diagnostic> warnings =
+      check_protocol_text(protocol.source, file, models, std::nullopt, std::nullopt).warnings;
+  for (Diagnostic& warning : warnings_about_sessions(
+           protocol, file, Study::open(inputs.study, Access::read_only), models)) {
+    warnings.push_back(std::move(warning));
+  }
+  if (warnings.empty()) return {};
+  sort_by_line(warnings);
+  SessionCheck check{};
+  check.state = State::look;
+  const Phrase first = phrase("SessionChecks", "Line %1: %2.")
+                           .with(std::to_string(warnings.front().line), warnings.front().message);
+  check.text = warnings.size() == 1 ? first
+                                    : phrase("SessionChecks", "%1 Further warnings: %2.")
+                                          .with(first, std::to_string(warnings.size() - 1));
+  check.remedy = phrase("SessionChecks", "The Protocols page lists all warnings.");
   return check;
 }
 

@@ -3,15 +3,23 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "app/tasks/checks/session_check.h"
 #include "app/words/phrase.h"
 #include "protocols/design/protocol.h"
+#include "renderers/force/force_model.h"
 
 namespace asperity {
 
 SessionCheck protocol_check(const CheckInputs& inputs, const Protocol& protocol);
+
+/// What `check` warns of (ProtocolCheck::warnings, warnings_about_sessions): `look` with the first warning and the number of
+/// others; nothing where there is none.
+std::optional<SessionCheck> protocol_warnings_check(const CheckInputs& inputs,
+                                                    const Protocol& protocol,
+                                                    const ModelRegistry& models);
 
 /// The protocol file differs from the one that was checked.
 class ProtocolChangedSinceCheck final : public PhrasedError {

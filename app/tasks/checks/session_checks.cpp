@@ -53,6 +53,15 @@ std::vector<SessionCheck> check_session(const CheckInputs& inputs, const ModelRe
   const auto add = [&](const std::string& id, const Phrase& title, auto run) {
     if (!stop.stop_requested()) checks.push_back(checked(id, title, run));
   };
+  std::optional<SessionCheck> warned{};
+  try {
+    warned = protocol_warnings_check(inputs, *protocol, models);
+  } catch (const std::exception&) {
+    // A study that cannot be read is reported by its own line.
+  }
+  if (warned) {
+    add("protocol_warnings", phrase("SessionChecks", "Warnings"), [&] { return *warned; });
+  }
   add("participant", phrase("SessionChecks", "Participant"),
       [&] { return participant_check(inputs, *protocol); });
   add("study", phrase("SessionChecks", "Study folder"), [&] { return study_check(inputs); });

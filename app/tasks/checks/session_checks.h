@@ -12,7 +12,8 @@
 
 namespace asperity {
 
-/// Runs all checks, in the order in which problems should be fixed: "protocol", "participant", "study", "disk",
+/// Runs all checks, in the order in which problems should be fixed: "protocol", "protocol_warnings" (only
+/// if there are any), "participant", "study", "disk",
 /// "stimuli", "device", "calibration", "rehearsal" (one line for each kind of stimuli beyond the device's profile in
 /// the study), "force_zero", "rate", "screens", "masking_noise". If the protocol cannot be read, its line is the only
 /// one.

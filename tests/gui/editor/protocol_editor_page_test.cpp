@@ -98,6 +98,22 @@ TEST_F(ProtocolEditor, ShowsAValidProtocolAsValid) {
   EXPECT_EQ(page_->content(), library_text("improved_recognition"));
 }
 
+TEST_F(ProtocolEditor, UnderlinesAndListsWarnings) {
+  open();
+  QString text = edit().text();
+  const QString explorations = R"("explorations": {)";
+  text.insert(text.indexOf(explorations) + explorations.size(),
+              R"("unused": {"minimum_contact_s": 1},)");
+  edit().replace_text(text);
+  ASSERT_TRUE(checked());
+  EXPECT_EQ(label("editor_state"), "▲ valid, 1 warning");
+  EXPECT_EQ(underlined(), QStringList{"\"unused\""});
+  const auto& problems = child<StudyTable>(*page_, "editor_problems");
+  ASSERT_EQ(problems.shown_rows(), 1);
+  EXPECT_TRUE(problems.text_at(0, 1).startsWith("Warning: no block uses the exploration"))
+      << problems.text_at(0, 1).toStdString();
+}
+
 TEST_F(ProtocolEditor, UnderlinesWhatIsTypedWrongInItsPlace) {
   open();
   go_behind("hand_oc");

@@ -205,6 +205,25 @@ TEST_F(StudyPages, FollowProtocolFilesThatOthersChange) {
   EXPECT_TRUE(eventually([&] { return table.shown_rows() == 2; }));
 }
 
+TEST_F(StudyPages, ShowTheWarningsAboutAValidProtocol) {
+  open_demo();
+  const StudyTable& table = table_of("protocols", "protocols_table", 3);
+  const std::filesystem::path file =
+      window_.study()->folder() / "protocols" / "chapter_recognition.json";
+  std::string text = read_file(file);
+  const std::string explorations = R"("explorations": {)";
+  text.insert(text.find(explorations) + explorations.size(),
+              R"("unused": {"minimum_contact_s": 1},)");
+  write_file(file, text, Overwrite::allow);
+  EXPECT_TRUE(eventually([&] { return column(table, 5).contains("▲ valid, 1 warning"); }))
+      << column(table, 5).join(", ").toStdString();
+  select_protocol("chapter_recognition.json");
+  const QString description = child<QLabel>(window_, "protocol_description").text();
+  EXPECT_TRUE(description.startsWith("▲ Line ")) << description.toStdString();
+  EXPECT_TRUE(description.contains("no block uses the exploration \"unused\""));
+  EXPECT_TRUE(child<QPushButton>(window_, "protocol_start").isEnabled());
+}
+
 TEST_F(PagesToRead, CountParticipantsDoneOfPlanned) {
   const StudyTable& table = table_of("protocols", "protocols_table", 4);
   EXPECT_TRUE(column(table, 4).contains("10 of 20")) << column(table, 4).join(", ").toStdString();
