@@ -62,6 +62,7 @@ struct ProtocolEditorPage::Saving {
   int revision = 0;                     ///< of the text that was written
   std::optional<std::string> theirs{};  ///< somebody has changed the file: nothing was written
   std::optional<VersionUse> use{};  ///< the version stands for another text: nothing was written
+  bool only_simulated = false;      ///< in sessions of virtual participants only
   std::string not_looked_up{};      ///< why it is not known whether it does
 };
 
@@ -403,6 +404,10 @@ void ProtocolEditorPage::save(Agreed agreed) {
           try {
             const Study own = Study::open(folder, Access::read_only);
             saving.use = other_text_of_version(own, written);
+            if (!saving.use) {
+              saving.use = other_text_of_version(own, written, SessionsOf::everybody);
+              saving.only_simulated = saving.use.has_value();
+            }
           } catch (const std::exception& error) {
             saving.not_looked_up = message_of(error);  // no reason to lose what was typed
           }
@@ -430,7 +435,7 @@ void ProtocolEditorPage::end_saving(const Saving& saving) {
     if (saving.theirs) {
       ask_about_theirs(*saving.theirs, Then::save);
     } else {
-      ask_about_version(*saving.use);
+      ask_about_version(*saving.use, saving.only_simulated);
     }
     return;
   }
@@ -477,7 +482,7 @@ void ProtocolEditorPage::ask_about_theirs(const std::string& theirs, Then then) 
                    }}});
 }
 
-void ProtocolEditorPage::ask_about_version(const VersionUse& use) {
+void ProtocolEditorPage::ask_about_version(const VersionUse& use, bool only_simulated) {
   const QString version = text(use.version);
   const QString next = raised(version);
   std::vector<QuestionBar::Answer> answers{};
@@ -493,6 +498,15 @@ void ProtocolEditorPage::ask_about_version(const VersionUse& use) {
                        then_ = {};
                        edit_->setFocus();
                      }});
+  if (only_simulated) {
+    question_->ask(
+        tr("Sessions simulated with another text of version %1: %2. They would be analysed "
+           "together with new ones; raise the version to keep the data apart.")
+            .arg(version)
+            .arg(use.sessions),
+        answers);
+    return;
+  }
   question_->ask(use.sessions == 1 ? tr("One session was run with another text of version %1; "
                                         "raise the version to keep the data apart.")
                                          .arg(version)

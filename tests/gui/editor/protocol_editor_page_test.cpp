@@ -25,6 +25,7 @@
 #include "app/gui/plan/plan_preview.h"
 #include "protocols/file/library_protocols.h"
 #include "results_schema/atomic_file.h"
+#include "results_schema/study.h"
 #include "tests/gui/study/lively_study.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/screenshot.h"
@@ -530,6 +531,48 @@ TEST_F(ProtocolEditor, DoesNotLeaveUnsavedChangesWithoutAsking) {
   ASSERT_TRUE(eventually([&] { return page_->file() == another; }));
   EXPECT_EQ(page_->content(), library_text("chapter_matching"));
   EXPECT_NE(read_file(file_).find("\"planned\": 210,"), std::string::npos);
+}
+
+// Analyses pool simulated sessions of both texts as they pool those of people.
+TEST_F(ProtocolEditor, AsksForANewVersionOnceSessionsWereSimulatedWithTheOldOne) {
+  fill_with_participants(folder_);
+  file_ = folder_ / "protocols" / "chapter_matching.json";
+  {
+    Study study = Study::open(folder_, Access::read_write);
+    ProtocolRow protocol{};
+    protocol.name = "chapter_matching";
+    protocol.version = "1.1.0";
+    protocol.kind = "matching";
+    protocol.design = "chapter";
+    protocol.source = read_file(file_);
+    ASSERT_NE(protocol.source.find(R"("version": "1.1.0")"), std::string::npos);
+    SessionRow session{};
+    for (const SessionRow& each : study.sessions()) {
+      if (each.mode == SessionMode::simulate) session = each;
+    }
+    session.protocol_id = study.add_protocol(protocol);
+    PlannedTrialRow trial{};
+    trial.trial = 1;
+    trial.block = "main";
+    trial.block_ordinal = 1;
+    trial.phase = "main";
+    trial.factors_json = "{}";
+    study.end_session(study.add_session(session, {trial}), SessionState::completed,
+                      "2026-03-02T10:00:00Z");
+  }
+  open();
+  go_behind("\"title\": \"");
+  type("New ");
+  click("editor_save");
+  ASSERT_TRUE(eventually([&] { return asks(); }));
+  EXPECT_TRUE(child<QuestionBar>(*page_, "editor_question")
+                  .question()
+                  .startsWith("Sessions simulated with another text of version 1.1.0: 1."))
+      << child<QuestionBar>(*page_, "editor_question").question().toStdString();
+  EXPECT_EQ(read_file(file_), library_text("chapter_matching"));
+  click("editor_raise_version");
+  ASSERT_TRUE(saved());
+  EXPECT_NE(read_file(file_).find("\"version\": \"1.1.1\""), std::string::npos);
 }
 
 TEST_F(ProtocolEditor, AsksForANewVersionOnceSessionsWereRunWithTheOldOne) {
