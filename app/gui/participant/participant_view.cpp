@@ -13,6 +13,7 @@
 #include "app/gui/participant/participant_keys.h"
 #include "app/gui/participant/participant_painter.h"
 #include "app/gui/participant/plan_pictures.h"
+#include "app/gui/participant/shown_surface.h"
 #include "app/gui/participant/type_size.h"
 #include "renderers/servo/servo_thread.h"
 
@@ -250,12 +251,32 @@ double ParticipantView::letters_px() const {
                           : ParticipantLayoutInputs{}.smallest_text_px;
 }
 
+/// A mirror shows the surface where its original has it.
+double ParticipantView::surface_aspect() const {
+  if (original_) return original_->surface_aspect();
+  if (!pointer_is_probe_ || !facts_ || !facts_->protocol) return 0.0;
+  const PlannedPresentation* const shown = shown_surface(*facts_, monitor_.snapshot());
+  const glm::dvec2 extent_m =
+      shown != nullptr ? shown->stimulus.patch.extent_m : facts_->protocol->patch.extent_m;
+  return extent_m.x / extent_m.y;
+}
+
+std::optional<QRectF> ParticipantView::surface_rect() const {
+  const auto surface = std::find_if(items_.begin(), items_.end(), [](const Item& item) {
+    return item.kind == Item::Kind::surface;
+  });
+  if (surface == items_.end()) return {};
+  return QRectF(page_offset() + surface->rect.topLeft() * page_scale(),
+                surface->rect.size() * page_scale());
+}
+
 ParticipantLayoutInputs ParticipantView::layout_inputs() const {
   return {.size = page_size(),
           .smallest_text_px = letters_shown_px_,
           .page = page_,
           .draft = draft_,
           .mirrored = facts_ && facts_->mirrored,
+          .surface_aspect = surface_aspect(),
           .cue_shown = cue_shown_,
           .rest_left_s = rest_shown_s_};
 }

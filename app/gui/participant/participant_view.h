@@ -84,6 +84,8 @@ class ParticipantView final : public QWidget {
 
   /// Where things are now, in the widget's pixels; for tests and for people who write scripts.
   std::vector<ParticipantItem> items() const;
+  /// Where a mouse or a pen feels the surface, in the widget's pixels; nothing where it is not shown.
+  std::optional<QRectF> surface_rect() const;
   /// Every text that the last painting drew.
   QStringList drawn_texts() const { return drawn_texts_; }
   /// Pictures of the scene have all been loaded.
@@ -125,6 +127,7 @@ class ParticipantView final : public QWidget {
   void place(QWidget* widget, const ParticipantItem* item);
   ParticipantLayoutInputs layout_inputs() const;
   void prepare_pictures();
+  double surface_aspect() const;
   int side_px(double side) const;
   QSizeF page_size() const;
   double letters_px() const;

@@ -14,7 +14,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kTable = 1.2;  // in extents of the surface
+constexpr double kTable = 1.2;  // in extents of the surface, while none is shown
 
 /// What Qt makes of a pen for widgets that know no pens: the pen itself was told already.
 bool is_of_a_pen(const QMouseEvent& event) {
@@ -110,10 +110,13 @@ glm::dvec2 PointerFeed::place_of(QPointF at) {
     if (const auto place_m = seen.place_at(seen.mapFrom(&view_, at))) return *place_m;
   }
   const SurfacePatch& felt = patch();
-  const double metres_per_px = kTable * std::max(felt.extent_m.x / std::max(1, view_.width()),
-                                                 felt.extent_m.y / std::max(1, view_.height()));
+  const std::optional<QRectF> surface = view_.surface_rect();
+  const QRectF place = surface.value_or(QRectF(view_.rect()));
+  const double metres_per_px =
+      (surface ? 1.0 : kTable) * std::max(felt.extent_m.x / std::max(1.0, place.width()),
+                                          felt.extent_m.y / std::max(1.0, place.height()));
   return glm::dvec2(felt.centre_m) +
-         metres_per_px * glm::dvec2(at.x() - 0.5 * view_.width(), 0.5 * view_.height() - at.y());
+         metres_per_px * glm::dvec2(at.x() - place.center().x(), place.center().y() - at.y());
 }
 
 }  // namespace asperity

@@ -17,8 +17,8 @@ namespace asperity {
 class ParticipantView;
 
 /// Looks on at what a mouse or a pen does over the view, and tells the device where that is on the surface:
-/// under the pointer where the workspace is seen; otherwise on a table as seen from above that fills the view,
-/// the surface that is felt in its middle, 10 % of its size around it.
+/// under the pointer where the workspace or the surface is shown; otherwise on a table as seen from above that fills
+/// the view, the surface that was felt last in its middle, 10 % of its size around it.
 ///
 /// A mouse presses while its left button is held, unless that went down on something that can be pressed; a
 /// pen as hard as it does. A pointer that leaves, and a window that loses the keyboard, lift.

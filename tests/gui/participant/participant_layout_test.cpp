@@ -126,6 +126,7 @@ void expect_letters(const Item& item, const Pane& pane, const std::string& name)
     case Item::Kind::standard:
     case Item::Kind::field:
     case Item::Kind::workspace:
+    case Item::Kind::surface:
     case Item::Kind::guide:
       break;
   }
@@ -435,6 +436,38 @@ TEST(ParticipantLayout, HasNothingToPressWhereNothingIsToBeDone) {
     EXPECT_FALSE(action_of_key(scene, Qt::Key_Return, "\r")) << name;
     EXPECT_FALSE(action_of_key(scene, Qt::Key_1, "1")) << name;
   }
+}
+
+// By mouse the participant has to see where the surface is, and to press there and on nothing else.
+TEST(ParticipantLayout, ShowsTheSurfaceOfAMouseAndLaysNothingOverIt) {
+  int shown = 0;
+  for (const auto& [name, scene] : scenes::all()) {
+    if (scene.kind != ParticipantScene::Kind::feel || scene.show_workspace) continue;
+    ++shown;
+    ParticipantLayoutInputs inputs{};
+    const auto surfaces_in = [](const std::vector<Item>& items) {
+      return std::count_if(items.begin(), items.end(),
+                           [](const Item& item) { return item.kind == Item::Kind::surface; });
+    };
+    EXPECT_EQ(surfaces_in(lay_out(scene, inputs)), 0) << name << ": felt with a device";
+    inputs.surface_aspect = 1.5;
+    const std::vector<Item> items = lay_out(scene, inputs);
+    ASSERT_EQ(surfaces_in(items), 1) << name;
+    const Item& surface = *std::find_if(items.begin(), items.end(), [](const Item& item) {
+      return item.kind == Item::Kind::surface;
+    });
+    EXPECT_NEAR(surface.rect.width() / surface.rect.height(), 1.5, 0.02) << name;
+    EXPECT_GT(surface.rect.height(), 150.0) << name;
+    EXPECT_FALSE(surface.action) << name;
+    for (const Item& item : items) {
+      if (&item == &surface) continue;
+      EXPECT_FALSE(item.rect.intersects(surface.rect)) << name << ": " << item.text.toStdString();
+    }
+    EXPECT_TRUE(std::any_of(items.begin(), items.end(), [](const Item& item) {
+      return item.text.startsWith("Keep the left mouse button pressed on the surface");
+    })) << name;
+  }
+  EXPECT_GT(shown, 0);
 }
 
 }  // namespace

@@ -80,7 +80,23 @@ class APointerFeed : public testing::Test {
                        1};
 };
 
+TEST_F(APointerFeed, HasTheSurfaceWhereItIsShown) {
+  ASSERT_TRUE(eventually([&] { return view.surface_rect().has_value(); }));
+  const QRectF shown = *view.surface_rect();
+  EXPECT_NEAR(shown.width(), shown.height(), 1.0) << "of 20 × 20 mm";
+  mouse(QEvent::MouseMove, shown.center());
+  EXPECT_NEAR(sample().position_m.x, 0.03, 1e-12);
+  mouse(QEvent::MouseMove, shown.topRight());
+  const PointerSample corner = sample();
+  EXPECT_NEAR(corner.position_m.x, 0.04, 1e-4);
+  EXPECT_NEAR(corner.position_m.y, 0.01, 1e-4);
+  mouse(QEvent::MouseButtonPress, shown.center(), Qt::LeftButton, Qt::LeftButton);
+  EXPECT_TRUE(sample().is_held) << "nothing lies over it";
+}
+
 TEST_F(APointerFeed, HasTheSurfaceInTheMiddleOfATableWhereNothingIsSeen) {
+  monitor.show({.kind = Scene::Kind::blank});
+  ASSERT_TRUE(eventually([&] { return !view.surface_rect().has_value(); }));
   mouse(QEvent::MouseMove, {400.0, 300.0});
   PointerSample now = sample();
   EXPECT_NEAR(now.position_m.x, 0.03, 1e-12);

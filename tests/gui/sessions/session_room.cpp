@@ -318,7 +318,7 @@ void SessionRoom::stroke_by_mouse() {
   }
   const bool can_be_felt =
       is_in(SessionPhase::fore) || (is_in(SessionPhase::contact) && now.surface != enough_of_);
-  const QPoint middle = view().rect().center();
+  const QPoint middle = view().surface_rect().value_or(QRectF(view().rect())).center().toPoint();
   if (can_be_felt && !is_mouse_down_) {
     QTest::mouseMove(&view(), middle);
     QTest::mousePress(&view(), Qt::LeftButton, {}, middle);

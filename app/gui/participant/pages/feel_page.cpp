@@ -36,6 +36,7 @@ class FeelLayout final {
   void chips_in_rows();
   double guide_height() const;
   void guide(const QRectF& place);
+  void surface_of_pointer(QRectF place);
 
   PageFrame& frame_;
   const Scene& scene_;
@@ -43,8 +44,9 @@ class FeelLayout final {
 };
 
 void FeelLayout::lay_out() {
+  const bool has_surface = frame_.inputs().surface_aspect > 0.0 && !scene_.show_workspace;
   const bool shows_more =
-      !scene_.choices.empty() || scene_.standard_picture || scene_.show_workspace;
+      !scene_.choices.empty() || scene_.standard_picture || scene_.show_workspace || has_surface;
   const QString text = frame_.scene_text();
   const bool has_chips = scene_.surfaces.size() > 1;
   const double guided = guide_height();
@@ -71,10 +73,14 @@ void FeelLayout::lay_out() {
     guide(place);
   }
   if (!shows_more) return;
-  if (scene_.show_workspace) {
+  if (scene_.show_workspace || has_surface) {
     const bool alone = scene_.choices.empty() && !scene_.standard_picture;
     const QRectF place = alone ? body_ : frame_.take_side(0.55 * body_.width());
-    frame_.add({.kind = Item::Kind::workspace, .rect = place});
+    if (has_surface) {
+      surface_of_pointer(place);
+    } else {
+      frame_.add({.kind = Item::Kind::workspace, .rect = place});
+    }
   }
   if (shows_pictures(scene_)) {
     add_pictures(frame_, body_);
@@ -85,6 +91,27 @@ void FeelLayout::lay_out() {
                                side, side),
                 .picture = frame_.text_from(*scene_.standard_picture)});
   }
+}
+
+/// As large as there is room below what is to be done: nothing lies over it.
+void FeelLayout::surface_of_pointer(QRectF place) {
+  const QString what = frame_.said(phrase(
+      "ParticipantLayout", "Keep the left mouse button pressed on the surface, and stroke it."));
+  const int size_px = frame_.letters(frame_.kText);
+  const double words = frame_.height_of(what, size_px, false, place.width());
+  // On the smallest screens the surface comes before the words.
+  if (words < 0.4 * place.height()) {
+    frame_.add({.rect = QRectF(place.left(), place.top(), place.width(), words),
+                .text = what,
+                .size_px = size_px});
+    place.setTop(place.top() + words + frame_.px(frame_.kGap));
+  }
+  const double aspect = frame_.inputs().surface_aspect;
+  const double width = std::floor(std::min(place.width(), aspect * place.height()));
+  const double height = std::floor(width / aspect);
+  frame_.add({.kind = Item::Kind::surface,
+              .rect = QRectF(place.center().x() - width / 2.0, place.center().y() - height / 2.0,
+                             width, height)});
 }
 
 void FeelLayout::chips_in_rows() {

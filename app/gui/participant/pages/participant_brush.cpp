@@ -166,6 +166,9 @@ void ParticipantBrush::draw(const Item& item) {
     case Item::Kind::workspace:
       box(item.rect, 4.0, colors_.ground.darker(104), colors_.line, 1.0);
       break;
+    case Item::Kind::surface:
+      box(item.rect, 0.0, colors_.panel, colors_.press, 3.0);
+      break;
     case Item::Kind::guide:  // a widget
     case Item::Kind::chip:   // drawn by the pages that have them
     case Item::Kind::scale:

@@ -62,6 +62,7 @@ struct ParticipantItem {
     number,     ///< what was typed
     field,      ///< where text is typed
     workspace,  ///< where the scene of object, tool and probe is
+    surface,    ///< where a mouse or a pen feels the surface, seen from above
     guide,      ///< where bars and target are (LiveGuide); `size_px`: of numbers at bars, or 0
     cue,
   };
@@ -97,6 +98,8 @@ struct ParticipantLayoutInputs {
   int page = 1;
   ParticipantDraft draft{};
   bool mirrored = false;  ///< left-handed
+  /// Width over height of the surface where a mouse or a pen is the probe; 0: it is felt with a device.
+  double surface_aspect = 0.0;
   bool cue_shown = false;
   int rest_left_s = 0;
 };
