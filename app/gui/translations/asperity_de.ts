@@ -804,10 +804,6 @@
         <translation>Diese Versuchspersonen sind virtuell: Die Ergebnisse dienen der Prüfung des Programms und belegen nichts über Menschen.</translation>
     </message>
     <message>
-        <source>Flagged attempts among those that count: %1; the reasons are in attempts.tsv of an export.</source>
-        <translation>Markierte Versuche unter denen, die zählen: %1; die Gründe stehen in attempts.tsv eines Exports.</translation>
-    </message>
-    <message>
         <source>one response</source>
         <translation>eine Antwort</translation>
     </message>
@@ -2774,6 +2770,14 @@
     <message>
         <source>A loading is the correlation of a scale with a component; corrected: without the variance of the participants’ deviations, with a CI by the jackknife over participants. A score is the position of an item on a component.</source>
         <translation>Eine Ladung ist die Korrelation einer Skala mit einer Komponente; korrigiert: ohne die Varianz der Abweichungen der Versuchspersonen, mit KI nach dem Jackknife über die Versuchspersonen. Ein Komponentenwert ist die Lage eines Items auf einer Komponente.</translation>
+    </message>
+    <message>
+        <source>Groups are assigned and reported, and not compared: the responses of all groups are analysed together. To compare them, export the responses.</source>
+        <translation>Gruppen werden zugeteilt und berichtet, aber nicht verglichen: Die Antworten aller Gruppen werden zusammen ausgewertet. Um sie zu vergleichen, die Antworten exportieren.</translation>
+    </message>
+    <message>
+        <source>Flagged attempts among those that count: %1; the reasons are in the trials of each session and in attempts.tsv of an export.</source>
+        <translation>Markierte Versuche unter denen, die zählen: %1; die Gründe stehen bei den Durchgängen jeder Sitzung und in attempts.tsv eines Exports.</translation>
     </message>
 </context>
 <context>
@@ -6664,6 +6668,10 @@
         <source>Press where the line is to end, or use the keys ← and →.</source>
         <translation>Drücken Sie dort, wo die Linie enden soll, oder benutzen Sie die Tasten ← und →.</translation>
     </message>
+    <message>
+        <source>Keep the left mouse button pressed on the surface, and stroke it.</source>
+        <translation>Halten Sie auf der Oberfläche die linke Maustaste gedrückt und streichen Sie über sie.</translation>
+    </message>
 </context>
 <context>
     <name>ParticipantWords</name>
@@ -6826,6 +6834,10 @@
     <message>
         <source>Please draw a line first.</source>
         <translation>Bitte zeichnen Sie zuerst eine Linie.</translation>
+    </message>
+    <message>
+        <source>Surface %1 was not touched.</source>
+        <translation>Oberfläche %1 wurde nicht berührt.</translation>
     </message>
 </context>
 <context>
@@ -7896,6 +7908,22 @@
         <source>Fix the problem, then press “Rescan”; or choose another device.</source>
         <translation>Das Problem beheben, dann „Erneut suchen“ drücken; oder ein anderes Gerät wählen.</translation>
     </message>
+    <message>
+        <source>Line %1: %2.</source>
+        <translation>Zeile %1: %2.</translation>
+    </message>
+    <message>
+        <source>%1 Further warnings: %2.</source>
+        <translation>%1 Weitere Warnungen: %2.</translation>
+    </message>
+    <message>
+        <source>The Protocols page lists all warnings.</source>
+        <translation>Die Seite „Protokolle“ nennt alle Warnungen.</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Warnungen</translation>
+    </message>
 </context>
 <context>
     <name>SessionSetup</name>
@@ -8692,6 +8720,18 @@
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>The responses have not been counted yet</source>
+        <translation>Die Antworten sind noch nicht gezählt</translation>
+    </message>
+    <message>
+        <source>The questions, answers and figures of the study appear here when they have been.</source>
+        <translation>Fragen, Ergebnisse und Abbildungen der Studie erscheinen hier, sobald sie gezählt sind.</translation>
+    </message>
+    <message>
+        <source>Counting the responses was cancelled. Count again to see the results.</source>
+        <translation>Das Zählen der Antworten wurde abgebrochen. Für die Ergebnisse erneut zählen.</translation>
     </message>
 </context>
 <context>
@@ -9709,10 +9749,6 @@
         <translation>Alles ist in %1 gespeichert, Sitzung %2 von %3.</translation>
     </message>
     <message>
-        <source>Trials completed: %1 of %2. Attempts: %3 (%4 flagged, %5 invalid, %6 skipped).</source>
-        <translation>Abgeschlossene Durchgänge: %1 von %2. Versuche: %3 (%4 markiert, %5 ungültig, %6 übersprungen).</translation>
-    </message>
-    <message>
         <source>%1
 
 Resume the session now, or later on the Sessions page.</source>
@@ -9727,6 +9763,26 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Practice trials made again: %1.</source>
         <translation>Wiederholte Übungsdurchgänge: %1.</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Further reasons: %1; see the trials.</source>
+        <translation>Weitere Gründe: %1; siehe Durchgänge.</translation>
+    </message>
+    <message>
+        <source>Trials completed: %1 of %2.</source>
+        <translation>Abgeschlossene Durchgänge: %1 von %2.</translation>
+    </message>
+    <message>
+        <source>Trials not needed, because the criterion of their block was reached or could no longer be: %1.</source>
+        <translation>Nicht benötigte Durchgänge, weil das Kriterium ihres Blocks erreicht oder nicht mehr erreichbar war: %1.</translation>
+    </message>
+    <message>
+        <source>Attempts: %1 (%2 flagged, %3 invalid, %4 skipped).</source>
+        <translation>Versuche: %1 (%2 markiert, %3 ungültig, %4 übersprungen).</translation>
     </message>
 </context>
 <context>
@@ -11041,6 +11097,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>%1 · attempt %2</source>
         <translation>%1 · Versuch %2</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>asperity::PlanPreview</name>
@@ -11561,6 +11621,22 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>Help for the key at the cursor.</source>
         <translation>Hilfe zum Schlüssel an der Einfügemarke.</translation>
     </message>
+    <message>
+        <source>Warning: %1</source>
+        <translation>Warnung: %1</translation>
+    </message>
+    <message>
+        <source>valid, 1 warning</source>
+        <translation>gültig, 1 Warnung</translation>
+    </message>
+    <message>
+        <source>valid, %1 warnings</source>
+        <translation>gültig, %1 Warnungen</translation>
+    </message>
+    <message>
+        <source>Sessions simulated with another text of version %1: %2. They would be analysed together with new ones; raise the version to keep the data apart.</source>
+        <translation>Mit einem anderen Text der Version %1 simulierte Sitzungen: %2. Sie würden mit neuen zusammen ausgewertet; die Version erhöhen, um die Daten getrennt zu halten.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ProtocolFileActions</name>
@@ -11773,6 +11849,26 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Fix the problems listed below first.</source>
         <translation>Zuerst die unten aufgeführten Probleme beheben.</translation>
+    </message>
+    <message>
+        <source>valid, 1 warning</source>
+        <translation>gültig, 1 Warnung</translation>
+    </message>
+    <message>
+        <source>valid, %1 warnings</source>
+        <translation>gültig, %1 Warnungen</translation>
+    </message>
+    <message>
+        <source>▲ Line %1: %2</source>
+        <translation>▲ Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>▲ %1</source>
+        <translation>▲ %1</translation>
+    </message>
+    <message>
+        <source>Block %1: %2.</source>
+        <translation>Block %1: %2.</translation>
     </message>
 </context>
 <context>
@@ -12745,6 +12841,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Trials completed and stored: %1 of about %2.</source>
         <translation>Durchgänge abgeschlossen und gespeichert: %1 von etwa %2.</translation>
+    </message>
+    <message>
+        <source>Trials completed and stored: %1. Further trials in the plan: %2, not needed, because the criterion of their block was reached or their procedure had ended.</source>
+        <translation>Abgeschlossene und gespeicherte Durchgänge: %1. Weitere Durchgänge im Plan: %2, nicht benötigt, weil das Kriterium ihres Blocks erreicht oder ihr Verfahren beendet war.</translation>
     </message>
 </context>
 <context>
@@ -13727,10 +13827,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>begonnen %1</translation>
     </message>
     <message>
-        <source>%1 %2 · %3 · trials: %4 of %5 in %6 · %7 · device %8 · asperity %9</source>
-        <translation>%1 %2 · %3 · Durchgänge: %4 von %5 in %6 · %7 · Gerät %8 · asperity %9</translation>
-    </message>
-    <message>
         <source>The session is running, and its experimenter is blind: until it ends, only its own window shows its data, as far as the blinding permits.</source>
         <translation>Die Sitzung läuft, und ihre Versuchsleitung ist verblindet: Bis zum Ende der Sitzung zeigt nur ihr eigenes Fenster ihre Daten, soweit die Verblindung es zulässt.</translation>
     </message>
@@ -13769,6 +13865,22 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Track</source>
         <translation>Folge (Track)</translation>
+    </message>
+    <message>
+        <source>not needed</source>
+        <translation>nicht benötigt</translation>
+    </message>
+    <message>
+        <source>%1 (%2 not needed)</source>
+        <translation>%1 (%2 nicht benötigt)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 %2 · %3 · trials: %4 in %5 · %6 · device %7 · asperity %8</source>
+        <translation>%1 %2 · %3 · Durchgänge: %4 in %5 · %6 · Gerät %7 · asperity %8</translation>
     </message>
 </context>
 <context>
