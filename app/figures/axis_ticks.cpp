@@ -28,8 +28,7 @@ std::vector<AxisTick> round_ticks(const FigureAxis& axis, int count) {
   std::vector<AxisTick> ticks{};
   for (const double value : values) {
     if (value < axis.low - room || value > axis.high + room) continue;
-    const double round =
-        std::abs(value) < room ? 0.0 : QString::number(value, 'g', 10).toDouble();
+    const double round = std::abs(value) < room ? 0.0 : QString::number(value, 'g', 10).toDouble();
     ticks.push_back({.value = round, .label = label_of(round)});
   }
   return ticks;

@@ -81,7 +81,7 @@ struct SessionFacts {
   std::shared_ptr<const Plan> plan{};
   SessionRow row{};
   std::string study_folder{};
-  bool mirrored = false;            ///< left-handed layout
+  bool mirrored = false;  ///< left-handed layout
   /// Of the session's clock, relative to the machine's steady clock.
   std::int64_t clock_ahead_ns = 0;
   /// Of a resumed session: the time taken by its trials so far, and its notes.
@@ -140,9 +140,9 @@ struct SessionSnapshot {
   int trial = 0;              ///< current, or otherwise the next one; 0 where there is none
   int attempt = 0;            ///< of the trial
   AttemptPurpose purpose = AttemptPurpose::trial;  ///< of the current attempt; `trial` is its trial
-  int last_done = 0;          ///< the trial that `repeat_last` would repeat; 0: none yet
-  int surface = 0;            ///< position, from 1; 0 while none is felt
-  double contact_s = 0.0;     ///< with the current surface
+  int last_done = 0;       ///< the trial that `repeat_last` would repeat; 0: none yet
+  int surface = 0;         ///< position, from 1; 0 while none is felt
+  double contact_s = 0.0;  ///< with the current surface
   double wanted_contact_s = 0.0;
   /// The surface appeared around the probe, which has not left it yet: there is no force.
   bool is_inside = false;
@@ -156,7 +156,7 @@ struct SessionSnapshot {
   bool trials_are_estimated = false;  ///< their number depends on responses
   /// Absent until enough trials have been completed for an estimate.
   std::optional<double> expected_left_s{};
-  std::int64_t rows_stored = 0;             ///< attempts in the store, of this session
+  std::int64_t rows_stored = 0;  ///< attempts in the store, of this session
   LoopHealth health{};
   Fault fault = Fault::none;
   MaskingState masking = MaskingState::none;

@@ -47,7 +47,7 @@ struct SessionOverview {
   std::string protocol_version{};
   int planned_trials = 0;
   bool planned_is_estimated = false;  ///< the number depends on responses that are still to come
-  int done_trials = 0;  ///< as in SessionCounts
+  int done_trials = 0;                ///< as in SessionCounts
   int attempts = 0;
   int notes = 0;
   /// From the first to the last trial of each stretch of uninterrupted running.

@@ -18,9 +18,9 @@
 namespace asperity {
 
 std::span<const ExperimentKind* const> experiment_kinds() {
-  static const std::array kKinds{&selection_kind(),     &matching_kind(), &recognition_kind(),
-                                 &magnitude_kind(),     &rating_kind(),   &paired_comparison_kind(),
-                                 &discrimination_kind(), &similarity_kind()};
+  static const std::array kKinds{
+      &selection_kind(), &matching_kind(),          &recognition_kind(),    &magnitude_kind(),
+      &rating_kind(),    &paired_comparison_kind(), &discrimination_kind(), &similarity_kind()};
   return kKinds;
 }
 

@@ -26,7 +26,7 @@ struct PictureFacts {
   std::size_t rows = 0;
   std::size_t columns = 0;
   int bits_per_channel = 0;
-  int channels = 0;  ///< as decoded: a palette counts as 3; alpha counts
+  int channels = 0;                ///< as decoded: a palette counts as 3; alpha counts
   bool has_further_pages = false;  ///< of a TIFF; the first is read
   /// The stored number of a missing point, of a TIFF with GDAL's entry 42113.
   std::optional<float> no_data{};

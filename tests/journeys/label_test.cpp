@@ -44,10 +44,11 @@ TEST(Label, ThatDiffersInLetterCaseIsStatedToAScriptWhichContinues) {
   ASSERT_EQ(virtual_run(small, "standin1").status, 0);
   const Outcome other = virtual_run(small, "StandIn1");
   EXPECT_EQ(other.status, 0) << other.err;
-  EXPECT_THAT(other.err, HasSubstr("asperity: warning: StandIn1 is a new participant; standin1, "
-                                   "whose label differs only in letter case or leading zeros, is in the study "
-                                   "already (virtual participant); for standin1, use "
-                                   "--participant standin1\n"));
+  EXPECT_THAT(other.err,
+              HasSubstr("asperity: warning: StandIn1 is a new participant; standin1, "
+                        "whose label differs only in letter case or leading zeros, is in the study "
+                        "already (virtual participant); for standin1, use "
+                        "--participant standin1\n"));
   // Both are there now, so that neither is a slip.
   EXPECT_THAT(virtual_run(small, "standin1").err, Not(HasSubstr("letter case")));
   EXPECT_THAT(virtual_run(small, "standin01").err,

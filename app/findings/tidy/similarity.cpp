@@ -121,10 +121,11 @@ class SimilarityFindings {
       return list_.take();
     }
     if (are_alike(mean_)) {
-      list_.word("stress.ordinal", "", "no_differences",
-                 "all pairs were judged equally dissimilar, so that every configuration fits as well "
-                 "as any other: check the use of the scale, or use items that differ more",
-                 basis("non-metric multidimensional scaling"));
+      list_.word(
+          "stress.ordinal", "", "no_differences",
+          "all pairs were judged equally dissimilar, so that every configuration fits as well "
+          "as any other: check the use of the scale, or use items that differ more",
+          basis("non-metric multidimensional scaling"));
       return list_.take();
     }
     dendrogram();

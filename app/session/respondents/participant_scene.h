@@ -113,8 +113,8 @@ struct ParticipantScene {
     std::optional<std::string> picture{};  ///< study-relative; a surface or "cannot tell" has none
     /// For an option that is neither a picture nor a surface ("I cannot tell").
     std::string text{};
-    Saying saying{};            ///< its meaning, where it is a text of the program
-    bool chosen = false;        ///< of a choice
+    Saying saying{};      ///< its meaning, where it is a text of the program
+    bool chosen = false;  ///< of a choice
     /// Of an assignment: the code of the surface that the option was given to; or empty.
     std::string assigned_to{};
   };
@@ -149,12 +149,12 @@ struct ParticipantScene {
   std::vector<Surface> surfaces{};
   std::vector<Choice> choices{};
   std::vector<Scale> scales{};
-  AnswerForm form{};  ///< of the question
+  AnswerForm form{};               ///< of the question
   std::optional<int> line_step{};  ///< of a line: as DrawnLength::step; nothing: no line yet
   /// Of an assignment: the surface (index in `surfaces`) that receives the next picture.
   std::optional<std::size_t> assigning{};
-  bool can_confirm = false;                       ///< the answer is complete
-  bool can_switch = false;                        ///< surfaces may be felt again before the answer
+  bool can_confirm = false;  ///< the answer is complete
+  bool can_switch = false;   ///< surfaces may be felt again before the answer
   /// Where surfaces are felt on request: the position of the one that the request to feel means.
   std::optional<int> wished_surface{};
   /// The picture of the standard, for judgements of realism.

@@ -48,8 +48,8 @@ struct PersonAtWindow::Desk {
   std::string source = "keyboard";
   std::optional<std::int64_t> answered_ns{};                     ///< the last question of a form
   ParticipantScene::Kind shown = ParticipantScene::Kind::blank;  ///< the current scene
-  std::uint64_t cues = 0;         ///< a new scene may begin without the number of the last cue
-  std::int64_t shown_ns = 0;      ///< inputs stamped earlier were meant for another scene
+  std::uint64_t cues = 0;     ///< a new scene may begin without the number of the last cue
+  std::int64_t shown_ns = 0;  ///< inputs stamped earlier were meant for another scene
   /// Inputs stamped earlier cannot refer to the current state of the scene.
   std::int64_t perceived_ns = 0;
   /// A request to feel again that is stamped earlier was meant to finish.
