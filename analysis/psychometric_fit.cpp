@@ -72,7 +72,9 @@ PsychometricJudgement judge(std::span<const PsychometricBlock> all,
     return {.status = PsychometricStatus::one_level};
   }
   const std::size_t parameters = 2U + (model.gamma ? 0U : 1U) + (model.lambda ? 0U : 1U);
-  if (different_levels < parameters) {
+  // A level of 0 of a Weibull function, which the other levels do not count, determines γ where it is free.
+  const std::size_t informative = model.gamma ? different_levels : levels.size();
+  if (informative < parameters) {
     return {.status = PsychometricStatus::too_few_levels};
   }
   if (!model.gamma || *model.gamma != 0.0 || !model.lambda || *model.lambda != 0.0) {
