@@ -46,7 +46,7 @@ EmulatedFalcon::~EmulatedFalcon() {
 
 void EmulatedFalcon::plug_in() {
   UMockdevIoctlBase* plug = umockdev_ioctl_base_new();
-  g_signal_connect(plug, "handle-ioctl", G_CALLBACK(&EmulatedFalcon::on_ioctl), this);
+  ioctls_.connect(plug);
   {
     const std::lock_guard lock(mutex_);
     plugged_ = true;
@@ -202,11 +202,6 @@ int EmulatedFalcon::take_strongest_word() {
 std::vector<std::pair<int, int>> EmulatedFalcon::settings_sent() const {
   const std::lock_guard lock(mutex_);
   return settings_sent_;
-}
-
-int EmulatedFalcon::on_ioctl(UMockdevIoctlBase* plug, UMockdevIoctlClient* client, void* self) {
-  static_cast<EmulatedFalcon*>(self)->answer_ioctl(plug, client);
-  return TRUE;
 }
 
 void EmulatedFalcon::answer_ioctl(const UMockdevIoctlBase* plug, UMockdevIoctlClient* client) {

@@ -17,9 +17,6 @@
 #include "device/falcon/falcon_frame.h"
 #include "tests/device/emulated_usb.h"
 
-typedef struct _UMockdevIoctlBase UMockdevIoctlBase;
-typedef struct _UMockdevIoctlClient UMockdevIoctlClient;
-
 namespace asperity {
 
 struct EmulatedFalconSettings {
@@ -96,7 +93,6 @@ class EmulatedFalcon final {
     std::chrono::steady_clock::time_point due{};
     std::vector<std::uint8_t> bytes{};
   };
-  static int on_ioctl(UMockdevIoctlBase* plug, UMockdevIoctlClient* client, void* self);
   void answer_ioctl(const UMockdevIoctlBase* plug, UMockdevIoctlClient* client);
   int serve(UMockdevIoctlClient* client);
   int serve_former(UMockdevIoctlClient* client);
@@ -151,6 +147,7 @@ class EmulatedFalcon final {
   std::vector<std::pair<int, int>> settings_sent_{};
   UrbQueue urbs_{};
   UrbQueue former_urbs_{};  // of files from before it was plugged in
+  IoctlAnswers ioctls_{[this](const auto* plug, auto* client) { answer_ioctl(plug, client); }};
 };
 
 }  // namespace asperity

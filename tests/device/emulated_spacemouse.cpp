@@ -51,7 +51,7 @@ EmulatedSpaceMouse::EmulatedSpaceMouse(EmulatedBus& bus, EmulatedSpaceMouseSetti
     : bus_(bus), settings_(std::move(settings)) {
   number_ = 10 * settings_.port;
   ioctls_ = umockdev_ioctl_base_new();
-  g_signal_connect(ioctls_, "handle-ioctl", G_CALLBACK(&EmulatedSpaceMouse::on_ioctl), this);
+  answers_.connect(ioctls_);
   plug_in();
 }
 
@@ -161,11 +161,6 @@ bool EmulatedSpaceMouse::has_said_all() const {
 int EmulatedSpaceMouse::opened() const {
   const std::lock_guard lock(mutex_);
   return opened_;
-}
-
-int EmulatedSpaceMouse::on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, void* self) {
-  static_cast<EmulatedSpaceMouse*>(self)->answer_ioctl(client);
-  return TRUE;
 }
 
 void EmulatedSpaceMouse::answer_ioctl(UMockdevIoctlClient* client) {

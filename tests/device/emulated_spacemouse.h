@@ -13,9 +13,6 @@
 
 #include "tests/device/emulated_usb.h"
 
-typedef struct _UMockdevIoctlBase UMockdevIoctlBase;
-typedef struct _UMockdevIoctlClient UMockdevIoctlClient;
-
 namespace asperity {
 
 /// The bytes of a report of three axes, or of six.
@@ -67,7 +64,6 @@ class EmulatedSpaceMouse final {
     std::chrono::steady_clock::time_point said{};
   };
 
-  static int on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, void* self);
   void answer_ioctl(UMockdevIoctlClient* client);
   int driver_of(UMockdevIoctlData* argument);
   int connect_or_disconnect(UMockdevIoctlData* argument);
@@ -91,6 +87,7 @@ class EmulatedSpaceMouse final {
   int failing_transfers_ = 0;
   std::vector<Interface> interfaces_{};
   std::map<const UMockdevIoctlClient*, UrbQueue> urbs_{};  // of each open file of its node
+  IoctlAnswers answers_{[this](const auto*, auto* client) { answer_ioctl(client); }};
 };
 
 }  // namespace asperity

@@ -87,6 +87,31 @@ void EmulatedBus::forbid(const std::string& node) {
   std::filesystem::permissions(folder() / node.substr(1), perms::none);
 }
 
+IoctlAnswers::IoctlAnswers(Answer answer) { line_->answer = std::move(answer); }
+
+IoctlAnswers::~IoctlAnswers() {
+  const std::lock_guard lock(line_->mutex);
+  line_->answer = {};
+}
+
+void IoctlAnswers::connect(UMockdevIoctlBase* plug) {
+  g_signal_connect_data(
+      plug, "handle-ioctl", G_CALLBACK(&IoctlAnswers::on_ioctl), new std::shared_ptr(line_),
+      [](void* line, GClosure*) { delete static_cast<std::shared_ptr<Line>*>(line); },
+      GConnectFlags{});
+}
+
+int IoctlAnswers::on_ioctl(UMockdevIoctlBase* plug, UMockdevIoctlClient* client, void* line) {
+  const std::shared_ptr<Line> held = *static_cast<std::shared_ptr<Line>*>(line);
+  const std::lock_guard lock(held->mutex);
+  if (held->answer) {
+    held->answer(plug, client);
+  } else {
+    umockdev_ioctl_client_complete(client, -1, ENODEV);
+  }
+  return TRUE;
+}
+
 std::string hex_of(std::initializer_list<int> bytes) {
   std::string text;
   for (const int byte : bytes) {

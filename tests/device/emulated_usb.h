@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <initializer_list>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -16,6 +18,8 @@
 #include "tests/support/patience.h"
 
 typedef struct _UMockdevTestbed UMockdevTestbed;
+typedef struct _UMockdevIoctlBase UMockdevIoctlBase;
+typedef struct _UMockdevIoctlClient UMockdevIoctlClient;
 typedef struct _UMockdevIoctlData UMockdevIoctlData;
 
 struct usbdevfs_urb;
@@ -52,6 +56,29 @@ class EmulatedBus final {
 
  private:
   UMockdevTestbed* testbed_ = nullptr;
+};
+
+/// What a device answers to the kernel's calls, in umockdev's thread: a call may come while or after the device is
+/// destroyed, of a process that has not closed its file yet.
+class IoctlAnswers final {
+ public:
+  using Answer = std::function<void(const UMockdevIoctlBase* plug, UMockdevIoctlClient* client)>;
+  explicit IoctlAnswers(Answer answer);
+  /// Waits for the answer that is on its way; from then on there is no such device.
+  ~IoctlAnswers();
+  IoctlAnswers(const IoctlAnswers&) = delete;
+  IoctlAnswers& operator=(const IoctlAnswers&) = delete;
+
+  void connect(UMockdevIoctlBase* plug);
+
+ private:
+  struct Line {
+    std::mutex mutex{};
+    Answer answer{};
+  };
+  static int on_ioctl(UMockdevIoctlBase* plug, UMockdevIoctlClient* client, void* line);
+
+  std::shared_ptr<Line> line_ = std::make_shared<Line>();
 };
 
 /// Bytes as sysfs entries spell them.
