@@ -70,6 +70,16 @@ Ended program(const Act& act) {
   return ended;
 }
 
+/// As `program`, again where nothing was said: a busy machine may keep every thread from its cores for the 0.1 s that a
+/// program waits for zero force before it ends.
+template <typename Act>
+Ended program_given_cores(const Act& act) {
+  constexpr int kTries = 3;
+  Ended ended = program(act);
+  for (int more = 1; more < kTries && ended.said.empty(); ++more) ended = program(act);
+  return ended;
+}
+
 void wait_for(const std::stop_token& token) {
   while (!token.stop_requested()) std::this_thread::yield();
 }
@@ -164,7 +174,7 @@ constexpr std::array kEndings{SIGHUP,    SIGINT,    SIGQUIT, SIGTERM, SIGALRM, S
 
 TEST(Signals, EndTheProgramWithZeroForce) {
   for (const int signal : kEndings) {
-    const Ended ended = program([signal](const auto& tell) {
+    const Ended ended = program_given_cores([signal](const auto& tell) {
       std::signal(signal, SIG_DFL);  // not that of a sanitizer
       handle_signals();
       const PushingLoop loop([&] { tell('z'); });
@@ -179,7 +189,7 @@ TEST(Signals, EndTheProgramWithZeroForce) {
 
 // The thread that would send zero is the one that does not come back from the error.
 TEST(Signals, EndTheProgramWithZeroForceWhereTheServoThreadCausesThem) {
-  const Ended ended = program([](const auto& tell) {
+  const Ended ended = program_given_cores([](const auto& tell) {
     std::signal(SIGABRT, SIG_DFL);
     handle_signals();
     const PushingLoop loop([&] { tell('z'); }, [] { raise(SIGABRT); });
