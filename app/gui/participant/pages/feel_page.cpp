@@ -61,6 +61,14 @@ void FeelLayout::lay_out() {
   frame_.prompt(text, frame_.letters(shows_more ? frame_.kPrompt : frame_.kLarge));
   if (!shows_more) body_.setTop(body_.top() + frame_.px(frame_.kGap));
   if (has_chips) chips_in_rows();
+  const bool alone = scene_.choices.empty() && !scene_.standard_picture;
+  if (guided > 0.0 && has_surface && alone) {
+    // One below the other, neither would have the height that it needs.
+    surface_of_pointer(frame_.take_side(0.55 * body_.width()));
+    const double height = std::min(guided, body_.height());
+    guide(QRectF(body_.left(), body_.center().y() - height / 2.0, body_.width(), height));
+    return;
+  }
   if (guided > 0.0) {
     const double above = has_chips && !shows_more ? frame_.px(frame_.kGap) : 0.0;
     QRectF place = frame_.column();
@@ -74,7 +82,6 @@ void FeelLayout::lay_out() {
   }
   if (!shows_more) return;
   if (scene_.show_workspace || has_surface) {
-    const bool alone = scene_.choices.empty() && !scene_.standard_picture;
     const QRectF place = alone ? body_ : frame_.take_side(0.55 * body_.width());
     if (has_surface) {
       surface_of_pointer(place);
