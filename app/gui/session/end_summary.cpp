@@ -46,9 +46,9 @@ QString reasons_of(const std::vector<AttemptSummary>& attempts) {
     lines += EndSummary::tr("%1 × %2").arg(reasons[i].second).arg(reasons[i].first);
   }
   if (reasons.size() > kMost) {
-    lines += EndSummary::tr("Further reasons: %1; see the trials.").arg(reasons.size() - kMost);
+    lines += EndSummary::tr("further reasons: %1").arg(reasons.size() - kMost);
   }
-  return lines.join('\n');
+  return lines.join("; ");
 }
 
 }  // namespace

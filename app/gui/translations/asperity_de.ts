@@ -9769,8 +9769,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>%1 × %2</translation>
     </message>
     <message>
-        <source>Further reasons: %1; see the trials.</source>
-        <translation>Weitere Gründe: %1; siehe Durchgänge.</translation>
+        <source>further reasons: %1</source>
+        <translation>weitere Gründe: %1</translation>
     </message>
     <message>
         <source>Trials completed: %1 of %2.</source>
