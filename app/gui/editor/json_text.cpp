@@ -177,6 +177,13 @@ TextRange range_to_underline(QStringView text, qsizetype position) {
     before = &token;
   }
   if (before == nullptr) return {0, std::min<qsizetype>(text.size(), 1)};
+  // Of an object or a list its key is seen, and its first bracket hardly.
+  const bool begins = before->start == position && (text[position] == '{' || text[position] == '[');
+  const auto index = before - tokens.data();
+  if (begins && index >= 2 && text[before[-1].start] == ':' &&
+      before[-2].kind == JsonToken::Kind::key) {
+    before -= 2;
+  }
   return {before->start, before->length};
 }
 

@@ -32,6 +32,12 @@ TEST(JsonText, UnderlinesWhatIsBeforeAnEndThatCameTooEarly) {
   EXPECT_EQ(underlined("", 1, 1), "");
 }
 
+TEST(JsonText, UnderlinesTheKeyOfAnObjectOrAList) {
+  EXPECT_EQ(underlined("{\"a\": {\"b\": [1]}}", 1, 7), "\"a\"");
+  EXPECT_EQ(underlined("{\"a\": {\"b\": [1]}}", 1, 13), "\"b\"");
+  EXPECT_EQ(underlined("[{\"b\": 1}]", 1, 2), "{");
+}
+
 TEST(JsonText, SaysWhichKeysLeadToAPlace) {
   const QString text = R"({"blocks": {"main": {"crossed": ["a", "b"], "order": )";
   const auto place = [&](const char* at) { return json_place(text, text.indexOf(at) + 1); };
