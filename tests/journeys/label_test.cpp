@@ -108,8 +108,8 @@ TEST(Label, WithASessionAlreadyIsConfirmedAtATerminal) {
     PilotRun other(small, "Anna");
     EXPECT_THAT(other.program().err(),
                 HasSubstr("Anna is a new participant; anna, whose label differs only in letter "
-                          "case, is in the study already (added less than an hour ago); for "
-                          "anna, use --participant anna\n"));
+                          "case or leading zeros, is in the study already (added less than an hour "
+                          "ago); for anna, use --participant anna\n"));
     other.complete();
     EXPECT_EQ(other.program().finish().status, 0);
   }

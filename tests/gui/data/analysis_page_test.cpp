@@ -380,7 +380,7 @@ TEST(AnalysisPage, SaysWhatToDoWhileThereIsNothing) {
   OpenAnalysisPage opened([](MadeUpStudy&) {});
   AnalysisPage& page = opened.page;
   EXPECT_FALSE(page.findChild<QPushButton*>("export_tables")->isEnabled());
-  EXPECT_TRUE(page.findChild<EmptyState*>()->isVisible());
+  EXPECT_TRUE(page.findChild<EmptyState*>("analysis_none")->isVisible());
   take_screenshot(page, "data-analysis-empty", {1366, 768});
 }
 

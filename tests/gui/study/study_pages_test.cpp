@@ -207,7 +207,7 @@ TEST_F(StudyPages, FollowProtocolFilesThatOthersChange) {
 
 TEST_F(StudyPages, ShowTheWarningsAboutAValidProtocol) {
   open_demo();
-  const StudyTable& table = table_of("protocols", "protocols_table", 3);
+  StudyTable& table = table_of("protocols", "protocols_table", 3);
   const std::filesystem::path file =
       window_.study()->folder() / "protocols" / "chapter_recognition.json";
   std::string text = read_file(file);
@@ -217,7 +217,7 @@ TEST_F(StudyPages, ShowTheWarningsAboutAValidProtocol) {
   write_file(file, text, Overwrite::allow);
   EXPECT_TRUE(eventually([&] { return column(table, 5).contains("▲ valid, 1 warning"); }))
       << column(table, 5).join(", ").toStdString();
-  select_protocol("chapter_recognition.json");
+  table.select(QString::fromStdString(file.string()));
   const QString description = child<QLabel>(window_, "protocol_description").text();
   EXPECT_TRUE(description.startsWith("▲ Line ")) << description.toStdString();
   EXPECT_TRUE(description.contains("no block uses the exploration \"unused\""));
@@ -563,6 +563,7 @@ TEST_F(StudyPages, CallTrialsOfACompleteSessionWithoutAttemptNotNeeded) {
     Study study = Study::open(folder.path(), Access::read_write);
     for (const SessionRow& session : study.sessions()) {
       if (session.participant != "P004") continue;
+      study.reopen_session(session.id);
       study.end_session(session.id, SessionState::completed, "2026-03-02T10:00:00Z");
     }
   }
