@@ -20,6 +20,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/plugins/stored_plugins.h"
+#include "app/records/builders_of_attempts.h"
 #include "app/records/recorded_attempt.h"
 #include "app/session/session_compute.h"
 #include "app/study_files/program.h"
@@ -179,40 +180,6 @@ void check_answers(const SessionRow& session, const Plan& plan, const SessionAns
     }
   }
 }
-
-/// Builders of stimuli with the builds of plug-ins that rendered attempts, each made once; with the compute device of this
-/// machine for attempts that were computed on one.
-class BuildersOfAttempts final {
- public:
-  /// `builds` must outlive this object.
-  BuildersOfAttempts(const ModelBuilds& builds, std::filesystem::path study_folder)
-      : builds_(builds), study_folder_(std::move(study_folder)) {}
-
-  /// Null if a build is not there.
-  StimulusBuilder* builder_for(const AttemptRow& attempt, bool on_device) {
-    const std::map<std::string, std::string> wanted = plugin_builds_of(attempt);
-    if (!builds_.has(wanted)) return nullptr;
-    std::unique_ptr<Own>& own = own_[{wanted, on_device}];
-    if (!own) {
-      own = std::make_unique<Own>(builds_.with(wanted), study_folder_);
-      if (on_device && !ComputeDevice::all().empty()) {
-        own->builder.compute_on(compute_on_simulated_clock());
-      }
-    }
-    return &own->builder;
-  }
-
- private:
-  struct Own {
-    Own(ModelRegistry registry, const std::filesystem::path& study_folder)
-        : models(std::move(registry)), builder(models, study_folder) {}
-    ModelRegistry models;
-    StimulusBuilder builder;
-  };
-  const ModelBuilds& builds_;
-  std::filesystem::path study_folder_{};
-  std::map<std::pair<std::map<std::string, std::string>, bool>, std::unique_ptr<Own>> own_{};
-};
 
 /// Checks whether every recorded hand of a session receives the same forces again.
 void replay_session(const Study& study, const SessionRow& session, const Plan& plan,
