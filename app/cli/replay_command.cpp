@@ -105,8 +105,8 @@ void add_replay(CLI::App& program, Job& job) {
       const Plan plan = plan_of(study, session, models);
       StimulusBuilder builder(models, study.folder());
       const RecordedAttempt recorded = recorded_attempt(
-          study, session, plan.trials.at(static_cast<std::size_t>(attempt.trial - 1)), attempt,
-          builder);
+          study.folder(), session, plan.trials.at(static_cast<std::size_t>(attempt.trial - 1)),
+          attempt, builder);
       if (options->surface < 1 || options->surface > static_cast<int>(recorded.surfaces.size())) {
         throw std::runtime_error(
             "--surface is " + std::to_string(options->surface) + ", and the trial has " +

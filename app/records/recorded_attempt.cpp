@@ -148,7 +148,8 @@ Plan plan_of(const Study& study, const SessionRow& session, const ModelRegistry&
   return PlansOfSessions(study, models).of(session);
 }
 
-RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, const Trial& trial,
+RecordedAttempt recorded_attempt(const std::filesystem::path& study_folder,
+                                 const SessionRow& session, const Trial& trial,
                                  const AttemptRow& attempt, StimulusBuilder& builder) {
   if (!attempt.recording) {
     throw std::runtime_error("attempt " + natural_key(session, attempt) +
@@ -158,7 +159,7 @@ RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, 
   recorded.row = attempt;
   recorded.session = session;
   recorded.trial = trial;
-  const std::filesystem::path file = study.folder() / attempt.recording->path;
+  const std::filesystem::path file = study_folder / attempt.recording->path;
   const Recording recording = read_recording(file);
   recorded.rate_Hz = recording.header.rate_Hz;
   recorded.records = records_of(recording, file);

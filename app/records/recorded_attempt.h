@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -58,8 +59,11 @@ Plan plan_of(const Study& study, const SessionRow& session, const ModelRegistry&
 /// Reads the recording of an attempt, and builds its stimuli with the stored parameters (which were
 /// completed and matched at the time, and are not computed again).
 ///
+/// Threads: any, with a builder that they share.
+///
 /// Errors: std::runtime_error or ResultsError naming what is missing.
-RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, const Trial& trial,
+RecordedAttempt recorded_attempt(const std::filesystem::path& study_folder,
+                                 const SessionRow& session, const Trial& trial,
                                  const AttemptRow& attempt, StimulusBuilder& builder);
 
 /// The recorded motion of the hand on one surface, and the forces that it receives there again.

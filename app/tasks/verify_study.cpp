@@ -40,12 +40,6 @@ namespace {
 // A recording stores floats; two nearly equal forces may be rounded to adjacent ones (at 8 N).
 constexpr double kFloatStep_N = 1e-6;
 
-glm::dvec3 as_float(const glm::dvec3& v) {
-  return {static_cast<double>(static_cast<float>(v.x)),
-          static_cast<double>(static_cast<float>(v.y)),
-          static_cast<double>(static_cast<float>(v.z))};
-}
-
 double largest_difference(const glm::dvec3& a, const glm::dvec3& b) {
   return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
 }
@@ -57,8 +51,9 @@ double replay_difference_N(const RecordedAttempt& attempt, const RecordedSurface
   double difference_N = 0.0;
   for (std::size_t i = 0; i < felt.size(); ++i) {
     if (!felt[i].has(TickFlag::presenting)) continue;
-    difference_N = std::max(difference_N, largest_difference(as_float(again[i].wrench.force_N),
-                                                             felt[i].rendered.force_N));
+    difference_N =
+        std::max(difference_N, largest_difference(rounded_for_recording(again[i].wrench.force_N),
+                                                  felt[i].rendered.force_N));
   }
   return difference_N;
 }
@@ -203,7 +198,7 @@ void replay_session(const Study& study, const SessionRow& session, const Plan& p
     const std::string name = "attempt " + natural_key(session, attempt);
     try {
       const RecordedAttempt recorded =
-          recorded_attempt(study, session, plan.trials[number - 1], attempt, *builder);
+          recorded_attempt(study.folder(), session, plan.trials[number - 1], attempt, *builder);
       ++faults.recordings_replayed;
       for (const RecordedSurface& surface : recorded.surfaces) {
         const double difference_N = replay_difference_N(recorded, surface);

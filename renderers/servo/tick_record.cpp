@@ -9,20 +9,20 @@ double through_float(double value) noexcept {
   return static_cast<double>(static_cast<float>(value));
 }
 
-glm::dvec3 through_float(const glm::dvec3& value) noexcept {
-  return {through_float(value.x), through_float(value.y), through_float(value.z)};
-}
-
 }  // namespace
+
+glm::dvec3 rounded_for_recording(const glm::dvec3& vector) noexcept {
+  return {through_float(vector.x), through_float(vector.y), through_float(vector.z)};
+}
 
 ProbeState rounded_for_recording(const ProbeState& probe) noexcept {
   ProbeState rounded = probe;
-  rounded.position_m = through_float(probe.position_m);
+  rounded.position_m = rounded_for_recording(probe.position_m);
   rounded.orientation =
       glm::dquat(through_float(probe.orientation.w), through_float(probe.orientation.x),
                  through_float(probe.orientation.y), through_float(probe.orientation.z));
-  rounded.velocity_m_per_s = through_float(probe.velocity_m_per_s);
-  rounded.angular_velocity_rad_per_s = through_float(probe.angular_velocity_rad_per_s);
+  rounded.velocity_m_per_s = rounded_for_recording(probe.velocity_m_per_s);
+  rounded.angular_velocity_rad_per_s = rounded_for_recording(probe.angular_velocity_rad_per_s);
   return rounded;
 }
 

@@ -46,5 +46,6 @@ struct TickRecord {
 
 /// Converts every component to float and back: the values that are read back from a recording.
 ProbeState rounded_for_recording(const ProbeState& probe) noexcept;
+glm::dvec3 rounded_for_recording(const glm::dvec3& vector) noexcept;
 
 }  // namespace asperity

@@ -68,7 +68,8 @@ TEST_F(InstabilityOfSession, IsStoredForEverySurfaceAndFoundAgainInTheRecording)
   for (const AttemptRow& row : rows) {
     EXPECT_FALSE(row.flagged);
     const Trial& trial = session_.course->plan().trials.at(static_cast<std::size_t>(row.trial - 1));
-    RecordedAttempt recorded = recorded_attempt(*study_, session_.row, trial, row, *builder_);
+    RecordedAttempt recorded =
+        recorded_attempt(study_->folder(), session_.row, trial, row, *builder_);
     for (RecordedSurface& surface : recorded.surfaces) {
       ASSERT_TRUE(surface.row.instability);
       EXPECT_LT(surface.row.instability->buzz.value(), 0.4);
