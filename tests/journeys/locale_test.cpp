@@ -41,6 +41,8 @@ std::map<std::string, std::string> journey(const SmallStudy& small, const std::s
       {"models"},
       {"models", "--json"},
       {"replay", "study", "--attempt", "1", "--out", "replayed.tsv"},
+      {"replay", "study", "--compare", "--model", "sinusoid", "--param", "amplitude_m=0.00025",
+       "--out", "made/compared.tsv"},
       {"render", "--model", "height_map", "--stimulus", "study/stimuli/walnut.png", "--param",
        "height_scale=0.5", "--path", "path.tsv", "--out", "forces.tsv"},
       {"analyze", "--table", "shares.csv", "--as", "proportion"},

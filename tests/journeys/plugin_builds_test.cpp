@@ -125,6 +125,21 @@ TEST_F(PluginBuilds, AreChosenByTheAttemptThatIsReplayed) {
                     HasSubstr("not loaded; load it with --plugin FILE")));
 }
 
+TEST_F(PluginBuilds, AreComparedWithTheLoadedOne) {
+  simulate(kFormer, "1");
+  std::vector<std::string> arguments{"replay", study(), "--compare", "--out",
+                                     folder_ / "compared.tsv"};
+  const Outcome without = asperity(arguments);
+  EXPECT_EQ(without.status, 1);
+  EXPECT_THAT(without.err,
+              HasSubstr("its force model faulty is in a plug-in that is not loaded; load it with "
+                        "--plugin FILE"));
+  arguments.insert(arguments.end(), {"--plugin", kRebuilt});
+  const Outcome compared = asperity(arguments);
+  EXPECT_EQ(compared.status, 0) << compared.err;
+  EXPECT_THAT(compared.out, HasSubstr("largest difference "));
+}
+
 TEST_F(PluginBuilds, AreNotNeededToReplayWithAnotherModel) {
   simulate(kFormer, "1");
   const Outcome replayed = asperity({"replay", study(), "--attempt", "virtual0001/1/1/1", "--model",

@@ -6014,6 +6014,38 @@
         <source>difference with d′ = 1, geometric mean</source>
         <translation>Unterschied mit d′ = 1, geometrisches Mittel</translation>
     </message>
+    <message>
+        <source>Recorded and replayed forces</source>
+        <translation>Aufgezeichnete und erneut berechnete Kräfte</translation>
+    </message>
+    <message>
+        <source>RMS of the forces in nine bands of frequency, over all recorded presentations. The difference is that of the forces in each tick. A band without energy has no mark.</source>
+        <translation>Effektivwert der Kräfte in neun Frequenzbändern über alle aufgezeichneten Darbietungen. Die Differenz ist die der Kräfte in jedem Takt. Ein Band ohne Energie hat kein Zeichen.</translation>
+    </message>
+    <message>
+        <source>frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>replayed force</source>
+        <translation>erneut berechnete Kraft</translation>
+    </message>
+    <message>
+        <source>force of %1</source>
+        <translation>Kraft von %1</translation>
+    </message>
+    <message>
+        <source>recorded force</source>
+        <translation>aufgezeichnete Kraft</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>There is no figure, because no force has energy in any band; record presentations of a surface that was felt.</source>
+        <translation>Es gibt keine Abbildung, weil keine Kraft in einem der Bänder Energie hat; zeichnen Sie Darbietungen einer gefühlten Oberfläche auf.</translation>
+    </message>
 </context>
 <context>
     <name>FitTable</name>

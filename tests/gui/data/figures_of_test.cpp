@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "app/figures/figure_kinds.h"
+#include "app/figures/replay_figure.h"
 #include "app/figures/single_participants.h"
 #include "app/figures/sweep_figure.h"
 #include "app/findings/found_numbers.h"
@@ -340,6 +341,26 @@ TEST(BesidePrediction, SaysInTheDrawingWhoseEstimatesTheyAreAndWhatHasNoEffect) 
   EXPECT_EQ(beside.series[1].name.english(),
             "predicted by pd_gradient: probe 1 mm (no effect by construction)");
   EXPECT_EQ(sweep_figure(sweep).series[0].name.english(), "probe 1 mm (no effect by construction)");
+}
+
+// E = RMS²·T: energies of 0.02 and 0.08 N² s in 2 s are an RMS of 0.1 and 0.2 N.
+TEST(ReplayFigure, DrawsTheForcesInTheirBands) {
+  ForceDifference pooled{.samples = 2000, .duration_s = 2.0};
+  pooled.recorded.bands_N2_s[4] = 0.02;
+  pooled.recorded.bands_N2_s[5] = 0.02;
+  pooled.compared.bands_N2_s[4] = 0.08;
+  const Figure figure = replay_figure(pooled, "sinusoid");
+  ASSERT_TRUE(figure.is_drawn());
+  ASSERT_EQ(figure.series.size(), 2U) << "the difference has no energy";
+  EXPECT_EQ(figure.series[0].name.english(), "recorded force");
+  EXPECT_EQ(figure.series[1].name.english(), "force of sinusoid");
+  ASSERT_EQ(figure.series[0].points.size(), 2U);
+  EXPECT_NEAR(figure.series[0].points[0].x, std::sqrt(50.0 * 80.0), 1e-9);
+  EXPECT_NEAR(figure.series[0].points[0].y, 0.1, 1e-12);
+  EXPECT_NEAR(figure.series[1].points[0].y, 0.2, 1e-12);
+  EXPECT_LT(figure.y.low, 0.1);
+  EXPECT_GT(figure.y.high, 0.2);
+  EXPECT_FALSE(replay_figure({}, "").is_drawn());
 }
 
 TEST(FiguresOf, DrawSmallPredictorsInMicrometres) {
