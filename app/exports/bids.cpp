@@ -156,14 +156,16 @@ void BidsDataset::add_participant(const ExportPlace& at) {
 }
 
 void BidsDataset::begin_session(const ExportPlace& at) {
-  const std::string participant = "sub-" + at.participant->label;
+  participant_ = "sub-" + at.participant->label;
   const std::string session = "ses-" + two_digits(at.session->session);
-  start_ = root_ + participant + "/" + session + "/beh/" + participant + "_" + session + "_task-" +
-           task_of(at.protocol->name);
+  start_ = root_ + participant_ + "/" + session + "/beh/" + participant_ + "_" + session +
+           "_task-" + task_of(at.protocol->name);
+  sessions_[participant_].insert(session);
   task_name_ = at.protocol->name;
   last_ended_utc_ = std::max(last_ended_utc_, at.session->ended_utc.value_or(""));
   run_ = 0;
   const std::string name = start_ + "_beh.tsv";
+  note_file(name);
   beh_.emplace(folder_.path_of(name), TableFile::Format::tsv, column_names(columns_));
   Json sidecar{{"TaskName", task_name_}};
   const std::string title = stored_protocol(at.protocol->source).title;
@@ -215,6 +217,7 @@ void BidsDataset::add_attempt(const Study& study, const ExportPlace& at) {
     described_columns[column.name] =
         Json{{"Description", column.meaning}, {"Units", bids_unit(column.unit)}};
   }
+  note_file(name);
   TableFile file(folder_.path_of(name + ".tsv.gz"), TableFile::Format::bare_tsv_gz, columns);
   const double rate_Hz = recording.header.rate_Hz;
   const auto seconds = [&at](std::int64_t time_ns) {
@@ -272,6 +275,26 @@ void BidsDataset::finish() {
   folder_.write(root_ + "dataset_description.json", indented_text(description()));
   folder_.write(root_ + "README", readme());
   folder_.write(root_ + "CHANGES", changes());
+  if (const std::vector<std::string> ignored = intended(); !ignored.empty()) {
+    folder_.write(root_ + ".bids-validator-config.json", indented_text(Json{{"ignore", ignored}}));
+  }
+}
+
+void BidsDataset::note_file(const std::string& name) {
+  files_[participant_].insert(name.substr(name.rfind('/') + 1 + participant_.size()));
+}
+
+std::vector<std::string> BidsDataset::intended() const {
+  const auto differ = [](const std::map<std::string, std::set<std::string>>& by_participant) {
+    return std::any_of(by_participant.begin(), by_participant.end(), [&](const auto& participant) {
+      return participant.second != by_participant.begin()->second;
+    });
+  };
+  std::vector<std::string> ignored{};
+  if (differ(files_)) ignored.emplace_back("INCONSISTENT_SUBJECTS");
+  if (differ(sessions_)) ignored.emplace_back("MISSING_SESSION");
+  if (metadata_.authors.size() == 1) ignored.emplace_back("TOO_FEW_AUTHORS");
+  return ignored;
 }
 
 Json BidsDataset::description() const {

@@ -31,6 +31,10 @@ namespace asperity {
 /// since the session began, the origin of StartTime, `_beh.tsv` and `_events.tsv`.
 ///
 /// The task is the protocol's name without characters other than letters and digits.
+///
+/// Participants need not have the same protocols, sessions or recorded attempts, and a study may have a single author. The
+/// validator warns of each, unless the dataset states in its own configuration of the validator
+/// (.bids-validator-config.json) that it is meant; the file is written only where it is.
 class BidsDataset final {
  public:
   enum class Recordings { left_out, written };
@@ -67,6 +71,10 @@ class BidsDataset final {
   nlohmann::ordered_json description() const;
   std::string readme() const;
   std::string changes() const;
+  /// The warnings of the validator that do not apply to this dataset.
+  std::vector<std::string> intended() const;
+  /// A file of the current session, by the part of its name that participants share.
+  void note_file(const std::string& name);
   /// Describes the presentation of the session, and every column.
   nlohmann::ordered_json session_sidecar(const ExportPlace& at,
                                          const std::vector<ExportColumn>& columns) const;
@@ -88,8 +96,11 @@ class BidsDataset final {
   std::size_t response_time_ = 0;
   std::vector<ExportColumn> participant_columns_{};
   std::vector<std::vector<Cell>> participants_{};
-  std::map<std::string, std::string> tasks_{};  ///< protocol → label
-  std::string start_{};                         ///< of the file names of this session
+  std::map<std::string, std::string> tasks_{};               ///< protocol → label
+  std::string start_{};                                      ///< of the file names of this session
+  std::string participant_{};                                ///< of this session: "sub-…"
+  std::map<std::string, std::set<std::string>> files_{};     ///< by participant
+  std::map<std::string, std::set<std::string>> sessions_{};  ///< by participant
   std::string task_name_{};
   std::optional<TableFile> beh_{};
   std::int64_t run_ = 0;

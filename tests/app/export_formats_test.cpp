@@ -397,8 +397,8 @@ TEST(WideExport, KeepsTwoFilesOfOneLanguageApart) {
     protocol.version = "1.0.0";
     protocol.kind = "recognition";
     protocol.design = "chapter";
-    protocol.source = R"({"questions": {"feel": {"form": "text", "prompt": ")" +
-                      std::string(prompt) + R"("}}})";
+    protocol.source =
+        R"({"questions": {"feel": {"form": "text", "prompt": ")" + std::string(prompt) + R"("}}})";
     made.add_session("anna", made.study().add_protocol(protocol), {some_trial()});
   }
   export_to(made, made.beside("out"));
@@ -569,13 +569,28 @@ TEST_F(ExportFormats, TellSpssWhatItsNumbersMean) {
   EXPECT_EQ(trials.rows.back().at("from_cue_s"), ".");
 }
 
+/// Every column of a table, or of a recording, has a description in the sidecar next to it.
+void expect_described_columns(const std::filesystem::path& dataset, const std::string& name) {
+  SCOPED_TRACE(name);
+  const std::string start = name.substr(0, name.find('.'));
+  std::vector<std::string> columns{};
+  if (name.ends_with(".tsv")) columns = table_in(dataset, name).columns;
+  if (name.ends_with(".tsv.gz")) json_in(dataset / (start + ".json")).at("Columns").get_to(columns);
+  for (const std::string& column : columns) {
+    const nlohmann::json sidecar = json_in(dataset / (start + ".json"));
+    ASSERT_TRUE(sidecar.contains(column)) << column;
+    EXPECT_NE(sidecar.at(column).value("Description", ""), "") << column;
+  }
+}
+
 // [BIDS 1.10.0]: names of entities in their order, columns that have to come first, sidecars.
 TEST_F(ExportFormats, FollowTheRulesOfBids) {
   const std::regex beh(
       "sub-([0-9A-Za-z]+)/ses-([0-9A-Za-z]+)/beh/sub-\\1_ses-\\2_task-[0-9A-Za-z]+"
       "(_(beh|events)\\.(tsv|json)|(_run-[0-9]+)_recording-[0-9A-Za-z]+_physio\\.(tsv\\.gz|json))");
-  const std::set<std::string> at_top{"CHANGES", "README", "dataset_description.json",
-                                     "participants.json", "participants.tsv"};
+  const std::set<std::string> at_top{
+      ".bids-validator-config.json", "CHANGES",           "README",
+      "dataset_description.json",    "participants.json", "participants.tsv"};
   for (const char* const root : {"bids", "pilot/bids", "virtual/bids"}) {
     const std::filesystem::path bids = out_ / root;
     const nlohmann::json description = json_in(bids / "dataset_description.json");
@@ -598,6 +613,7 @@ TEST_F(ExportFormats, FollowTheRulesOfBids) {
     for (const std::string& name : files_in(bids)) {
       EXPECT_TRUE(at_top.contains(name) || std::regex_match(name, beh)) << name;
       if (!at_top.contains(name)) there.insert(name.substr(0, name.find('/')));
+      expect_described_columns(bids, name);
       if (!name.ends_with("_beh.tsv")) continue;
       const nlohmann::json sidecar = json_in(bids / (name.substr(0, name.size() - 4) + ".json"));
       EXPECT_TRUE(sidecar.at("TaskName").is_string());
@@ -606,7 +622,6 @@ TEST_F(ExportFormats, FollowTheRulesOfBids) {
       EXPECT_THAT(name, HasSubstr("_task-" + task + "_"));
       const Table rows = table_in(bids, name);
       for (const std::string& column : rows.columns) {
-        EXPECT_TRUE(sidecar.at(column).at("Description").is_string()) << column;
         EXPECT_TRUE(std::regex_match(column, std::regex("[a-zA-Z0-9_]+"))) << column;
       }
       EXPECT_GT(rows.rows.size(), 0U);
@@ -621,12 +636,37 @@ TEST_F(ExportFormats, FollowTheRulesOfBids) {
         EXPECT_TRUE(cell == Cell{} || allowed.contains(std::get<std::string>(cell))) << column;
       }
     }
-    const nlohmann::json about = json_in(bids / "participants.json");
-    for (const std::string& column : participants.columns) {
-      EXPECT_TRUE(about.contains(column)) << column;
-    }
-    EXPECT_EQ(about.at("age").at("Units"), "year");
+    EXPECT_EQ(json_in(bids / "participants.json").at("age").at("Units"), "year");
   }
+}
+
+// The validator warns of participants with other files than the first one, unless the dataset itself states that it is meant.
+TEST(BidsExport, StatesThatParticipantsHaveDifferentFiles) {
+  MadeUpStudy made;
+  const std::int64_t sorting = made.add_protocol("sorting", "recognition");
+  const std::int64_t choosing = made.add_protocol("choosing", "selection");
+  const auto ignored = [&made](const std::string& out) {
+    export_to(made, made.beside(out));
+    const std::filesystem::path file = made.beside(out) / "bids/.bids-validator-config.json";
+    return std::filesystem::exists(file) ? json_in(file).at("ignore") : nlohmann::json::array();
+  };
+  made.add_person("anna", "F");
+  made.add_person("kim", "M");
+  made.add_session("anna", sorting, {some_trial()});
+  made.add_session("kim", sorting, {some_trial()});
+  made.study().set_metadata({.authors = {"Doe, Jane", "Roe, Richard"}});
+  EXPECT_EQ(ignored("balanced"), nlohmann::json::array());
+  made.study().set_metadata({.authors = {"Doe, Jane"}});
+  EXPECT_EQ(ignored("one_author"), (nlohmann::json{"TOO_FEW_AUTHORS"}));
+  made.study().set_metadata({.authors = {"Doe, Jane", "Roe, Richard"}});
+  made.add_person("lee", "F");
+  made.add_session("lee", choosing, {some_trial()});
+  EXPECT_EQ(ignored("mixed"), (nlohmann::json{"INCONSISTENT_SUBJECTS"}));
+  made.add_session("lee", sorting, {some_trial()});
+  EXPECT_EQ(ignored("second_session"),
+            (nlohmann::json{"INCONSISTENT_SUBJECTS", "MISSING_SESSION"}));
+  const std::filesystem::path dataset = made.beside("second_session") / "bids";
+  for (const std::string& name : files_in(dataset)) expect_described_columns(dataset, name);
 }
 
 TEST(BidsExport, HasItsOwnWordsForSexAndUnits) {
