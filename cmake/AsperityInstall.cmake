@@ -3,7 +3,11 @@
 # are also installed as files, and its modules in the folder where it looks for them (asperity_add_module).
 
 install(TARGETS asperity RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
-install(FILES "${CMAKE_SOURCE_DIR}/app/desktop/asperity.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
+# The man page lists the subcommands that the installed program has.
+install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" -D \"PROGRAM=$<TARGET_FILE:asperity>\"
+  -D \"TEMPLATE=${CMAKE_SOURCE_DIR}/app/desktop/asperity.1.in\" -D \"OUTPUT=${CMAKE_BINARY_DIR}/asperity.1\"
+  -P \"${CMAKE_SOURCE_DIR}/cmake/man_page.cmake\" COMMAND_ERROR_IS_FATAL ANY)")
+install(FILES "${CMAKE_BINARY_DIR}/asperity.1.gz" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
 install(DIRECTORY "${CMAKE_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(FILES "${CMAKE_SOURCE_DIR}/app/desktop/copyright" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(DIRECTORY "${CMAKE_SOURCE_DIR}/protocols/library/" DESTINATION "${CMAKE_INSTALL_DATADIR}/asperity/protocols"

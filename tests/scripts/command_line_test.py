@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """The documents know the same subcommands and options as the program. Argument: the program asperity."""
+import gzip
 import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = sys.argv[1]
@@ -35,10 +37,19 @@ for name in sorted(set(subcommands) & set(sections)):
     for option in sorted((options[name] | GLOBAL) ^ named):
         complaints.append(f"docs/command-line.md and --help do not agree on {name} {option}")
 
-manual = (ROOT / "app" / "desktop" / "asperity.1").read_text(encoding="utf-8")
-for name in sorted(set(subcommands) ^ set(re.findall(r"^\.B ([a-z][a-z-]*)$", manual, re.MULTILINE))):
-    if name != "asperity":  # the synopsis
-        complaints.append(f"app/desktop/asperity.1 and --help do not agree that there is a subcommand {name}")
+# The man page, as installing makes it, with the sentences of --help.
+with tempfile.TemporaryDirectory() as folder:
+    page = pathlib.Path(folder, "asperity.1")
+    subprocess.run(["cmake", "-D", f"PROGRAM={PROGRAM}", "-D", f"TEMPLATE={ROOT / 'app/desktop/asperity.1.in'}", "-D", f"OUTPUT={page}",
+                    "-P", ROOT / "cmake" / "man_page.cmake"], check=True)
+    manual = page.read_text(encoding="utf-8")
+    if gzip.decompress(pathlib.Path(f"{page}.gz").read_bytes()).decode() != manual:
+        complaints.append("the compressed man page differs from the man page")
+listed = re.search(r"^\.SH SUBCOMMANDS$(.*?)^\.SH ", manual, re.MULTILINE | re.DOTALL).group(1)
+entries = dict(re.findall(r"^\.TP\n\.B (.*)\n(.*)$", listed.replace("\\-", "-"), re.MULTILINE))
+helped = dict(re.findall(r"^  ([a-z][a-z-]*) +(.*)$", help_of().split("Subcommands:")[1], re.MULTILINE))
+for name in sorted(name for name in entries.keys() | helped.keys() if entries.get(name) != helped.get(name)):
+    complaints.append(f"the man page and --help do not agree on the subcommand {name}")
 
 # Commands anywhere in the documents: lines of code blocks that begin with them.
 for path in [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md")), *sorted(ROOT.glob("*/README.md"))]:
