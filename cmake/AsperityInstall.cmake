@@ -38,11 +38,15 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME asperity)
 set(CPACK_PACKAGE_CONTACT "The Asperity developers <asperity@example.org>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "psychophysics experiments on haptic texture")
-set(CPACK_PACKAGE_DESCRIPTION "Asperity runs experiments in which people feel textured surfaces at a force-feedback device:
-selection, matching, recognition and magnitude estimation, written as JSON protocols. Force models are
-compared, every trial is kept in SQLite, and answers are analysed, reported and exported.")
+set(CPACK_PACKAGE_DESCRIPTION "Asperity runs experiments in which participants feel textured surfaces on a
+force-feedback device: paired comparison, rating, matching, recognition,
+discrimination and magnitude estimation, written as JSON protocols. Force
+models are compared, every trial is stored in SQLite, and responses are
+analysed, reported and exported.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
+set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_SOURCE_DIR}/cmake/debian_changelogs.cmake")
+set(CPACK_ASPERITY_SOURCE_DIR "${CMAKE_SOURCE_DIR}")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
@@ -51,6 +55,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 cmake_host_system_information(RESULT ASPERITY_SYSTEM QUERY DISTRIB_INFO)
 if(ASPERITY_SYSTEM_ID STREQUAL "debian" AND DEFINED ASPERITY_SYSTEM_VERSION_ID)
   set(CPACK_DEBIAN_PACKAGE_RELEASE "1~deb${ASPERITY_SYSTEM_VERSION_ID}u1")
+  set(CPACK_ASPERITY_DISTRIBUTION "${ASPERITY_SYSTEM_VERSION_CODENAME}")
 endif()
 # Legible letters on a machine that has none yet.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-dejavu-core")

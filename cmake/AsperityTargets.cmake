@@ -5,7 +5,8 @@ if(ASPERITY_USE_CCACHE)
 endif()
 
 include(GNUInstallDirs)
-set(ASPERITY_MODULE_FOLDER "${CMAKE_INSTALL_LIBDIR}/asperity")
+# Below a folder of the package's own: in lib/asperity CPack would take a module for a library that the linker must know.
+set(ASPERITY_MODULE_FOLDER "${CMAKE_INSTALL_LIBDIR}/asperity/modules")
 
 # mold links everything in a twentieth of the time of Debian's usual linker. The sanitizers want the usual one.
 include(CheckLinkerFlag)
