@@ -52,7 +52,7 @@ void add_new(CLI::App& program, Job& job) {
       if (options->shared) {
         std::cout << ", shared with the group " << group_of(options->folder);
       }
-      std::cout << '\n';
+      std::cout << '\n' << one_version_per_study().english() << '\n';
       if (!options->shared) return 0;
       if (const auto closed = folder_closed_to_group(options->folder)) {
         std::cerr

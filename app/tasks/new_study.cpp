@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/study_files/height_field_files.h"
+#include "app/study_files/program.h"
 #include "protocols/file/library_protocols.h"
 #include "renderers/recordings/relief_recording.h"
 #include "results_schema/part_folder.h"
@@ -279,6 +280,13 @@ NewStudy new_demo_study(const std::filesystem::path& folder,
   return make_or_find(
       folder, settings, holds_demo_study,
       [&progress](const std::filesystem::path& content) { fill_demo_study(content, progress); });
+}
+
+Phrase one_version_per_study() {
+  return phrase("NewStudy",
+                "This is version %1. Before 1.0.0, finish a study with the version that began it; "
+                "the package of each version stays available.")
+      .with(program_version());
 }
 
 bool is_of_demonstration(const std::string& study_path) {

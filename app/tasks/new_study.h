@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "app/words/phrase.h"
 #include "results_schema/rows.h"
 
 namespace asperity {
@@ -37,6 +38,10 @@ NewStudy new_study(const std::filesystem::path& folder, const NewStudySettings& 
 NewStudy new_demo_study(const std::filesystem::path& folder,
                         const std::function<void(double)>& progress,
                         const NewStudySettings& settings = {});
+
+/// What applies to every study until 1.0.0, from which on formats are kept: for the places where a study is made. README.md
+/// contains its second sentence.
+Phrase one_version_per_study();
 
 /// Whether a study-relative file is one of the demo study's files in `stimuli/`.
 bool is_of_demonstration(const std::string& study_path);

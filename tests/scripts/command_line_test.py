@@ -51,6 +51,14 @@ helped = dict(re.findall(r"^  ([a-z][a-z-]*) +(.*)$", help_of().split("Subcomman
 for name in sorted(name for name in entries.keys() | helped.keys() if entries.get(name) != helped.get(name)):
     complaints.append(f"the man page and --help do not agree on the subcommand {name}")
 
+# What a new study and the README state about versions is the same sentence.
+with tempfile.TemporaryDirectory() as folder:
+    made = subprocess.run([PROGRAM, "new", pathlib.Path(folder, "study")], text=True, capture_output=True, check=True).stdout
+rule = re.search(r"Before 1\.0\.0, .*$", made)
+readme = " ".join((ROOT / "README.md").read_text(encoding="utf-8").split())
+if rule is None or "the package of each version stays available" not in rule[0] or rule[0].strip() not in readme:
+    complaints.append(f"README.md does not contain what a new study states about versions: {made}")
+
 # Commands anywhere in the documents: lines of code blocks that begin with them.
 for path in [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md")), *sorted(ROOT.glob("*/README.md"))]:
     text = path.read_text(encoding="utf-8").replace("\\\n", " ")

@@ -6339,6 +6339,13 @@
     </message>
 </context>
 <context>
+    <name>NewStudy</name>
+    <message>
+        <source>This is version %1. Before 1.0.0, finish a study with the version that began it; the package of each version stays available.</source>
+        <translation>Dies ist Version %1. Schließen Sie vor 1.0.0 eine Studie mit der Version ab, mit der sie begonnen wurde; das Paket jeder Version bleibt verfügbar.</translation>
+    </message>
+</context>
+<context>
     <name>OfferedReasons</name>
     <message>
         <source>The participant was distracted</source>

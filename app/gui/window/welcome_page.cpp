@@ -15,6 +15,7 @@
 
 #include "app/gui/base/shown_text.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
 #include "app/gui/study/interrupted_news.h"
 #include "app/tasks/new_study.h"
 #include "results_schema/study.h"
@@ -99,6 +100,9 @@ WelcomePage::WelcomePage(QWidget* parent)
   others->addWidget(open);
   others->addStretch(1);
   layout->addLayout(others);
+  QLabel* versions = make_text(words_of(one_version_per_study()), column, true);
+  versions->setObjectName("welcome_versions");
+  layout->addWidget(versions);
   layout->addSpacing(kGrid);
   layout->addWidget(make_recent_card(), 1);
   middle->addStretch(1);

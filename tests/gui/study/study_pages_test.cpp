@@ -344,6 +344,9 @@ TEST_F(StudyPages, ReportAnInterruptedSessionOnTheWelcomePage) {
   ASSERT_TRUE(eventually([&] { return banner.isVisible(); }));
   EXPECT_TRUE(banner.text().startsWith("Session 1 of P012 in the study “demo” was interrupted;"))
       << banner.text().toStdString();
+  EXPECT_TRUE(child<QLabel>(window_, "welcome_versions")
+                  .text()
+                  .contains("finish a study with the version that began it"));
   window_.resize(1280, 720);
   const auto cut = [&]() -> std::string {
     for (const auto* label : child<QWidget>(window_, "welcome_page").findChildren<QLabel*>()) {
