@@ -168,8 +168,9 @@ void BidsDataset::begin_session(const ExportPlace& at) {
   note_file(name);
   beh_.emplace(folder_.path_of(name), TableFile::Format::tsv, column_names(columns_));
   Json sidecar{{"TaskName", task_name_}};
-  const std::string title = stored_protocol(at.protocol->source).title;
-  if (!title.empty()) sidecar["TaskDescription"] = title;
+  const StoredProtocol specified = stored_protocol(at.protocol->source);
+  senses_ = specified.senses;
+  if (!specified.title.empty()) sidecar["TaskDescription"] = specified.title;
   sidecar.update(session_sidecar(at, columns_));
   folder_.write(start_ + "_beh.json", indented_text(sidecar));
 }
@@ -184,6 +185,16 @@ Json BidsDataset::session_sidecar(const ExportPlace& at,
   presentation["SoftwareName"] = "Asperity";
   if (audience_ != ExportAudience::relabelled) {
     presentation["SoftwareVersion"] = at.session->program_version;
+  }
+  if (senses_) {
+    // An object: BIDS takes every other member of the sidecar of events for a column.
+    Json& environment = sidecar["Environment"];
+    environment["Description"] =
+        "what the participant was to see and hear, as the protocol requests; what was measured is "
+        "in eye_mask_confirmed, masking_noise_source and masking_noise_measured_dBA of _beh.tsv";
+    environment["Vision"] = senses_->vision;
+    environment["MaskingNoise"] = senses_->noise;
+    if (senses_->noise_dBA) environment["MaskingNoiseLevel_dBA"] = *senses_->noise_dBA;
   }
   for (const ExportColumn& column : columns) sidecar[column.name] = sidecar_of(column);
   return sidecar;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "app/exports/columns/study_vocabulary.h"
 #include "app/exports/export_folder.h"
 #include "app/exports/made_by.h"
+#include "protocols/file/stored_protocol.h"
 #include "results_schema/study.h"
 
 namespace asperity {
@@ -102,6 +104,7 @@ class BidsDataset final {
   std::map<std::string, std::set<std::string>> files_{};     ///< by participant
   std::map<std::string, std::set<std::string>> sessions_{};  ///< by participant
   std::string task_name_{};
+  std::optional<StoredProtocol::Senses> senses_{};  ///< of the session's protocol
   std::optional<TableFile> beh_{};
   std::int64_t run_ = 0;
   bool attempt_is_recorded_ = false;

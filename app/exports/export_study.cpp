@@ -23,6 +23,8 @@
 #include "app/exports/stimulus_table.h"
 #include "app/findings/study/catch_exclusions.h"
 #include "app/findings/study/own_scales.h"
+#include "app/records/eye_mask.h"
+#include "app/records/session_conditions.h"
 #include "app/records/session_timeline.h"
 #include "app/study_files/study_condition.h"
 #include "app/words/text_parts.h"
@@ -269,8 +271,13 @@ class StudyExport final {
     stimuli_.begin_session(at);
     std::vector<AttemptRow> attempts = study_.attempts(at.session->id);
     const std::vector<PlannedTrialRow> plan = study_.plan(at.session->id);
-    const std::vector<TimedEvent> timeline =
-        session_timeline(study_.events(at.session->id), attempts);
+    const std::vector<EventRow> events = study_.events(at.session->id);
+    const std::vector<TimedEvent> timeline = session_timeline(events, attempts);
+    const std::vector<RecordedStretch> stretches =
+        recorded_stretches(*at.session, events, attempts);
+    const EyeMask eye_mask(timeline);
+    at.stretches = &stretches;
+    at.eye_mask = &eye_mask;
     files.begin_session(at, plan, attempts, timeline);
     std::vector<ResponseRow> answers = study_.session_answers(at.session->id);
     sort_responses(answers);

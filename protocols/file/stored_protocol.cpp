@@ -299,6 +299,18 @@ std::size_t unforced_alternatives(const Json& block) {
   return is_any && design != nullptr ? design->alternatives() : 0;
 }
 
+std::optional<StoredProtocol::Senses> stored_senses(const Json& protocol) {
+  if (!protocol.is_object()) return {};
+  const Json& environment = member_of(protocol, "environment");
+  const Json& noise = member_of(environment, "masking_noise");
+  StoredProtocol::Senses senses{.vision = text_in(environment, "vision"),
+                                .noise = text_in(noise, "kind"),
+                                .noise_dBA = number_at(noise, "level_dBA")};
+  if (senses.vision.empty()) senses.vision = text_of(Vision::free);
+  if (senses.noise.empty()) senses.noise = "none";
+  return senses;
+}
+
 std::vector<ProcedureSettings> stored_tracks(const Json& protocol, const Json& block) {
   try {
     Dimension dimension = dimension_in(member_of(block, "vary"));
@@ -442,6 +454,7 @@ std::string language_of(const std::string& source) {
 StoredProtocol stored_protocol(const std::string& source) {
   const Json root = Json::parse(source, nullptr, false);
   StoredProtocol read{.title = text_in(root, "title"),
+                      .senses = stored_senses(root),
                       .analysis = analysis_declared_in(root),
                       .estimation = estimation_declared_in(root),
                       .compared_parameter = parameter_compared_in(root)};

@@ -75,7 +75,15 @@ struct StoredProtocol {
     std::vector<std::string> surface_factors{};
   };
 
+  /// What the participant is to see and hear, as stated under `environment` or as the default.
+  struct Senses {
+    std::string vision{};               ///< "free", "hand_occluded", "blindfold"
+    std::string noise{};                ///< that masks the device: "none", "white", "pink"
+    std::optional<double> noise_dBA{};  ///< its level at the ear
+  };
+
   std::string title{};
+  std::optional<Senses> senses{};  ///< absent for a text that is not a JSON object
   std::map<std::string, Factor> factors{};
   std::map<std::string, Question> questions{};
   std::map<std::string, Block> blocks{};  ///< those with a question

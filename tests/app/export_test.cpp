@@ -632,7 +632,8 @@ TEST(Export, StatesInItsReadmeWhatThePublicGetsOfAParticipantAndWhatNot) {
       HasSubstr("Left out with --relabel: protocol_sha256, seed, generator, counterbalance_row, "
                 "program_version, program_commit, program_build, program_sha256, "
                 "instruction_set, stimulus_files_json, consent_version (sessions.tsv), "
-                "recording_path, recording_sha256 (attempts.tsv), seed (presentations.tsv)."));
+                "masking_noise_measured_dBA, recording_path, recording_sha256 (attempts.tsv), seed "
+                "(presentations.tsv)."));
   EXPECT_THAT(publication_text_of_any_study(), HasSubstr("age_years, sex, handedness"));
   EXPECT_THAT(publication_text_of_any_study(),
               HasSubstr("Left out unless named by --with-questions: answer_NAME"));

@@ -1,10 +1,14 @@
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "app/exports/columns/column_making.h"
 #include "app/exports/columns/table_columns.h"
+#include "app/records/eye_mask.h"
+#include "app/records/session_conditions.h"
 #include "app/words/coded_phrases.h"
+#include "protocols/design/protocol.h"
 #include "results_schema/analysis_use.h"
 
 namespace asperity::export_columns {
@@ -32,9 +36,50 @@ ExportColumn codes_column(const char* name, const char* when_missing, const char
   return made;
 }
 
+// The conditions of the segment in which the attempt was made; null where none are recorded.
+const RecordedStretch* stretch_of(const Place& at) {
+  const auto found = std::find_if(
+      at.stretches->begin(), at.stretches->end(),
+      [&](const RecordedStretch& each) { return each.segment == at.attempt->segment; });
+  return found == at.stretches->end() ? nullptr : &*found;
+}
+
+Cell noise_source(const RecordedNoise& noise) {
+  using Source = RecordedNoise::Source;
+  switch (noise.source) {
+    case Source::not_played:
+      return "not_played";
+    case Source::elsewhere:
+      return "elsewhere";
+    case Source::program:
+      return "program";
+    case Source::not_recorded:
+      break;
+  }
+  return {};
+}
+
+ExportColumn noise_source_column() {
+  ExportColumn made = missing(
+      "nothing about the noise is stored",
+      with_levels(column("masking_noise_source", "text", "",
+                         "source of the noise that masked the sound of the device, as recorded",
+                         [](const Place& at) -> Cell {
+                           const RecordedStretch* const stretch = stretch_of(at);
+                           return stretch == nullptr ? Cell{} : noise_source(stretch->noise);
+                         }),
+                  {"not_played", "elsewhere", "program"}));
+  made.level_meanings = {
+      {"not_played",
+       {"the program played no noise, and none from another source was attested", ""}},
+      {"elsewhere", {"another source, measured at the ear and attested by an experimenter", ""}},
+      {"program", {"the program", ""}}};
+  return made;
+}
+
 }  // namespace
 
-Columns attempt_columns() {
+Columns attempt_columns(const StudyVocabulary& vocabulary) {
   Columns columns = keys_to(Key::attempt);
   const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
   add(at_least(1, column("segment", "integer", "",
@@ -89,6 +134,26 @@ Columns attempt_columns() {
              [](const Place& at) { return seconds_in_session(at, at.attempt->onset_ns); }));
   add(column("offset_s", "number", "s", "time of the end, since the session began",
              [](const Place& at) { return seconds_in_session(at, at.attempt->offset_ns); }));
+  add(missing("the protocol requests no eye mask, or no surface was presented",
+              column("eye_mask_confirmed", "boolean", "",
+                     "1: each time a surface was felt, the participant had confirmed that the eye "
+                     "mask is on",
+                     [senses = vocabulary.senses](const Place& at) -> Cell {
+                       const auto found = senses.find(at.protocol->source_sha256);
+                       const bool is_requested = found != senses.end() &&
+                                                 found->second.vision == text_of(Vision::blindfold);
+                       return is_requested ? optional_boolean(at.eye_mask->was_on_in(*at.attempt))
+                                           : Cell{};
+                     })));
+  add(noise_source_column());
+  add(dropped_with_new_labels(missing(
+      "no noise was measured",
+      column("masking_noise_measured_dBA", "number", "dB(A)",
+             "level of the noise at the ear, as measured before this segment of the session",
+             [](const Place& at) -> Cell {
+               const RecordedStretch* const stretch = stretch_of(at);
+               return stretch == nullptr ? Cell{} : optional_cell(stretch->noise.measured_dBA);
+             }))));
   const auto of_recording = [](auto member) {
     return [member](const Place& at) -> Cell {
       return at.attempt->recording ? Cell{(*at.attempt->recording).*member} : Cell{};

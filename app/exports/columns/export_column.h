@@ -17,6 +17,8 @@
 
 namespace asperity {
 
+class EyeMask;
+struct RecordedStretch;
 struct TimedEvent;
 
 /// The rows of a study from which a row of an exported table is made. Members that do not apply to a table
@@ -36,6 +38,9 @@ struct ExportPlace {
   std::optional<double> doubted_estimate{};
   /// The factor that removes the participant's own scale from an estimate (OwnScales).
   std::optional<double> own_scale{};
+  /// Of the session: its stretches of uninterrupted running, and when the eye mask was worn.
+  const std::vector<RecordedStretch>* stretches = nullptr;
+  const EyeMask* eye_mask = nullptr;
   /// Of the session: whether the declared rule excludes the participant by errors in catch trials (CatchDecisions).
   std::optional<bool> is_excluded_by_catch{};
   std::size_t attempts_of_trial = 0;

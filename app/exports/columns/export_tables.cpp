@@ -20,7 +20,7 @@ std::vector<ExportFile> export_files(const StudyVocabulary& vocabulary) {
   return {{"participants", participant_columns(vocabulary)},
           {"sessions", session_columns(vocabulary)},
           {"trials", std::move(trials)},
-          {"attempts", attempt_columns()},
+          {"attempts", attempt_columns(vocabulary)},
           {"presentations", presentation_columns(vocabulary)},
           {"visits", visit_columns()},
           {"responses", response_columns(vocabulary)},
@@ -37,7 +37,7 @@ std::vector<ExportColumn> answered_trial_columns(const StudyVocabulary& vocabula
               std::back_inserter(columns));
   };
   append(trial_columns(vocabulary), keys_of_attempt - 1);  // without the key "attempt"
-  append(attempt_columns(), keys_of_attempt);
+  append(attempt_columns(vocabulary), keys_of_attempt);
   columns.push_back(column("surfaces_json", "json", "",
                            "the surfaces presented, in order: position, role, item, stimulus, "
                            "model and texture of each surface",

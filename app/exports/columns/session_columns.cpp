@@ -11,6 +11,48 @@ namespace {
 
 using Place = ExportPlace;
 
+// What the protocol states of the participant's senses; what was measured in the session is in the columns of attempts.
+void add_senses(const StudyVocabulary& vocabulary, Columns& columns) {
+  const auto add = [&](ExportColumn made, auto member) {
+    made.source = "protocol";
+    made.cell = [senses = vocabulary.senses, member](const Place& at) -> Cell {
+      const auto found = senses.find(at.protocol->source_sha256);
+      if (found == senses.end()) return {};
+      return member(found->second);
+    };
+    columns.push_back(std::move(made));
+  };
+  using Senses = StoredProtocol::Senses;
+  constexpr const char* kUnreadable = "the stored protocol cannot be read";
+  ExportColumn vision =
+      missing(kUnreadable, with_levels(column("vision", "text", "",
+                                              "what the participant was to see, as the protocol "
+                                              "requests",
+                                              {}),
+                                       {"free", "hand_occluded", "blindfold"}));
+  vision.level_meanings = {
+      {"free", {"hand, device and screen", ""}},
+      {"hand_occluded", {"the screen but not the hand; compliance is not recorded", ""}},
+      {"blindfold",
+       {"nothing while surfaces are felt; eye_mask_confirmed of attempts states whether the eye "
+        "mask was on",
+        ""}}};
+  add(std::move(vision), [](const Senses& senses) -> Cell { return senses.vision; });
+  add(missing(kUnreadable, with_levels(column("masking_noise", "text", "",
+                                              "noise that masks the sound of the device, as the "
+                                              "protocol requests; masking_noise_source of attempts "
+                                              "states which noise there was",
+                                              {}),
+                                       {"none", "white", "pink"})),
+      [](const Senses& senses) -> Cell { return senses.noise; });
+  add(missing("the protocol requests no masking noise, or does not state its level",
+              column("masking_noise_level_dBA", "number", "dB(A)",
+                     "level of this noise at the ear, as the protocol requests; the measured level "
+                     "is masking_noise_measured_dBA of attempts",
+                     {})),
+      [](const Senses& senses) { return optional_cell(senses.noise_dBA); });
+}
+
 }  // namespace
 
 Columns session_columns(const StudyVocabulary& vocabulary) {
@@ -60,6 +102,7 @@ Columns session_columns(const StudyVocabulary& vocabulary) {
                        [](const Place& at) { return optional_cell(at.session->group_level); })),
         {vocabulary.groups.begin(), vocabulary.groups.end()}));
   }
+  add_senses(vocabulary, columns);
   add(column("mirrored", "boolean", "", "1: the workspace was laid out for a left hand",
              [](const Place& at) { return boolean(at.session->mirrored); }));
   dating_text("program_version", "version of the program", &SessionRow::program_version);

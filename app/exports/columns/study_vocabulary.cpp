@@ -99,6 +99,7 @@ void learn_from_protocol(const ProtocolRow& protocol, StudyVocabulary& vocabular
     }
   }
   learn_questions(protocol, specified, vocabulary);
+  if (specified.senses) vocabulary.senses[protocol.source_sha256] = *specified.senses;
   if (!specified.group_factor.empty()) {
     vocabulary.group_factors[protocol.source_sha256] = specified.group_factor;
   }

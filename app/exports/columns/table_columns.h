@@ -23,7 +23,7 @@ Columns session_columns(const StudyVocabulary& vocabulary);
 Columns trial_columns(const StudyVocabulary& vocabulary);
 /// Of the table of trials only: in tables of attempts it would say nothing.
 ExportColumn attempts_of_trial_column();
-Columns attempt_columns();
+Columns attempt_columns(const StudyVocabulary& vocabulary);
 Columns presentation_columns(const StudyVocabulary& vocabulary);
 /// The detectors of perceived instability, added to the columns of a presentation.
 void add_instability(Columns& columns);
