@@ -564,7 +564,7 @@ void Conductor::tell_of_repetition(const Trial& trial) const {
 }
 
 bool Conductor::waits_for_others(const Trial& trial, const AttemptRow& attempt) const {
-  // An anchor precedes the trials that are compared with it, and is therefore repeated at once.
+  // An anchor is a reference at its place in the block, and is therefore repeated at once.
   return trial.repetition > 0 && attempt.outcome == AttemptOutcome::not_compliant &&
          !failed_technically(attempt) &&
          exploration_of(protocol_, trial).on_failure ==

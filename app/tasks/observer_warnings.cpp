@@ -59,7 +59,9 @@ Extremes extremes_of(const std::vector<Trial>& trials, const Protocol::Block& bl
   std::optional<std::map<std::string, Level, std::less<>>> others{};
   for (const Trial& trial : trials) {
     const auto level = trial.factors.find(varied.factor);
-    if (trial.block != block.name || trial.catch_trial || level == trial.factors.end()) continue;
+    if (trial.block != block.name || trial.catch_trial || trial.anchor ||
+        level == trial.factors.end())
+      continue;
     const auto* const value = std::get_if<double>(&level->second);
     if (value == nullptr) continue;
     auto own = trial.factors;

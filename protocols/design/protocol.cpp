@@ -52,6 +52,18 @@ const char* text_of(Phase phase) noexcept {
   return "";
 }
 
+const char* text_of(AnchorPlace place) noexcept {
+  switch (place) {
+    case AnchorPlace::start:
+      return "start";
+    case AnchorPlace::middle:
+      return "middle";
+    case AnchorPlace::end:
+      return "end";
+  }
+  return "";
+}
+
 const char* text_of(CatchType type) noexcept {
   switch (type) {
     case CatchType::easy:

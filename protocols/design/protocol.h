@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -68,12 +69,20 @@ enum class CatchType {
   identical_pair,  ///< two standards, where no response is correct: every response but "cannot tell" is an error
 };
 
+/// Where an anchor stands in a run of its block.
+enum class AnchorPlace {
+  start,   ///< before the other trials
+  middle,  ///< after half of them
+  end,     ///< after them
+};
+
 /// The text in a protocol file and in the store.
 const char* text_of(ProtocolDesign design) noexcept;
 const char* text_of(Vision vision) noexcept;
 const char* text_of(VisualTexture texture) noexcept;
 const char* text_of(Phase phase) noexcept;
 const char* text_of(CatchType type) noexcept;
+const char* text_of(AnchorPlace place) noexcept;
 
 /// A range and a target value; each of them is optional.
 struct Band {
@@ -376,9 +385,16 @@ struct Protocol {
     std::vector<RowRepetitions> repetitions_of{};
     /// Factors drawn for every trial (balanced over the block as far as possible).
     std::vector<std::string> drawn{};
-    /// Of a magnitude: the levels of the first trial of every run of the block, the reference for the other estimates;
-    /// empty: no reference.
+    /// The levels of the anchors, the reference trials of every run of the block: of every factor that its trials set, of
+    /// `vary` as stated there. No analysis contains their responses. Empty without anchors.
     std::map<std::string, Level, std::less<>> anchor{};
+    std::vector<Level> anchor_pair{};  ///< with `all_pairs`: the two levels of an anchor
+    std::vector<AnchorPlace> anchor_places{AnchorPlace::start};  ///< in order, each once
+    bool has_anchors() const noexcept { return !anchor.empty() || !anchor_pair.empty(); }
+    bool has_anchor_at(AnchorPlace place) const noexcept {
+      return has_anchors() &&
+             std::find(anchor_places.begin(), anchor_places.end(), place) != anchor_places.end();
+    }
     Order order = Order::shuffle;
     std::map<std::string, int, std::less<>> maximum_in_a_row{};
     /// Of two trials with the same level of the factor: the smallest difference of their positions.

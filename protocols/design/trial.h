@@ -58,6 +58,7 @@ struct Trial {
   int repetition = 1;
   std::optional<TrackStep> track{};  ///< where a procedure chose its level
   std::optional<CatchTrial> catch_trial{};
+  std::optional<AnchorPlace> anchor{};  ///< of an anchor: its place in the run of its block
   std::map<std::string, Level, std::less<>> factors{};
   std::vector<PlannedPresentation> presentations{};
   std::string experimenter_prompt{};  ///< e.g. which coded sample to place; empty: nothing to do

@@ -173,6 +173,17 @@ Protocol::Block block_of(const std::string& name, const nlohmann::json& object,
   if (const auto found = object.find("anchor"); found != object.end()) {
     block.anchor = levels_of(*found);
   }
+  if (const auto found = object.find("anchor_pair"); found != object.end()) {
+    for (const json& level : *found) block.anchor_pair.push_back(level_of(level));
+  }
+  if (const auto found = object.find("anchor_at"); found != object.end()) {
+    block.anchor_places.clear();
+    for (const AnchorPlace place : {AnchorPlace::start, AnchorPlace::middle, AnchorPlace::end}) {
+      if (std::find(found->begin(), found->end(), text_of(place)) != found->end()) {
+        block.anchor_places.push_back(place);
+      }
+    }
+  }
   read_choice(object, "order", block.order,
               {{"fixed", Block::Order::fixed},
                {"shuffle", Block::Order::shuffle},

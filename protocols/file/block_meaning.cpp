@@ -109,33 +109,68 @@ void Meaning::check_block(const Block& block, const std::string& pointer) {
 }
 
 void Meaning::check_anchor(const Block& block, const std::string& pointer) {
-  if (block.anchor.empty()) return;
   const std::string place = pointer + "/anchor";
-  if (!kind_of(block).has_anchors) {
-    report_key(place,
-               "only a magnitude estimation has an anchor with which others are compared; remove "
-               "this key");
+  const nlohmann::json& stated = document_.root().at("blocks").at(block.name);
+  if (!block.has_anchors()) {
+    if (stated.contains("anchor_at")) {
+      report_key(place + "_at",
+                 "without \"anchor\" there are no anchors to place; add \"anchor\", or remove this "
+                 "key");
+    }
     return;
   }
-  if (!block.drawn.empty()) {
-    report(place,
-           "an anchor is the same for all participants: this block draws factors; cross or list "
-           "them, or remove the anchor");
+  if (block.until) {
+    report_key(stated.contains("anchor") ? place : place + "_pair",
+               "a block that ends at a criterion has no anchors, because they do not count for it; "
+               "remove this key, or \"until\"");
   }
+  check_anchor_pair(block, place + "_pair");
   std::set<std::string> needed(block.crossed.begin(), block.crossed.end());
+  needed.insert(block.drawn.begin(), block.drawn.end());
   for (const FactorLevels& row : block.listed) {
     for (const auto& [name, level] : row) needed.insert(name);
   }
+  if (block.vary) needed.insert(block.vary->factor);
   for (const auto& [name, level] : block.anchor) {
-    if (!check_level(name, level, pointer_to(place, name))) continue;
+    const bool is_varied = block.vary && block.vary->factor == name;
+    if (is_varied && !std::holds_alternative<double>(level)) {
+      report(pointer_to(place, name), "the level of " + in_quotes(name) +
+                                          " is a number, in the measure of \"vary\"; write a "
+                                          "number");
+    }
+    if (!is_varied && !check_level(name, level, pointer_to(place, name))) continue;
     if (needed.erase(name) == 0) {
       report_key(pointer_to(place, name), "the trials of this block do not set the factor " +
                                               in_quotes(name) + "; remove it from the anchor");
     }
   }
   for (const std::string& name : needed) {
-    report(place, "the anchor does not set " + in_quotes(name) +
-                      ", which the trials of this block set; add it to the anchor");
+    report(stated.contains("anchor") ? place : pointer,
+           "the anchor does not set " + in_quotes(name) +
+               ", which the trials of this block set; add it to the anchor");
+  }
+}
+
+void Meaning::check_anchor_pair(const Block& block, const std::string& place) {
+  if (!block.all_pairs) {
+    if (!block.anchor_pair.empty()) {
+      report_key(place, "this block has no pairs; remove this key");
+    }
+    return;
+  }
+  if (block.anchor_pair.size() != 2) {
+    report(block.anchor_pair.empty() ? place.substr(0, place.rfind('/')) : place,
+           "the anchor does not set the levels of " + in_quotes(block.all_pairs->factor) +
+               "; write the two levels under \"anchor_pair\"");
+    return;
+  }
+  for (std::size_t i = 0; i < block.anchor_pair.size(); ++i) {
+    check_level(block.all_pairs->factor, block.anchor_pair[i], pointer_to(place, i));
+  }
+  if (block.anchor_pair[0] == block.anchor_pair[1] && !block.all_pairs->with_identical) {
+    report(place,
+           "both levels are equal, and the pairs of this block are different; write two "
+           "different levels");
   }
 }
 

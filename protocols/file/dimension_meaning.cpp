@@ -223,6 +223,11 @@ void Meaning::check_values(const Block& block, const std::string& pointer) {
     if (block.procedure && block.procedure->catch_trials) {
       check_level(block.procedure->catch_trials->level, pointer + "/procedure/catch_trials/level");
     }
+    if (const auto anchor = block.anchor.find(dimension.factor); anchor != block.anchor.end()) {
+      if (const auto* const level = std::get_if<double>(&anchor->second)) {
+        check_level(*level, pointer_to(pointer + "/anchor", dimension.factor));
+      }
+    }
   }
 }
 

@@ -221,6 +221,11 @@ void declare_dimension(Block& block, Protocol& protocol, const std::set<std::str
   if (block.procedure && block.procedure->catch_trials) {
     values.push_back(dimension.value_of(block.procedure->catch_trials->level));
   }
+  if (const auto anchor = block.anchor.find(dimension.factor); anchor != block.anchor.end()) {
+    if (const auto* const level = std::get_if<double>(&anchor->second)) {
+      values.push_back(dimension.value_of(*level));
+    }
+  }
   for (const double value : values) {
     if (std::find(factor.levels.begin(), factor.levels.end(), Level(value)) ==
         factor.levels.end()) {

@@ -107,6 +107,7 @@ class Meaning final : private ProblemSink {
   void check_flow();
   void check_block(const Protocol::Block& block, const std::string& pointer);
   void check_anchor(const Protocol::Block& block, const std::string& pointer);
+  void check_anchor_pair(const Protocol::Block& block, const std::string& place);
   void check_presented(const Protocol::Block& block, const std::string& pointer);
   void check_dimension(const Protocol::Block& block, const std::string& pointer);
   bool check_parameter(const Protocol::Block& block, const std::string& pointer);

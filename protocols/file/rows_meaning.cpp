@@ -248,6 +248,9 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
   // A procedure determines the number of trials, also one that was refused.
   const bool has_procedure = document_.root().at("blocks").at(block.name).contains("procedure");
   const std::size_t trials = trial_count(protocol_, block);
+  if (block.has_anchor_at(AnchorPlace::middle) && !has_procedure && trials < 2) {
+    report(pointer + "/anchor_at", "a block with one trial has no middle; remove \"middle\"");
+  }
   if (trials > kMaximumTrials) {
     report(
         pointer,

@@ -90,8 +90,8 @@ struct ExperimentKind {
   /// Its question rates how different two surfaces are: they may be identical, and participants may share the pairs.
   bool rates_differences = false;
   bool has_correct_responses = false;
-  bool has_anchors = false;  ///< a block may begin with a trial that the others are compared with
-  bool has_target = false;   ///< one item may be declared whose superiority is in question
+  bool has_anchor_role = false;       ///< the surface of an anchor has its own role, "anchor"
+  bool has_target = false;            ///< one item may be declared whose superiority is in question
   bool has_expectations = false;      ///< a virtual observer judges by what it expects of textures
   std::span<const KindTest> tests{};  ///< the first is the family where a protocol declares none
   std::span<const KindKey> keys{};

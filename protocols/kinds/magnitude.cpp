@@ -81,10 +81,11 @@ void check_surfaces_of_magnitude(const BlockOfKind& checked, ProblemSink& proble
                     "the standard precedes the estimated surface in every trial; set this to "
                     "\"as_listed\"");
   }
-  if (!checked.block.anchor.empty()) {
+  if (checked.block.has_anchors() &&
+      checked.block.anchor_places == std::vector{AnchorPlace::start}) {
     problems.report(checked.pointer + "/anchor",
-                    "every trial begins with the standard, so that the anchor is not needed; "
-                    "remove this key");
+                    "every trial begins with the standard, so that an anchor at the start is not "
+                    "needed; remove this key, or name further places under \"anchor_at\"");
   }
   if (std::holds_alternative<LineForm>(checked.question.form)) {
     problems.report(checked.at_question + "/line",
@@ -146,7 +147,7 @@ const ExperimentKind& magnitude_kind() {
                                     .roles = kMagnitudeRoles,
                                     .form = NumberForm{},
                                     .takes_lines = true,
-                                    .has_anchors = true,
+                                    .has_anchor_role = true,
                                     .tests = kMagnitudeTests,
                                     .keys = kMagnitudeKeys,
                                     .item_factor = item_factor_of_magnitude,

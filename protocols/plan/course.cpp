@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "protocols/design/block_factors.h"
+#include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/block_rows.h"
 #include "protocols/plan/groups.h"
 #include "protocols/plan/squares.h"
@@ -106,13 +107,12 @@ NextStep example_step(const LevelRequest& request, const Random& random) {
                        .split(static_cast<std::uint64_t>(request.of.track)));
 }
 
-double expected_trials_of_run(const Protocol& protocol, const Block& block) {
+double expected_trials_without_anchors(const Protocol& protocol, const Block& block) {
   const auto rows = static_cast<double>(row_count(protocol, block));
   if (!block.procedure) {
     const auto planned = static_cast<double>(trial_count(protocol, block));
-    return (block.until ? std::min(planned, static_cast<double>(block.until->maximum_trials))
-                        : planned) +
-           (block.anchor.empty() ? 0.0 : 1.0);
+    return block.until ? std::min(planned, static_cast<double>(block.until->maximum_trials))
+                       : planned;
   }
   const Dimension& dimension = *block.vary;
   double of_tracks = 0.0;
@@ -123,6 +123,31 @@ double expected_trials_of_run(const Protocol& protocol, const Block& block) {
   }
   const auto& catch_trials = block.procedure->catch_trials;
   return catch_trials ? of_tracks * catch_trials->every / (catch_trials->every - 1) : of_tracks;
+}
+
+/// The number of trials of a procedure before an anchor in the middle: half of the largest number, because the number of
+/// trials is not known yet. Tracks that end before have no such anchor.
+std::size_t middle_of_tracks(const Protocol& protocol, const Block& block) {
+  return most_trials_of(protocol, block) / 2;
+}
+
+double expected_trials_of_run(const Protocol& protocol, const Block& block) {
+  double trials = expected_trials_without_anchors(protocol, block);
+  if (!block.has_anchors()) return trials;
+  const bool is_short = block.procedure && block.has_anchor_at(AnchorPlace::middle) &&
+                        trials <= static_cast<double>(middle_of_tracks(protocol, block));
+  trials += static_cast<double>(block.anchor_places.size());
+  return is_short ? trials - 1.0 : trials;
+}
+
+/// A trial of a design that presents the comparison, where the design has several types; as `rows_of` otherwise.
+const DesignTrial* type_of_anchor(const Block& block) {
+  if (block.design == &two_alternatives() || !block.vary || !block.vary->standard) return nullptr;
+  const std::span<const DesignTrial> types = block.design->trials;
+  const auto signal = std::find_if(types.begin(), types.end(), [&block](const DesignTrial& type) {
+    return type.is_signal && type.presents(block.vary->role);
+  });
+  return signal == types.end() ? &types.front() : &*signal;
 }
 
 /// The rows of the squares of all iterated factors.
@@ -233,6 +258,7 @@ bool Course::add_next_of_tracks() {
   const std::size_t before = tracks_->trials();
   std::optional<Trial> trial = tracks_->next(maker_);
   if (!trial) {
+    add_anchor(tracks_->run(), AnchorPlace::end);
     const Block& block = *tracks_->run().block;
     // Such a block is run once (Meaning::check_equal_roughness).
     if (matches_roughness(*protocol_, block)) {
@@ -242,6 +268,10 @@ bool Course::add_next_of_tracks() {
     return false;
   }
   add_pause(*tracks_->run().run, before);
+  const Block& block = *tracks_->run().block;
+  if (block.has_anchors()) {
+    add_anchor_before(tracks_->run(), before, middle_of_tracks(*protocol_, block));
+  }
   add(std::move(*trial));
   return true;
 }
@@ -273,19 +303,9 @@ void Course::add_block(const BlockRun& run) {
   const auto positions =
       positions_of(block.positions, in_trial, trials, run.random.split("positions"));
   std::size_t ordered = 0;  // trials whose order of surfaces can be noticed
-  if (!block.anchor.empty()) {
-    Trial anchor{};
-    anchor.repetition = 0;
-    anchor.factors = run.outer;
-    anchor.factors.insert(block.anchor.begin(), block.anchor.end());
-    add_derived_levels(block, anchor.factors);
-    anchor =
-        maker_.make(std::move(anchor), run, {block.presented.front()}, run.random.split("anchor"));
-    anchor.presentations.front().role = "anchor";
-    add(std::move(anchor));
-  }
   for (std::size_t i = 0; i < trials; ++i) {
     add_pause(*run.run, i);
+    add_anchor_before(run, i, trials / 2);
     Trial trial{};
     trial.repetition = unordered[order[i]].repetition;
     trial.factors = run.outer;
@@ -301,6 +321,38 @@ void Course::add_block(const BlockRun& run) {
     }
     add(maker_.make(std::move(trial), run, surfaces, run.random.split("pictures").split(i)));
   }
+  add_anchor(run, AnchorPlace::end);
+}
+
+/// The anchor at the start or in the middle, before the trial that follows `trials` other trials of the run.
+void Course::add_anchor_before(const BlockRun& run, std::size_t trials, std::size_t middle) {
+  if (trials == 0) {
+    add_anchor(run, AnchorPlace::start);
+  } else if (trials == middle) {
+    add_anchor(run, AnchorPlace::middle);
+  }
+}
+
+/// The anchors of a run are alike in everything that is drawn: surfaces in the listed order, one stream.
+void Course::add_anchor(const BlockRun& run, AnchorPlace place) {
+  const Block& block = *run.block;
+  if (!block.has_anchor_at(place)) return;
+  Trial anchor{};
+  anchor.repetition = 0;
+  anchor.anchor = place;
+  anchor.factors = run.outer;
+  anchor.factors.insert(block.anchor.begin(), block.anchor.end());
+  if (block.vary) {
+    Level& level = anchor.factors.at(block.vary->factor);
+    level = block.vary->value_of(std::get<double>(level));
+  }
+  add_derived_levels(block, anchor.factors);
+  const BlockRow row{.pair = block.anchor_pair, .type = type_of_anchor(block)};
+  anchor = maker_.make(std::move(anchor), run, surfaces_of(block, row), run.random.split("anchor"));
+  if (kind_of(block).has_anchor_role && anchor.presentations.size() == 1) {
+    anchor.presentations.front().role = "anchor";
+  }
+  add(std::move(anchor));
 }
 
 /// The break within a block, before the trial that follows `trials` trials of it.

@@ -81,6 +81,8 @@ class Course final {
   void add_block(const BlockRun& run);
   bool add_next_of_tracks();
   void add_pause(const Protocol::Run& run, std::size_t trials);
+  void add_anchor_before(const BlockRun& run, std::size_t trials, std::size_t middle);
+  void add_anchor(const BlockRun& run, AnchorPlace place);
   void add(Trial trial);
 
   const Protocol* protocol_;

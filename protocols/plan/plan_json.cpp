@@ -239,6 +239,10 @@ std::string json_of(const Trial& trial) {
     line.field("step", trial.track->step);
   }
   if (trial.catch_trial) line.field("catch", text_of(trial.catch_trial->type));
+  // An anchor without this member is at the start.
+  if (trial.anchor && *trial.anchor != AnchorPlace::start) {
+    line.field("anchor", text_of(*trial.anchor));
+  }
   line.key("factors");
   line.levels(trial.factors);
   line.key("presentations");

@@ -58,6 +58,25 @@ ExportColumn catch_type(const StudyVocabulary& vocabulary) {
   return made;
 }
 
+// Of the plan of the trial, which names the place where it is not the start.
+ExportColumn anchor() {
+  ExportColumn made = missing(
+      "not an anchor",
+      with_levels(
+          column("anchor", "text", "",
+                 "place of the anchor, a reference trial whose response no analysis "
+                 "contains, in the run of its block",
+                 [](const Place& at) -> Cell {
+                   if (at.trial->repetition != 0 || at.trial->is_catch) return {};
+                   return at.plan->value("anchor", std::string(text_of(AnchorPlace::start)));
+                 }),
+          {text_of(AnchorPlace::start), text_of(AnchorPlace::middle), text_of(AnchorPlace::end)}));
+  made.level_meanings = {{text_of(AnchorPlace::start), {"before the other trials", ""}},
+                         {text_of(AnchorPlace::middle), {"after half of the other trials", ""}},
+                         {text_of(AnchorPlace::end), {"after the other trials", ""}}};
+  return made;
+}
+
 }  // namespace
 
 Columns trial_columns(const StudyVocabulary& vocabulary) {
@@ -108,6 +127,7 @@ Columns trial_columns(const StudyVocabulary& vocabulary) {
              "estimated from it",
              [](const Place& at) { return boolean(at.trial->is_catch); }));
   if (!vocabulary.catch_types.empty()) add(catch_type(vocabulary));
+  add(anchor());
   for (const auto& [name, factor] : vocabulary.factors) {
     ExportColumn made = missing(
         "the trial does not have this factor",

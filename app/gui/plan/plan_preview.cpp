@@ -111,13 +111,25 @@ QString surface_in_full(const PlannedPresentation& surface) {
   return words;
 }
 
+QString text_of_anchor(AnchorPlace place) {
+  switch (place) {
+    case AnchorPlace::start:
+      return PlanPreview::tr("anchor at the start");
+    case AnchorPlace::middle:
+      return PlanPreview::tr("anchor in the middle");
+    case AnchorPlace::end:
+      break;
+  }
+  return PlanPreview::tr("anchor at the end");
+}
+
 /// "repetition 2", "track 1, step 7".
 QString place_in_block(const Trial& trial) {
   if (trial.catch_trial) return PlanPreview::tr("catch trial");
   if (trial.track) {
     return PlanPreview::tr("track %1, step %2").arg(trial.track->track).arg(trial.track->step);
   }
-  if (trial.repetition == 0) return PlanPreview::tr("anchor");
+  if (trial.anchor) return text_of_anchor(*trial.anchor);
   return PlanPreview::tr("repetition %1").arg(trial.repetition);
 }
 

@@ -59,7 +59,11 @@ QString text_of_outcome(const SessionOverview& session, const TrialOverview& tri
 /// What is to be said of the attempt beside its outcome.
 QString text_of_remarks(const PlannedTrialRow& planned, const AttemptRow& attempt) {
   QStringList remarks{};
-  if (planned.is_catch) remarks.append(TrialsPage::tr("catch trial"));
+  if (planned.is_catch) {
+    remarks.append(TrialsPage::tr("catch trial"));
+  } else if (planned.repetition == 0) {
+    remarks.append(TrialsPage::tr("anchor"));
+  }
   if (attempt.purpose == AttemptPurpose::refresher) {
     remarks.append(TrialsPage::tr("repeated practice"));
   }

@@ -11296,10 +11296,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Folge %1, Schritt %2</translation>
     </message>
     <message>
-        <source>anchor</source>
-        <translation>Anker</translation>
-    </message>
-    <message>
         <source>repetition %1</source>
         <translation>Wiederholung %1</translation>
     </message>
@@ -11310,6 +11306,18 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>if %1:</source>
         <translation>wenn %1:</translation>
+    </message>
+    <message>
+        <source>anchor at the start</source>
+        <translation>Anker am Anfang</translation>
+    </message>
+    <message>
+        <source>anchor in the middle</source>
+        <translation>Anker in der Mitte</translation>
+    </message>
+    <message>
+        <source>anchor at the end</source>
+        <translation>Anker am Ende</translation>
     </message>
 </context>
 <context>
@@ -13920,6 +13928,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>%1 %2 · %3 · trials: %4 in %5 · %6 · device %7 · asperity %8</source>
         <translation>%1 %2 · %3 · Durchgänge: %4 in %5 · %6 · Gerät %7 · asperity %8</translation>
+    </message>
+    <message>
+        <source>anchor</source>
+        <translation>Anker</translation>
     </message>
 </context>
 <context>

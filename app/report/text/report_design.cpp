@@ -51,6 +51,20 @@ std::string tasks_text(const Protocol& protocol) {
   return text;
 }
 
+/// ", with anchors at the start, in the middle and at the end, which are not analysed"; empty without anchors.
+std::string anchors_text(const Protocol::Block& block) {
+  if (!block.has_anchors()) return {};
+  const std::vector<AnchorPlace>& places = block.anchor_places;
+  if (places == std::vector{AnchorPlace::start}) return ", after an anchor that is not analysed";
+  std::vector<std::string> words{};
+  for (const AnchorPlace place : places) {
+    words.push_back((place == AnchorPlace::middle ? "in the " : "at the ") +
+                    std::string(text_of(place)));
+  }
+  return places.size() == 1 ? ", with an anchor " + words.front() + ", which is not analysed"
+                            : ", with anchors " + listed(words) + ", which are not analysed";
+}
+
 ReportList blocks_list(const Protocol& protocol, const ReportFacts& facts) {
   ReportList list{};
   for (const Protocol::Step& step : protocol.flow) {
@@ -59,7 +73,7 @@ ReportList blocks_list(const Protocol& protocol, const ReportFacts& facts) {
     const Protocol::Block& block = protocol.blocks.at(run->block);
     std::string text = "Block " + quoted(block.name) + " (" + text_of(block.phase) + "): ";
     text += order_of_run(protocol, block, *run, Tense::present);
-    if (!block.anchor.empty()) text += ", after an anchor that is not analysed";
+    text += anchors_text(block);
     text += feedback_text(block);
     const auto& questions = block.questions;
     text += questions.size() == 1 ? ". Question: " : ". Questions: ";
