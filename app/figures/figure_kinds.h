@@ -139,6 +139,10 @@ Figure roc_figure(const FoundNumbers& found, std::span<const RocCurve> curves);
 /// of each one.
 std::vector<Figure> roc_figures(const AnalysisOutcome& outcome);
 
+/// Responses to anchors by their place in a run, a figure for each row of the table of their change: the means, and a line
+/// for each run of a participant. None without these tables.
+std::vector<Figure> anchor_figures(const AnalysisOutcome& outcome);
+
 /// The tracks of each participant, from the table of the trials of a discrimination.
 std::vector<Figure> track_figures(const Table& table);
 

@@ -237,6 +237,7 @@ std::vector<Figure> figures_of(const AnalysisOutcome& outcome) {
   add_sexes(outcome, figures);
   add_groups(outcome, figures);
   add_times(outcome, figures);
+  for (Figure& figure : anchor_figures(outcome)) figures.push_back(std::move(figure));
   name_questions(outcome, figures);
   return figures;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/findings/study/anchors.h"
 #include "app/findings/study/equal_roughness.h"
 #include "app/findings/study/exploration.h"
 #include "app/findings/study/gathered_answers.h"
@@ -251,6 +252,7 @@ std::vector<AnalysisOutcome> outcomes_of(const Study& study,
         add_response_times(gathered, outcome);
         add_learning(gathered, outcome);
         add_exploration(gathered, outcome);
+        add_anchors(gathered, outcome);
       }
     } else {
       outcome.remarks.push_back(

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "app/findings/reading_number.h"
+#include "app/findings/study/anchors.h"
 #include "app/findings/study/test_methods.h"
 #include "app/records/felt_octaves.h"
 #include "app/words/text_parts.h"
@@ -20,6 +21,9 @@ using CellWords = std::map<std::string, Phrase>;
 
 const CellWords& words_of_measures() {
   static const CellWords kWords{
+      {kAnchorCorrect, phrase("CellWords", "proportion correct; change: end − start")},
+      {kAnchorEstimate, phrase("CellWords", "estimate; change: end/start")},
+      {kAnchorRating, phrase("CellWords", "rating; change: end − start")},
       {"balanced_share", phrase("CellWords", "proportion correct, mean over the textures")},
       {"by_chance_in_all", phrase("CellWords", "correctly matched items expected under guessing")},
       {"correct_of_halves", phrase("CellWords", "proportion correct; change: second − first half")},
@@ -357,6 +361,13 @@ const CellWords& words_of_catch_types() {
   return kWords;
 }
 
+const CellWords& words_of_anchor_places() {
+  static const CellWords kWords{{"start", phrase("CellWords", "start")},
+                                {"middle", phrase("CellWords", "middle")},
+                                {"end", phrase("CellWords", "end")}};
+  return kWords;
+}
+
 /// The end of a name that states a unit.
 struct UnitSuffix {
   std::string_view suffix{};
@@ -449,6 +460,7 @@ Phrase words_of_cell(const std::string& column, const std::string& text) {
   if (column == "level") return cell_word_in(words_of_levels(), text);
   if (column == "status") return words_of_status(text);
   if (column == "type") return cell_word_in(words_of_catch_types(), text);
+  if (column == "place") return cell_word_in(words_of_anchor_places(), text);
   if (column == "method") return words_of_method(text);
   if (column == "role") {
     return text == "confirmatory" ? phrase("CellWords", "confirmatory")

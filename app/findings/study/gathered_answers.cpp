@@ -150,8 +150,10 @@ class Gathering {
     reading.options = reading.factors = reading.words;
     std::map<int, const SessionAnswers::Trial*> planned{};
     std::map<int, int> first_of_block{};  ///< the trial, by the ordinal of the block
+    std::map<int, int> last_of_block{};
     for (const SessionAnswers::Trial& trial : answers.trials) {
       first_of_block.try_emplace(trial.block_ordinal, trial.trial);
+      last_of_block[trial.block_ordinal] = trial.trial;
       if (!reading.asks(trial)) continue;
       planned[trial.trial] = &trial;
       if (trial.use == AnalysisUse::counted) ++gathered.count.planned_trials;
@@ -164,6 +166,14 @@ class Gathering {
           break;
         case AnalysisUse::anchor:
           if (attempt.valid && attempt.replies > 0) ++gathered.count.anchors;
+          if (attempt.valid && !attempt.excluded) {
+            const int ordinal = trial->second->block_ordinal;
+            add_anchor(reading, attempt, *trial->second,
+                       {.participant = session.participant,
+                        .place = attempt.trial == first_of_block[ordinal]  ? AnchorPlace::start
+                                 : attempt.trial == last_of_block[ordinal] ? AnchorPlace::end
+                                                                           : AnchorPlace::middle});
+          }
           break;
         case AnalysisUse::catch_trial:
           if (attempt.valid && !attempt.excluded) {
@@ -463,6 +473,30 @@ class Gathering {
                                   .first_reply = gathered.replies.size()});
       for (const SessionAnswers::Reply& reply : to.replies) {
         gathered.replies.push_back({word(session, reply.answer), reply.correct, reply.number});
+      }
+    }
+  }
+
+  /// `of`: the participant and the place.
+  void add_anchor(const Session& session, const SessionAnswers::Attempt& attempt,
+                  const SessionAnswers::Trial& trial, AnchorResponse of) {
+    of.session = session.session;
+    of.block_ordinal = trial.block_ordinal;
+    of.block = session.answers.words[trial.block];
+    for (const RepliesToQuestion& to : replies_by_question(session, attempt, of.block)) {
+      AnchorResponse& response = gathered.anchors.emplace_back(of);
+      response.question = session.answers.words[to.question];
+      if (to.replies.size() == 1) response.number = to.replies.front().number;
+      std::size_t judged = 0;
+      std::size_t correct = 0;
+      for (const SessionAnswers::Reply& reply : to.replies) {
+        const std::string& answer = session.answers.words[reply.answer];
+        response.answer += (response.answer.empty() ? "" : ", ") + answer;
+        judged += reply.correct ? 1U : 0U;
+        correct += reply.correct.value_or(false) ? 1U : 0U;
+      }
+      if (judged > 0) {
+        response.correct = static_cast<double>(correct) / static_cast<double>(judged);
       }
     }
   }

@@ -144,6 +144,19 @@ struct CatchResponses {
   std::size_t correct = 0;
 };
 
+/// The response to one question in a valid attempt at an anchor.
+struct AnchorResponse {
+  std::string participant{};
+  int session = 1;        ///< ordinal within the participant
+  int block_ordinal = 1;  ///< of the run of the block within the session
+  std::string block{};
+  AnchorPlace place = AnchorPlace::start;
+  std::string question{};
+  std::string answer{};             ///< of an assignment, its items by position: "metal, wood"
+  std::optional<double> number{};   ///< where the response is one
+  std::optional<double> correct{};  ///< the proportion of its items; nothing where none can be
+};
+
 /// Counts what was omitted, and what was kept with a warning.
 struct AnswerCount {
   std::size_t participants = 0;
@@ -206,6 +219,8 @@ struct GatheredAnswers {
   std::vector<ParticipantMatch> matches{};
   /// By participant, block and type. No other number contains these responses.
   std::vector<CatchResponses> catch_responses{};
+  /// By participant, session and trial. No other member contains these responses.
+  std::vector<AnchorResponse> anchors{};
   /// With a recording of an attempt that counts which could be read; only for analyses that use them.
   std::size_t recorded_participants = 0;
 

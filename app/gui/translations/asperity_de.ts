@@ -2779,6 +2779,30 @@
         <source>Flagged attempts among those that count: %1; the reasons are in the trials of each session and in attempts.tsv of an export.</source>
         <translation>Markierte Versuche unter denen, die zählen: %1; die Gründe stehen bei den Durchgängen jeder Sitzung und in attempts.tsv eines Exports.</translation>
     </message>
+    <message>
+        <source>Means over the participants at the start, in the middle and at the end of a run of the block, and the change from its start to its end: the slope of a straight line through each participant’s responses. Estimates: geometric means, and the ratio of end to start. The change is described and not tested.</source>
+        <translation>Mittelwerte über die Versuchspersonen am Anfang, in der Mitte und am Ende eines Laufs des Blocks und die Veränderung vom Anfang zum Ende: die Steigung einer Geraden durch die Antworten jeder Versuchsperson. Schätzungen: geometrische Mittel und das Verhältnis von Ende zu Anfang. Die Veränderung wird beschrieben und nicht getestet.</translation>
+    </message>
+    <message>
+        <source>95 % CI: t-based over participants, for estimates on the logarithmic scale.</source>
+        <translation>95-%-KI: t-basiert über die Versuchspersonen, für Schätzungen auf der logarithmischen Skala.</translation>
+    </message>
+    <message>
+        <source>Changes of proportions correct have no CI, because each participant has only one trial at a place.</source>
+        <translation>Veränderungen von Anteilen richtiger Antworten haben kein KI, weil jede Versuchsperson an einer Stelle nur einen Durchgang hat.</translation>
+    </message>
+    <message>
+        <source>Responses to anchors</source>
+        <translation>Antworten auf Anker</translation>
+    </message>
+    <message>
+        <source>Anchors are reference trials at fixed places of every run of a block. No other table, finding or test contains their responses.</source>
+        <translation>Anker sind Vergleichsdurchgänge an festen Stellen jedes Laufs eines Blocks. Keine andere Tabelle, kein anderes Ergebnis und kein Test enthält ihre Antworten.</translation>
+    </message>
+    <message>
+        <source>Change of the responses to anchors</source>
+        <translation>Veränderung der Antworten auf Anker</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
@@ -3628,6 +3652,26 @@
     <message>
         <source>proportion, corrected, 95 % CI</source>
         <translation>Anteil, korrigiert, 95-%-KI</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>Stelle</translation>
+    </message>
+    <message>
+        <source>response</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>Anfang</translation>
     </message>
 </context>
 <context>
@@ -4498,6 +4542,30 @@
     <message>
         <source>fewer levels were presented than the function has parameters</source>
         <translation>es wurden weniger Stufen dargeboten, als die Funktion Parameter hat</translation>
+    </message>
+    <message>
+        <source>proportion correct; change: end − start</source>
+        <translation>Anteil richtig; Veränderung: Ende − Anfang</translation>
+    </message>
+    <message>
+        <source>estimate; change: end/start</source>
+        <translation>Schätzung; Veränderung: Ende/Anfang</translation>
+    </message>
+    <message>
+        <source>rating; change: end − start</source>
+        <translation>Urteil; Veränderung: Ende − Anfang</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>Ende</translation>
     </message>
 </context>
 <context>
@@ -6045,6 +6113,42 @@
     <message>
         <source>There is no figure, because no force has energy in any band; record presentations of a surface that was felt.</source>
         <translation>Es gibt keine Abbildung, weil keine Kraft in einem der Bänder Energie hat; zeichnen Sie Darbietungen einer gefühlten Oberfläche auf.</translation>
+    </message>
+    <message>
+        <source>estimate, geometric mean</source>
+        <translation>Schätzung, geometrisches Mittel</translation>
+    </message>
+    <message>
+        <source>proportion correct, mean</source>
+        <translation>Anteil richtig, Mittelwert</translation>
+    </message>
+    <message>
+        <source>Responses to the anchors of the block %1, question %2</source>
+        <translation>Antworten auf die Anker des Blocks %1, Frage %2</translation>
+    </message>
+    <message>
+        <source>place of the anchor in the block</source>
+        <translation>Stelle des Ankers im Block</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Points are means over the participants.</source>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>%1 Thin pale lines: the responses of individual participants in each run of the block.</source>
+        <translation>%1 Dünne blasse Linien: die Antworten einzelner Versuchspersonen in jedem Lauf des Blocks.</translation>
     </message>
 </context>
 <context>

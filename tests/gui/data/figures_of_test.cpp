@@ -19,6 +19,7 @@
 #include "app/figures/single_participants.h"
 #include "app/figures/sweep_figure.h"
 #include "app/findings/found_numbers.h"
+#include "app/findings/study/anchors.h"
 #include "app/findings/study/exploration.h"
 #include "renderers/built_in_models.h"
 #include "tests/gui/data/drawn_case.h"
@@ -58,6 +59,46 @@ std::vector<std::string> drawn_places(const FigureAxis& axis) {
   std::vector<std::string> names{};
   for (const Phrase& place : axis.places) names.push_back(place.english());
   return names;
+}
+
+TEST(FiguresOf, ShowTheMeansOfAnchorsAndALineForEachRun) {
+  AnalysisOutcome outcome{};
+  NamedTable anchors{.name = kAnchors,
+                     .table = {{"participant", "session", "block_ordinal", "block", "place",
+                                "question", "response"},
+                               {}}};
+  const auto add = [&anchors](const std::string& participant, const std::string& place,
+                              double response) {
+    anchors.table.rows.push_back({participant, std::int64_t{1}, std::int64_t{2},
+                                  std::string("main"), place, std::string("rough"), response});
+  };
+  for (const auto& [participant, first] : {std::pair{"a", 4.0}, std::pair{"b", 6.0}}) {
+    add(participant, "start", first);
+    add(participant, "middle", first - 0.5);
+    add(participant, "end", 3.0);
+  }
+  outcome.tables.push_back(anchors);
+  outcome.tables.push_back(
+      {.name = kAnchorTrend,
+       .table = {{"block", "question", "measure", "persons", "start", "middle", "end", "change"},
+                 {{std::string("main"), std::string("rough"), std::string(kAnchorRating),
+                   std::int64_t{2}, 5.0, 4.5, 3.0, -2.0}}}});
+  const std::vector<Figure> figures = figures_of(outcome);
+  ASSERT_EQ(figures.size(), 1U);
+  const Figure& figure = figures.front();
+  EXPECT_EQ(figure.name, "anchors_main_rough");
+  EXPECT_EQ(figure.table, kAnchorTrend);
+  EXPECT_EQ(drawn_places(figure.x), (std::vector<std::string>{"start", "middle", "end"}));
+  ASSERT_EQ(figure.series.size(), 2U);
+  std::vector<double> means{};
+  for (const FigurePoint& point : figure.series[0].points) means.push_back(point.y);
+  EXPECT_EQ(means, (std::vector<double>{5.0, 4.5, 3.0}));
+  EXPECT_TRUE(figure.series[1].single);
+  ASSERT_EQ(figure.series[1].lines.size(), 2U);
+  EXPECT_EQ(figure.series[1].lines[1].front().y, 6.0);
+  EXPECT_EQ(figure.series[1].lines[1].back().x, 2.0);
+  EXPECT_LT(figure.y.low, 3.0);
+  EXPECT_GT(figure.y.high, 6.0);
 }
 
 TEST(FiguresOf, PutEachShareOfATableWithItsIntervalIntoARow) {

@@ -1,0 +1,31 @@
+// Describes how responses to the anchors of a session change, for every kind.
+
+#pragma once
+
+#include "app/findings/study/analysis_outcome.h"
+#include "app/findings/study/gathered_answers.h"
+
+namespace asperity {
+
+/// The table of the responses to anchors: participant, session, block_ordinal, block, place, question, response, correct.
+inline constexpr const char* kAnchors = "anchors";
+/// The table of their means by place and their change over a run of the block.
+inline constexpr const char* kAnchorTrend = "anchor_trend";
+
+/// The measures of `kAnchorTrend`: of estimates the change is a ratio, of the others a difference.
+inline constexpr const char* kAnchorEstimate = "anchor_estimate";
+inline constexpr const char* kAnchorRating = "anchor_rating";
+inline constexpr const char* kAnchorCorrect = "anchor_correct";
+
+/// Adds these tables if a block has an anchor in the middle or at the end: those only at the start are references of a scale.
+/// No finding contains anchors, and nothing is tested.
+///
+/// The change in a run is the slope b of the least-squares line through its responses y over the places p = 0, ½, 1,
+///
+///   b = Σ(p − p̄)(y − ȳ)/Σ(p − p̄)²,
+///
+/// with y = log10 of an estimate. That of a participant is the mean over the runs. The interval of the mean over
+/// participants is that of Student's t. Proportions correct have none: each is one trial.
+void add_anchors(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
+
+}  // namespace asperity
