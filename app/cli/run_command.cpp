@@ -174,6 +174,7 @@ void add_run(CLI::App& program, Job& job) {
                       {.requests = &requests,
                        .experimenter_is_there = person.has_value(),
                        .tell = [](const std::string& line) { say("asperity: " + line); }});
+      for (const Phrase& anchors : end.anchors) say("asperity: " + anchors.english());
       if (end.state != SessionState::completed) {
         say("asperity: the session stopped: " + end.reason.english() +
             (end.as_the_protocol_says ? ""

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/session/anchor_summary.h"
 #include "app/session/levels/level_program.h"
 #include "app/session/rig/clock.h"
 #include "app/session/trial_attempt.h"
@@ -155,6 +156,7 @@ SessionEnd Conductor::finish(std::int64_t began_ns) {
   course_.store_respondent_events();
   course_.store_remarks();
   end.attempts = attempts_made_;
+  end.anchors = anchor_summary(plan(), tally_->attempts());
   end.duration_s = seconds_between(began_ns, rig_.clock().now_ns());
   course_.event(end.state == SessionState::completed ? "session_completed" : "session_stopped",
                 end.reason);

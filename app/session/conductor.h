@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "app/session/levels/external_program.h"
 #include "app/session/session_course.h"
@@ -58,8 +59,9 @@ struct SessionEnd {
   Phrase reason{};  ///< why the session was stopped, if it was
   /// Stopped by a rule of the protocol (a criterion), not by a user or a fault.
   bool as_the_protocol_says = false;
-  int attempts = 0;         ///< made in this run
-  double duration_s = 0.0;  ///< on the session's clock
+  int attempts = 0;               ///< made in this run
+  double duration_s = 0.0;        ///< on the session's clock
+  std::vector<Phrase> anchors{};  ///< as `anchor_summary`, of the whole session
 };
 
 /// Runs the trial sequence of a session with one participant.

@@ -79,7 +79,7 @@ class PsiSession : public StaircaseSession {
  protected:
   void SetUp() override {
     begin(replaced(kStaircases, kProcedure,
-                    R"("method": "psi", "stop": {"trials": 4}, "tracks": [{}, {}])"));
+                   R"("method": "psi", "stop": {"trials": 4}, "tracks": [{}, {}])"));
   }
 };
 
@@ -91,12 +91,11 @@ TEST_F(PsiSession, ContinuesWithTheSameLevelsAfterAnInterruptionAnywhere) {
 class UnforcedSession : public StaircaseSession {
  protected:
   void SetUp() override {
-    const std::string text =
-        replaced(kStaircases, R"("judgement": "performance"}})",
-                  R"("judgement": "performance", "allow_cannot_tell": true}})");
+    const std::string text = replaced(kStaircases, R"("judgement": "performance"}})",
+                                      R"("judgement": "performance", "allow_cannot_tell": true}})");
     begin(replaced(text,
-                    R"("method": "transformed_up_down", "down": 2, "up": 1, "steps": [20, 10, 5],)",
-                    R"("method": "weighted_up_down", "steps": [10, 5],)"));
+                   R"("method": "transformed_up_down", "down": 2, "up": 1, "steps": [20, 10, 5],)",
+                   R"("method": "weighted_up_down", "steps": [10, 5],)"));
   }
 
   Reply reply_to(const Trial& trial, std::uint64_t seed) const override {
@@ -160,10 +159,10 @@ TEST_F(StaircaseSession, IsResumedWhereTheFollowingBlockWasNotYetStored) {
 /// A procedure for each level of an iterated factor, in the group of the participant.
 TEST_F(StaircaseSession, ContinuesInEveryRunOfItsBlockAndInItsGroup) {
   const std::string grouped = replaced(kStaircases, R"("factors": {)",
-                                        R"("counterbalance": "latin", "groups": {"factor": "hand"},
+                                       R"("counterbalance": "latin", "groups": {"factor": "hand"},
              "factors": {"ground": {"levels": ["soft", "hard"]}, "hand": {"levels": ["bare", "gloved"]}, )");
   protocol_ = read_small_protocol(models_, replaced(grouped, R"({"run": "tracks"})",
-                                                     R"({"run": "tracks", "for_each": "ground"})"));
+                                                    R"({"run": "tracks", "for_each": "ground"})"));
   const std::vector<std::string> expected = uninterrupted(2);
   ASSERT_EQ(expected.size(), 33U);
   const std::optional<std::string> group = session_.row.group_level;
@@ -193,6 +192,23 @@ TEST_F(StaircaseSession, ContinuesWithTheSameCatchTrials) {
     EXPECT_EQ(use_in_analyses(row), AnalysisUse::catch_trial);
   }
   EXPECT_GE(caught, 5);
+}
+
+TEST_F(StaircaseSession, ContinuesWithTheSameAnchors) {
+  const std::string crossed = R"("crossed": ["stroking"],)";
+  protocol_ = read_small_protocol(
+      models_, replaced(kStaircases, crossed,
+                        crossed + R"( "anchor": {"stroking": "short", "amplitude_m": 60},
+                                      "anchor_at": ["start", "middle", "end"],)"));
+  EXPECT_EQ(same_plan_after_interruptions(2).size(), static_cast<std::size_t>(kTrials) + 3);
+  std::vector<int> anchors{};
+  for (const PlannedTrialRow& row : study_->plan(session_.row.id)) {
+    if (row.repetition > 0) continue;
+    anchors.push_back(row.trial);
+    EXPECT_FALSE(row.track);
+    EXPECT_EQ(use_in_analyses(row), AnalysisUse::anchor);
+  }
+  EXPECT_EQ(anchors, (std::vector<int>{1, 10, 19})) << "among 16 trials of tracks";
 }
 
 // A catch trial whose protocol states no type is an easy one.

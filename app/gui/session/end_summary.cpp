@@ -149,6 +149,7 @@ void EndSummary::show_end(const SessionSnapshot& snapshot, const SessionRow& row
   }
   const QString reasons = reasons_of(attempts);
   if (!reasons.isEmpty()) text += '\n' + reasons;
+  for (const QString& anchors : outcome.anchors) text += '\n' + anchors;
   if (snapshot.trials == 0) text = began ? tr("No trial was begun.") : tr("Nothing was stored.");
   if (!outcome.why.isEmpty()) text = tr("%1\n\n%2").arg(outcome.why, text);
   if (outcome.can_go_on) {

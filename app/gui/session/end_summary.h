@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include <QtCore/QStringList>
 #include <QtWidgets/QWidget>
 
 #include "app/gui/session/bad_moments.h"
@@ -18,6 +19,7 @@ struct SessionOutcome {
   bool is_complete = false;
   bool can_go_on = false;  ///< it is in the store, neither complete nor ended by its protocol
   QString why{};           ///< what stopped it early; may be empty
+  QStringList anchors{};   ///< how the responses to anchors changed
 };
 
 class EndSummary final : public QWidget {

@@ -318,6 +318,9 @@ void SessionWindow::write_end() {
            : shown_.trials > 0 && shown_.trials_done >= shown_.trials && !shown_.trouble;
   outcome.can_go_on =
       facts_ != nullptr && !outcome.is_complete && !(end_ && end_->as_the_protocol_says);
+  if (end_) {
+    for (const Phrase& anchors : end_->anchors) outcome.anchors += words_of(anchors);
+  }
   QString why{};
   if (end_ && !end_->reason.empty()) {
     why = words_of(end_->reason);

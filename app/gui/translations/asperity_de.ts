@@ -8069,6 +8069,33 @@
     </message>
 </context>
 <context>
+    <name>SessionEnd</name>
+    <message>
+        <source>correct</source>
+        <translation>richtig</translation>
+    </message>
+    <message>
+        <source>incorrect</source>
+        <translation>falsch</translation>
+    </message>
+    <message>
+        <source>last − first: %1</source>
+        <translation>letzte − erste: %1</translation>
+    </message>
+    <message>
+        <source>last/first: %1</source>
+        <translation>letzte/erste: %1</translation>
+    </message>
+    <message>
+        <source>Anchors of block %1 (%2), question %3: %4.</source>
+        <translation>Anker des Blocks %1 (%2), Frage %3: %4.</translation>
+    </message>
+    <message>
+        <source>Anchors of block %1 (%2), question %3: %4; %5.</source>
+        <translation>Anker des Blocks %1 (%2), Frage %3: %4; %5.</translation>
+    </message>
+</context>
+<context>
     <name>SessionSetup</name>
     <message>
         <source>the protocol &quot;%1&quot; names the file %2, which is not in the study %3; copy the file into the study</source>

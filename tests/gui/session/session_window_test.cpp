@@ -942,6 +942,16 @@ TEST(SessionWindow, SaysWhatStoppedASessionEarly) {
   EXPECT_TRUE(place.startsWith("Every completed trial is stored in ")) << place.toStdString();
 }
 
+TEST(SessionWindow, ShowsHowTheResponsesToAnchorsChanged) {
+  FilledMonitor session{};
+  session.answer_up_to(static_cast<int>(session.plan->trials.size()));
+  session.set_phase(SessionPhase::ended);
+  const auto window = session.window();
+  window->show_end({.anchors = {Phrase("Anchors of block 1: 12 → 10 → 6.")}});
+  EXPECT_TRUE(
+      child<QLabel>(*window, "end_text").text().endsWith("\nAnchors of block 1: 12 → 10 → 6."));
+}
+
 TEST(SessionWindow, AsksBeforeItClosesInASession) {
   FilledMonitor session{};
   session.answer_up_to(9);
