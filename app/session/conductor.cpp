@@ -330,6 +330,7 @@ void Conductor::rest(const Protocol::Break& pause) {
     course_.event("force_zeroed", "break");
   }
   course_.put_mask(false, outside_);
+  if (pause.drift_check) check_drift(*pause.drift_check);
   ParticipantScene scene{.kind = ParticipantScene::Kind::rest, .text = pause.text};
   scene.rest_until_ns = course_.now_ns() + static_cast<std::int64_t>(pause.minimum_s * 1e9);
   course_.show(std::move(scene));

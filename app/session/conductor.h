@@ -162,6 +162,10 @@ class Conductor final {
   bool outlives(const Interruption& interruption);
   void check_device();
   Phrase device_problem(const Wait& waiting);
+  std::vector<TickRecord> records_without_surface(double duration_s, const Wait& waiting);
+  static Phrase problem_in(const std::vector<TickRecord>& records);
+  void check_drift(const Protocol::Break::DriftCheck& requested);
+  void measure_drift(const char* part, const std::string& prompt, double duration_s);
   /// False when the session is to end; `stopped_` then has the reason.
   bool wait_out_fault(Phrase what);
   std::optional<Phrase> trouble_after_standstill(const Phrase& what);

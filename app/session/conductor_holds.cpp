@@ -168,11 +168,18 @@ void Conductor::check_device() {
 
 /// What is wrong with the device, as part of a sentence; empty when there is no problem.
 Phrase Conductor::device_problem(const Wait& waiting) {
+  return problem_in(records_without_surface(kCheck_s, waiting));
+}
+
+std::vector<TickRecord> Conductor::records_without_surface(double duration_s, const Wait& waiting) {
   rig_.loop().withdraw();
   Recorder& recorder = course_.recorder();
   recorder.begin(nullptr, protocol_.rate_Hz, rig_.records());
-  waiting(kCheck_s);
-  const std::vector<TickRecord> records = recorder.finish(rig_.records()).records;
+  waiting(duration_s);
+  return recorder.finish(rig_.records()).records;
+}
+
+Phrase Conductor::problem_in(const std::vector<TickRecord>& records) {
   if (records.empty()) return phrase_of(Reason::does_not_tick);
   if (records.back().has(TickFlag::device_lost)) return phrase_of(Reason::does_not_answer);
   if (records.back().sent.force_N != glm::dvec3{0.0}) return phrase_of(Reason::sends_force);

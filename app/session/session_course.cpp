@@ -262,16 +262,19 @@ MaskingState SessionCourse::masking_state() const {
   return masking_ ? MaskingState::on : MaskingState::off;
 }
 
-void SessionCourse::ask_experimenter(const std::string& prompt, const Wait& waiting) {
-  if (!links_.experimenter_is_there || !respondent_.leaves_prompts_to_experimenter()) {
-    show(scene_to_read(prompt));
-    respondent_.read(prompt, 0.0, waiting);
+bool SessionCourse::asks_experimenter() const {
+  return links_.experimenter_is_there && respondent_.leaves_prompts_to_experimenter();
+}
+
+void SessionCourse::ask_experimenter(const Phrase& prompt, const Wait& waiting) {
+  if (!asks_experimenter()) {
+    show(scene_to_read(prompt.english()));
+    respondent_.read(prompt.english(), 0.0, waiting);
     return;
   }
   // The prompt is removed however the wait ends.
   struct Shown {
-    explicit Shown(SessionCourse& shown_course, const std::string& prompt_text)
-        : course(shown_course) {
+    explicit Shown(SessionCourse& shown_course, const Phrase& prompt_text) : course(shown_course) {
       course.update([&](SessionSnapshot& snapshot) {
         snapshot.trouble =
             SessionTrouble{prompt_text, course.now_ns(), SessionTrouble::Remedy::confirm};

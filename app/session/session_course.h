@@ -116,10 +116,12 @@ class SessionCourse final {
   bool has_lost_noise() const;
   /// The noise has played since the session was begun or resumed.
   bool has_masked() const noexcept { return has_masked_; }
-  /// Asks the experimenter to do something before a trial (place a sample) and waits for the
+  /// Asks the experimenter to do something (place a sample before a trial) and waits for the
   /// confirmation; the participant is not shown the request. Without an experimenter the respondent
   /// reads it.
-  void ask_experimenter(const std::string& prompt, const Wait& waiting);
+  void ask_experimenter(const Phrase& prompt, const Wait& waiting);
+  /// Whether the experimenter is asked, and not the respondent.
+  bool asks_experimenter() const;
   /// Has a participant who wears an eye mask put it on or take it off, if that is not already done.
   void put_mask(bool on, const Wait& waiting);
 

@@ -119,6 +119,16 @@ const std::vector<EventKind>& event_kinds() {
        .meaning = "the force was verified to be zero in a break",
        .hed = "Experiment-control, Device",
        .text_is_public = true},
+      {.name = "drift_checked",
+       .meaning = "the reading of the device was recorded in a break while nothing moved it. Text: "
+                  "`hand_off` or `tip`. Data: `ticks`, `duration_s`, the mean `position_m`, "
+                  "`noise_m`, `drift_m`, the distance `shift_m` from the first such check of the "
+                  "session, and with the limit `limit_m` of the device whether noise and drift "
+                  "`passed`",
+       .hed = "Experiment-control, Device",
+       .text_is_public = true,
+       .public_data = {"ticks", "duration_s", "position_m", "noise_m", "drift_m", "shift_m",
+                       "limit_m", "passed"}},
       {.name = "criterion_not_met",
        .meaning = "a block ended before its criterion was met. Text: the block",
        .hed = "Experiment-control",
@@ -218,7 +228,8 @@ const std::vector<EventKind>& event_kinds() {
        .text_is_public = true},
       {.name = "experimenter_ready",
        .meaning = "the experimenter confirmed the action that the protocol requires before the "
-                  "trial. Text: the action",
+                  "trial or in a drift check, or the result of this check. Text: the action or "
+                  "the result",
        .hed = "Experiment-control, Experimenter",
        .text_is_public = true},
       {.name = "input",

@@ -435,6 +435,14 @@ struct Protocol {
     double minimum_s = 0.0;
     std::string text{};
     bool zero_force = true;
+    /// Before the participant rests: the reading of the device is recorded while nothing moves it and no force is sent.
+    struct DriftCheck {
+      std::string text{};  ///< asks the experimenter to have the handle released
+      std::string
+          tip_text{};  ///< asks for the tip to be held at a reference point; empty: no such check
+      double duration_s = 2.0;  ///< of each recording
+    };
+    std::optional<DriftCheck> drift_check{};
   };
   struct Run {
     std::string block{};

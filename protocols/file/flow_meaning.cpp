@@ -25,6 +25,9 @@ void Meaning::check_flow() {
       }
     }
     const auto* const run = std::get_if<Run>(&protocol_.flow[i]);
+    const auto* const pause = std::get_if<Protocol::Break>(&protocol_.flow[i]);
+    if (pause != nullptr) check_break(*pause, pointer + "/break");
+    if (run != nullptr && run->pause) check_break(*run->pause, pointer + "/pause");
     if (run == nullptr) continue;
     run_blocks.insert(run->block);
     if (!protocol_.blocks.contains(run->block)) {
@@ -102,6 +105,13 @@ bool Meaning::check_level(const std::string& factor, const Level& level,
   return false;
 }
 
+void Meaning::check_break(const Protocol::Break& pause, const std::string& pointer) {
+  if (pause.drift_check && !pause.zero_force) {
+    report_key(pointer + "/zero_force",
+               "a drift check sends zero force to the device; remove this key, or drift_check");
+  }
+}
+
 void Meaning::check_size() {
   std::size_t trials = 0;
   std::size_t rows = 1;
@@ -116,8 +126,8 @@ void Meaning::check_size() {
       // At most two rows per level; the product is limited long before it could overflow.
       if (iterated.insert(run->for_each).second) rows = std::min(rows * 2 * runs, 2 * kMaximumRows);
     }
-    trials += runs * (block.procedure ? most_trials_of(protocol_, block)
-                                      : trial_count(protocol_, block));
+    trials +=
+        runs * (block.procedure ? most_trials_of(protocol_, block) : trial_count(protocol_, block));
     if (trials > kMaximumSessionTrials) {
       return report(
           pointer_to("/flow", i),

@@ -105,6 +105,7 @@ class Meaning final : private ProblemSink {
   /// The factors that the trials of a block have: set by the block, by `run`, or by the participant's group.
   std::set<std::string> factors_of(const Protocol::Block& block, const Protocol::Run* run) const;
   void check_flow();
+  void check_break(const Protocol::Break& pause, const std::string& pointer);
   void check_block(const Protocol::Block& block, const std::string& pointer);
   void check_anchor(const Protocol::Block& block, const std::string& pointer);
   void check_anchor_pair(const Protocol::Block& block, const std::string& place);

@@ -28,6 +28,12 @@ Protocol::Break break_of(const json& object) {
   read(object, "minimum_s", pause.minimum_s);
   read(object, "text", pause.text);
   read(object, "zero_force", pause.zero_force);
+  if (const auto found = object.find("drift_check"); found != object.end()) {
+    pause.drift_check.emplace();
+    read(*found, "text", pause.drift_check->text);
+    read(*found, "tip_text", pause.drift_check->tip_text);
+    read(*found, "duration_s", pause.drift_check->duration_s);
+  }
   return pause;
 }
 

@@ -191,7 +191,11 @@ constexpr std::array kTextPlaces{
     "/blocks/*/page_prompt",
     "/flow/*/screen",
     "/flow/*/break/text",
+    "/flow/*/break/drift_check/text",
+    "/flow/*/break/drift_check/tip_text",
     "/flow/*/pause/text",
+    "/flow/*/pause/drift_check/text",
+    "/flow/*/pause/drift_check/tip_text",
     "/resume/screens",
 };
 

@@ -58,6 +58,15 @@ double contact_of_patch_s(const Exploration& exploration, const Trial& trial) {
   return std::max(contact_s(exploration), trial.arrangement.minimum_visits * crossing_s);
 }
 
+/// The requests of a drift check are read and confirmed, then each part is recorded.
+double drift_check_s(const Protocol::Break& pause) {
+  if (!pause.drift_check) return 0.0;
+  const Protocol::Break::DriftCheck& check = *pause.drift_check;
+  const double of_tip_s =
+      check.tip_text.empty() ? 0.0 : reading_s(check.tip_text) + check.duration_s;
+  return reading_s(check.text) + check.duration_s + of_tip_s;
+}
+
 /// Adds steps to a cost, in order.
 class CostSum final {
  public:
@@ -81,7 +90,7 @@ class CostSum final {
 
  private:
   void rest(const Protocol::Break& pause) {
-    cost_.total_s += pause.minimum_s;
+    cost_.total_s += pause.minimum_s + drift_check_s(pause);
     since_break_s_ = 0.0;
     contact_since_break_s_ = 0.0;
   }
@@ -93,7 +102,7 @@ class CostSum final {
     for (const Protocol::Run* const run : runs_of(protocol_, block)) {
       const double limit_s = run->break_every_contact_s;
       if (limit_s <= 0.0 || contact_since_break_s_ < limit_s) continue;
-      cost_.breaks_after_contact_s += run->pause->minimum_s;
+      cost_.breaks_after_contact_s += run->pause->minimum_s + drift_check_s(*run->pause);
       return rest(*run->pause);
     }
   }

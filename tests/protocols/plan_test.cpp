@@ -15,7 +15,6 @@
 namespace asperity {
 namespace {
 
-
 Protocol read(const std::string& text) {
   return read_protocol(text, "p.json", test::example_models());
 }
@@ -482,6 +481,26 @@ TEST(PlanCost, AddsUpWhatThePlanHolds) {
   // one word takes the shortest reading, 5 s; the check 15 s; one break of 60 s.
   EXPECT_DOUBLE_EQ(cost.total_s, 5.0 + 15.0 + 6 * 17.5 + 60.0);
   EXPECT_DOUBLE_EQ(cost.longest_without_break_s, 5.0 + 15.0 + 3 * 17.5);
+}
+
+// Each request takes the shortest reading, 5 s, and each recording 3 s.
+TEST(PlanCost, CountsTheDriftChecksOfBreaks) {
+  const std::string pause = R"("pause": {"minimum_s": 60})";
+  const auto total_s = [](const std::string& text) {
+    const Protocol protocol = read(text);
+    return cost_of(protocol, make_plan(protocol, {1, 0})).total_s;
+  };
+  const std::string without = test::example_selection();
+  const std::string released = R"("drift_check": {"text": "Let go.", "duration_s": 3)";
+  const std::string head = R"("pause": {"minimum_s": 60, )";
+  EXPECT_DOUBLE_EQ(total_s(replaced(without, pause, head + released + "}}")) - total_s(without),
+                   5.0 + 3.0);
+  EXPECT_DOUBLE_EQ(
+      total_s(replaced(without, pause, head + released + R"(, "tip_text": "Hold it."}})")) -
+          total_s(without),
+      2.0 * (5.0 + 3.0));
+  EXPECT_THROW(read(replaced(without, pause, head + R"("zero_force": false, )" + released + "}}")),
+               ProtocolError);
 }
 
 TEST(Criterion, IsMetByTheLastAnswersAlone) {

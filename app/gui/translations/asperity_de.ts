@@ -4823,6 +4823,29 @@
     </message>
 </context>
 <context>
+    <name>DriftCheck</name>
+    <message>
+        <source>Tip at its reference: position (%1, %2, %3) mm, noise %4 mm, drift %5 mm in %6 s.</source>
+        <translation>Spitze am Bezugspunkt: Position (%1; %2; %3) mm, Rauschen %4 mm, Drift %5 mm in %6 s.</translation>
+    </message>
+    <message>
+        <source>Handle at rest: position (%1, %2, %3) mm, noise %4 mm, drift %5 mm in %6 s.</source>
+        <translation>Griff in Ruhe: Position (%1; %2; %3) mm, Rauschen %4 mm, Drift %5 mm in %6 s.</translation>
+    </message>
+    <message>
+        <source>Distance from the first check of the session: %1 mm.</source>
+        <translation>Abstand von der ersten Prüfung der Sitzung: %1 mm.</translation>
+    </message>
+    <message>
+        <source>Noise and drift are within the limit of this device, %1 mm.</source>
+        <translation>Rauschen und Drift liegen innerhalb der Grenze dieses Geräts, %1 mm.</translation>
+    </message>
+    <message>
+        <source>Noise or drift exceeds the limit of this device, %1 mm: check that nothing touches the handle, and the device, before you continue.</source>
+        <translation>Rauschen oder Drift überschreitet die Grenze dieses Geräts, %1 mm: Prüfen Sie, dass nichts den Griff berührt, und das Gerät, bevor Sie fortfahren.</translation>
+    </message>
+</context>
+<context>
     <name>DriverWords</name>
     <message>
         <source>“Set up…” on the Devices page</source>
