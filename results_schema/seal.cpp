@@ -30,26 +30,31 @@ std::filesystem::path lock_of_writers(const std::filesystem::path& study) {
   return study / "locks" / "writers.lock";
 }
 
-/// Nothing when it was asked to stop.
+/// Nothing when it was asked to stop. A file that another process makes shorter meanwhile, as a compacted database is, is
+/// read again. Errors: ResultsError, also where it becomes shorter each of five times.
 std::optional<std::string> seal_text_of(Database& database, const SealWatch& watch = {}) {
+  constexpr int kMostReadings = 5;
   constexpr sqlite3_int64 kPiece_bytes = 1 << 20;
   sqlite3_file* file = nullptr;
   int code = sqlite3_file_control(database.handle(), "main", SQLITE_FCNTL_FILE_POINTER, &file);
   if (code != SQLITE_OK || file == nullptr) database.fail(code, "cannot be read");
-  sqlite3_int64 bytes = 0;
-  code = file->pMethods->xFileSize(file, &bytes);
-  if (code != SQLITE_OK) database.fail(code, "cannot be read");
-  Sha256Stream sha256;
-  std::vector<char> piece(static_cast<std::size_t>(std::min(kPiece_bytes, bytes)));
-  for (sqlite3_int64 at = 0; at < bytes; at += kPiece_bytes) {
-    if (watch.progress) watch.progress(static_cast<double>(at) / static_cast<double>(bytes));
-    if (watch.stop.stop_requested()) return std::nullopt;
-    const auto count = static_cast<int>(std::min(kPiece_bytes, bytes - at));
-    code = file->pMethods->xRead(file, piece.data(), count, at);
+  for (int reading = 1;; ++reading) {
+    sqlite3_int64 bytes = 0;
+    code = file->pMethods->xFileSize(file, &bytes);
     if (code != SQLITE_OK) database.fail(code, "cannot be read");
-    sha256.add(piece.data(), static_cast<std::size_t>(count));
+    Sha256Stream sha256;
+    std::vector<char> piece(static_cast<std::size_t>(std::min(kPiece_bytes, bytes)));
+    for (sqlite3_int64 at = 0; at < bytes && code == SQLITE_OK; at += kPiece_bytes) {
+      if (watch.progress) watch.progress(static_cast<double>(at) / static_cast<double>(bytes));
+      if (watch.stop.stop_requested()) return std::nullopt;
+      const auto count = static_cast<int>(std::min(kPiece_bytes, bytes - at));
+      code = file->pMethods->xRead(file, piece.data(), count, at);
+      sha256.add(piece.data(), static_cast<std::size_t>(count));
+    }
+    if (code == SQLITE_OK) return sha256.hexadecimal() + "  study.sqlite\n";
+    if (code != SQLITE_IOERR_SHORT_READ || reading == kMostReadings)
+      database.fail(code, "cannot be read");
   }
-  return sha256.hexadecimal() + "  study.sqlite\n";
 }
 
 /// Nothing when there is none, also when it went away just now or nobody here may read it.

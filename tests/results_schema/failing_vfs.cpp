@@ -1,8 +1,10 @@
-// Every method is SQLite's own but those that put something on a disk.
+// Every method is SQLite's own but those that put something on a disk, and large reads.
 
 #include "tests/results_schema/failing_vfs.h"
 
 #include <csignal>
+#include <cstddef>
+#include <cstring>
 #include <new>
 #include <stdexcept>
 #include <unistd.h>
@@ -23,7 +25,14 @@ struct FailingVfs::Methods {
 
   static int close(sqlite3_file* base) { return of(base).xClose(real(base)); }
   static int read(sqlite3_file* base, void* data, int count, sqlite3_int64 offset) {
-    return of(base).xRead(real(base), data, count, offset);
+    constexpr int kLarge_bytes = 1 << 16;
+    int& to_shorten = file(base).owner->large_reads_to_shorten_;
+    if (count <= kLarge_bytes || to_shorten == 0) {
+      return of(base).xRead(real(base), data, count, offset);
+    }
+    --to_shorten;
+    std::memset(data, 0, static_cast<std::size_t>(count));
+    return SQLITE_IOERR_SHORT_READ;
   }
   static int write(sqlite3_file* base, const void* data, int count, sqlite3_int64 offset) {
     const int code = file(base).owner->next_operation();

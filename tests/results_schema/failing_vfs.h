@@ -1,5 +1,5 @@
-// A disk that fails when told to: SQLite's own file system with one write or sync going wrong, or with a program that is
-// killed before it.
+// A disk that fails when told to: SQLite's own file system with one write or sync going wrong, with a program that is
+// killed before it, or with a read that ends short.
 
 #pragma once
 
@@ -23,6 +23,10 @@ class FailingVfs final {
   /// after it, until `heal`. With `killed` this process ends instead, as by kill -9.
   void fail_from(int n, Fault fault);
   void heal();
+  /// The next `count` reads of more than 64 KiB end short, as of a file that another process truncates: SQLite's own reads
+  /// are of a page or less.
+  void shorten_large_reads(int count) { large_reads_to_shorten_ = count; }
+  int large_reads_to_shorten() const { return large_reads_to_shorten_; }
   /// Whether the failure has happened.
   bool has_failed() const { return has_failed_; }
   /// Whether it was a sync that failed first: then what it should have secured is written all the
@@ -40,6 +44,7 @@ class FailingVfs final {
   int operations_left_ = -1;  ///< negative: healthy
   bool has_failed_ = false;
   bool has_failed_in_sync_ = false;
+  int large_reads_to_shorten_ = 0;
   Fault fault_ = Fault::disk_full;
 };
 

@@ -352,6 +352,23 @@ TEST(SealOf, AFileThatWasWrittenMeanwhileHolds) {
   EXPECT_TRUE(is_written);
 }
 
+// The deletion compacts the file while it is read.
+TEST(SealOf, AFileThatBecameShorterMeanwhileHolds) {
+  const TemporaryFolder folder;
+  ParticipantRow large = some_participant("Large1");
+  large.answers_json = R"({"words":")" + std::string(200'000, 'x') + R"("})";
+  { Study::create(folder / "s", "x").add_participant(large); }
+  const auto before = std::filesystem::file_size(folder / "s" / "study.sqlite");
+  int deletions = 0;
+  const auto delete_once = [&](double) {
+    if (deletions++ > 0) return;
+    Study::open(folder / "s", Access::read_write)
+        .withdraw("Large1", {.data = WithdrawnData::deleted, .decided_by = "R. Keeper"});
+  };
+  EXPECT_EQ(seal_of(folder / "s", {.progress = delete_once}), Seal::holds);
+  EXPECT_LT(std::filesystem::file_size(folder / "s" / "study.sqlite"), before);
+}
+
 TEST(StudyVerify, FindsFilesThatAreMissingOrChanged) {
   const TemporaryFolder folder;
   const auto [study, session_id] = recorded_study(folder / "s");

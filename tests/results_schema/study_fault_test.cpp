@@ -105,6 +105,31 @@ TEST(StudyCreation, LeavesNothingWhenTheDiskFails) {
   }
 }
 
+TEST(StudyReading, ReadsAFileAgainThatBecomesShorterMeanwhile) {
+  const TemporaryFolder folder;
+  { study_with_session(folder / "s", kTrials); }  // of more than 64 KiB
+  FailingVfs disk;
+  for (const Access access : {Access::read_only, Access::read_write}) {
+    disk.shorten_large_reads(2);
+    const Study study = Study::open(folder / "s", access);
+    EXPECT_EQ(study.condition(), StudyCondition::whole);
+    EXPECT_EQ(disk.large_reads_to_shorten(), 0);
+  }
+  EXPECT_THAT(Study::open(folder / "s", Access::read_only).verify({}), IsEmpty());
+}
+
+TEST(StudyReading, GivesUpAFileThatCannotBeRead) {
+  const TemporaryFolder folder;
+  { study_with_session(folder / "s", kTrials); }  // of more than 64 KiB
+  constexpr int kMany = 1000;
+  FailingVfs disk;
+  disk.shorten_large_reads(kMany);
+  EXPECT_THAT(refusal_of<ResultsError>(
+                  [&] { (void)Study::open(folder / "s", Access::read_only).condition(); }),
+              HasSubstr("the disk could not be read"));
+  EXPECT_GT(disk.large_reads_to_shorten(), kMany - 20);
+}
+
 TEST(ParallelSessions, NeverFailAndReadBackInNaturalOrder) {
   constexpr int kThreads = 4;
   constexpr int kAttempts = 15;
