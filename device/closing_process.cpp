@@ -11,10 +11,12 @@
 namespace asperity {
 
 ClosingProcess::ClosingProcess(const std::filesystem::path& program, const std::string& device,
-                               const std::filesystem::path& library) {
+                               const std::string& claim, const std::filesystem::path& library) {
   add(program.string());
   add("close-device");
   add(device);
+  add("--claim");
+  add(claim);
   if (!library.empty()) {
     add("--library");
     add(std::filesystem::absolute(library).string());

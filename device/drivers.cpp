@@ -6,10 +6,12 @@
 #include <chrono>
 #include <iterator>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "device/closing_process.h"
+#include "device/device_claim.h"
 #include "device/falcon/falcon_device.h"
 #include "device/force_dimension/force_dimension_device.h"
 #include "device/inverse3/inverse3_device.h"
@@ -80,6 +82,53 @@ std::string tags_of(const std::vector<AttachedDevice>& devices) {
   return tags;
 }
 
+// What goes with a device that another process closes where this program is killed.
+struct ForClosing {
+  std::unique_ptr<DeviceClaim> claim{};  // released last
+  std::optional<ClosingProcess> process{};
+};
+
+// The claim of a device that is open. Null: the stop came before another process released it.
+std::unique_ptr<DeviceClaim> wait_for_claim(const std::string& claim, const std::string& device,
+                                            const std::stop_token& stop) {
+  constexpr std::chrono::seconds kLongest(5);
+  constexpr std::chrono::milliseconds kBetweenTrials(10);
+  const auto latest = std::chrono::steady_clock::now() + kLongest;
+  while (!stop.stop_requested()) {
+    if (auto taken = DeviceClaim::take(claim)) return taken;
+    if (std::chrono::steady_clock::now() > latest) {
+      throw std::runtime_error("the device \"" + device +
+                               "\" is in use: another process of this program drives it. End that "
+                               "process, then open the device again");
+    }
+    pause(stop, kBetweenTrials);
+  }
+  return nullptr;
+}
+
+// Opens a device that another process closes where this program is killed.
+std::unique_ptr<HapticDevice> open_for_closing(const Driver& driver, const std::string& which,
+                                               const DriverOptions& options) {
+  std::unique_ptr<HapticDevice> device = driver.open(which, options);
+  const std::string serial = device->capability().serial;
+  const std::string claim = driver.id + ":" + (serial.empty() ? which : serial);
+  // The name that has opened it: a serial number opens only the default one of OpenHaptics' devices.
+  const std::string& same = which.empty() ? serial : which;
+  const std::string name = driver.id + (same.empty() ? "" : ":" + same);
+  auto closing = std::make_shared<ForClosing>();
+  closing->claim = DeviceClaim::take(claim);
+  if (closing->claim == nullptr) {
+    closing->claim = wait_for_claim(claim, name, options.stop);
+    if (closing->claim == nullptr) return device;
+    // Its process may have closed it, which a manufacturer's library need not have refused.
+    device.reset();
+    device = driver.open(which, options);
+  }
+  closing->process.emplace(options.closing_program, name, claim, options.library);
+  device->keep(std::move(closing));
+  return device;
+}
+
 }  // namespace
 
 void DriverRegistry::add(Driver driver) {
@@ -120,17 +169,14 @@ std::unique_ptr<HapticDevice> DriverRegistry::open(const std::string& name,
   DriverOptions told = options;
   told.alone = &alone;
   const std::string which = colon == std::string::npos ? "" : name.substr(colon + 1);
-  std::unique_ptr<HapticDevice> device = driver->open(which, told);
+  const bool needs_closing =
+      driver->is_closed_by_another_process && !options.closing_program.empty();
+  std::unique_ptr<HapticDevice> device =
+      needs_closing ? open_for_closing(*driver, which, told) : driver->open(which, told);
   if (options.stop.stop_requested()) {
     throw OpeningStopped(
         "the device \"" + name +
         "\" was closed: opening it was stopped on request; open it again to use it");
-  }
-  if (driver->is_closed_by_another_process && !options.closing_program.empty()) {
-    // The name that has opened it: a serial number opens only the default one of OpenHaptics' devices.
-    const std::string& same = which.empty() ? device->capability().serial : which;
-    device->keep(std::make_shared<const ClosingProcess>(
-        options.closing_program, id + (same.empty() ? "" : ":" + same), options.library));
   }
   return device;
 }

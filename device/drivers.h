@@ -53,7 +53,7 @@ struct DriverOptions {
   /// Drivers with a thread of their own ask for SCHED_FIFO; refused, they go on without.
   bool wants_fifo = true;
   /// This program, which the command close-device makes open and close a device (ClosingProcess). Empty: where the program is
-  /// killed, such a device is left unchanged.
+  /// killed, such a device is left unchanged, and it is opened without a DeviceClaim.
   std::filesystem::path closing_program{};
   /// What holds the probe of the simulated device; has to outlive it. Null elsewhere.
   VirtualHand* hand = nullptr;

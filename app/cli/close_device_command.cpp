@@ -7,8 +7,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/call_limit.h"
 #include "app/cli/command.h"
 #include "app/cli/driver_options.h"
+#include "app/cli/number_option.h"
+#include "app/cli/terminal.h"
+#include "device/device_claim.h"
 
 namespace asperity {
 
@@ -16,23 +20,50 @@ namespace {
 
 using std::chrono::steady_clock;
 
-// The kernel releases the device of a killed program when it can; until then it is in use.
-constexpr std::chrono::seconds kLongest{60};
 constexpr std::chrono::milliseconds kBetweenTrials{50};
 
-int close_device(const std::string& device, DriverOptions options) {
-  options.closing_program.clear();
+struct CloseDevice {
+  std::string device{};
+  std::string claim{};
+  int seconds = 60;
+  DriverOptions drivers{};
+};
+
+/// Null where a program drives the device: one that has had it for as long as the kernel may take to end the killed one.
+std::unique_ptr<DeviceClaim> claim_of_ended_program(const std::string& name) {
+  constexpr std::chrono::seconds kToEnd{1};
+  const auto latest = steady_clock::now() + kToEnd;
+  for (;;) {
+    if (auto claim = DeviceClaim::take(name)) return claim;
+    if (steady_clock::now() > latest) return nullptr;
+    std::this_thread::sleep_for(kBetweenTrials);
+  }
+}
+
+int close_device(const CloseDevice& job) {
+  const auto claim = claim_of_ended_program(job.claim);
+  if (claim == nullptr) {
+    say("asperity: the device " + job.device +
+        " was left unchanged: another program drives it now, and has set its force to zero");
+    return 0;
+  }
+  // Until the kernel has released the device of the killed program, it is in use.
+  const std::chrono::seconds limit{job.seconds};
+  const auto latest = steady_clock::now() + limit;
+  CallLimit call(job.device);
   const DriverRegistry drivers = built_in_drivers();
-  const auto latest = steady_clock::now() + kLongest;
   for (;;) {
     try {
-      drivers.open(
-          device,
-          options);  // both set the motors to zero, the opening and the end of what it returns
+      // Both set the motors to zero.
+      call.begin("opening the device", limit);
+      auto device = drivers.open(job.device, job.drivers);
+      call.begin("closing the device", limit);
+      device.reset();
       return 0;
     } catch (const std::exception&) {
       if (steady_clock::now() > latest) throw;
     }
+    call.end();
     std::this_thread::sleep_for(kBetweenTrials);
   }
 }
@@ -40,17 +71,20 @@ int close_device(const std::string& device, DriverOptions options) {
 }  // namespace
 
 void add_close_device(CLI::App& program, Job& job) {
-  struct Options {
-    std::string device{};
-    DriverOptions drivers{};
-  };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CloseDevice>();
   CLI::App* command = program.add_subcommand("close-device", "Set the force of a device to zero.");
   command->group("");  // for the program itself: in no list of commands
   command->add_option("DEVICE", options->device, "NAME or NAME:SERIAL")->required();
+  command->add_option("--claim", options->claim, "The name of the device's DeviceClaim")
+      ->required();
+  command
+      ->add_option("--within", options->seconds,
+                   "Give up after so many seconds, and where a call takes as long")
+      ->check(number_within(1, 3600));
   add_driver_options(*command, options->drivers);
   command->callback([options, &job] {
-    job = [options] { return close_device(options->device, options->drivers); };
+    options->drivers.closing_program.clear();
+    job = [options] { return close_device(*options); };
   });
 }
 

@@ -19,7 +19,9 @@ class MovingDevice : public testing::Test {
     Invocation invocation{};
     invocation.arguments = std::move(arguments);
     invocation.environment = {{"ASPERITY_TEST_DHD_SWITCHED_OFF", "101"},
-                              {"ASPERITY_TEST_DHD_CALLS", calls_.string()}};
+                              {"ASPERITY_TEST_DHD_CALLS", calls_.string()},
+                              // A device with this number may be driven in another test.
+                              {"XDG_RUNTIME_DIR", folder_.path().string()}};
     return invocation;
   }
   /// To its maker's library.

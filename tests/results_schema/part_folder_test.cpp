@@ -14,9 +14,9 @@
 #include "results_schema/study.h"
 #include "tests/results_schema/rename_watch.h"
 #include "tests/results_schema/sync_watch.h"
-#include "tests/results_schema/waiting_child.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/waiting_child.h"
 
 namespace asperity {
 namespace {

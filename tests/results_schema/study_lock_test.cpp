@@ -18,9 +18,9 @@
 #include "results_schema/atomic_file.h"
 #include "results_schema/study.h"
 #include "tests/results_schema/rows_for_tests.h"
-#include "tests/results_schema/waiting_child.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/waiting_child.h"
 
 namespace asperity {
 namespace {

@@ -27,6 +27,7 @@ Bench bench_of_this_process() {
                            .knows_its_zero = false,
                            .searches_on = std::getenv("ASPERITY_TEST_DHD_SEARCHES_ON") != nullptr});
   }
+  if (const char* function = std::getenv("ASPERITY_TEST_DHD_BLOCKS")) bench.blocks = function;
   return bench;
 }
 
@@ -102,6 +103,14 @@ void wait_while_blocked(std::unique_lock<std::recursive_mutex>& held, const char
   while (the_bench.blocks == function) stopped.wait_for(held, std::chrono::milliseconds(1));
 }
 
+// A library waits for its threads when a program ends in order.
+struct EndOfProcess {
+  ~EndOfProcess() {
+    std::unique_lock held(the_lock);
+    while (!the_bench.blocks.empty()) stopped.wait_for(held, std::chrono::milliseconds(1));
+  }
+} end_of_process;
+
 #ifndef ASPERITY_TEST_DHD_WITHOUT_DRD
 // Moves until neither its force nor its regulation is on, axis by axis; then it takes the arm a while to come to rest.
 int searched_on(char id) {
@@ -157,8 +166,9 @@ int dhdOpenSerial(int serial) {
   return failed("no device has this serial number");
 }
 int dhdClose(char id) {
-  const std::lock_guard held(the_lock);
+  std::unique_lock held(the_lock);
   note("dhdClose", id);
+  wait_while_blocked(held, "dhdClose");
   Unit* unit = unit_of(id);
   // What is closed after its cable was pulled is closed.
   for (std::size_t index = 0; index < the_bench.units.size(); ++index) {
@@ -218,7 +228,8 @@ int dhdGetStatus(int* status, char id) {
   return 0;
 }
 int dhdGetPosition(double* x, double* y, double* z, char id) {
-  const std::lock_guard held(the_lock);
+  std::unique_lock held(the_lock);
+  wait_while_blocked(held, "dhdGetPosition");
   const Unit* unit = unit_of(id);
   if (unit == nullptr || the_bench.read_answer < 0) return -1;
   *x = unit->position_m[0];

@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <memory>
+#include <string>
 #include <thread>
+#include <utility>
 
 using asperity::test_hd::Bench;
 
@@ -29,6 +33,20 @@ constexpr unsigned int kHandle = 0;
 void note(const std::string& call) {
   const std::lock_guard lock(the_bench->mutex);
   the_bench->calls.push_back(call);
+  // For a program that a test starts.
+  if (const char* file = std::getenv("ASPERITY_TEST_HD_CALLS")) {
+    std::ofstream(file, std::ios::app) << call << '\n';
+  }
+}
+
+// What the device receives, as another process sees it: a line for each change between zero and a force.
+void note_at_wire(const double* force_N) {
+  static std::string last;
+  const char* file = std::getenv("ASPERITY_TEST_HD_CALLS");
+  if (file == nullptr) return;
+  const std::string now =
+      force_N[0] == 0.0 && force_N[1] == 0.0 && force_N[2] == 0.0 ? "zero" : "force";
+  if (std::exchange(last, now) != now) std::ofstream(file, std::ios::app) << now << '\n';
 }
 
 void run_scheduler() {
@@ -151,6 +169,7 @@ void hdSetDoublev(unsigned int what, const double* values) {
   if (!is_in_frame) ++the_bench->disorders;
   if (what == 0x2700) {
     std::copy_n(values, 3, the_bench->force_N);
+    note_at_wire(values);
     the_bench->strongest_N =
         std::max(the_bench->strongest_N, std::hypot(values[0], values[1], values[2]));
   } else if (what == 0x2701) {
