@@ -55,6 +55,12 @@ std::vector<AttachedDevice> UnitInUse::of(std::string_view driver) {
   return devices;
 }
 
+bool UnitInUse::is_any() {
+  UnitList& list = units_of_this_process();
+  const std::lock_guard lock(list.mutex);
+  return !list.entries.empty();
+}
+
 std::mutex& UnitInUse::looking() { return units_of_this_process().looking; }
 
 LetOthersLook::LetOthersLook(std::unique_lock<std::mutex>* alone, std::stop_token stop)

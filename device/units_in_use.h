@@ -29,6 +29,9 @@ class UnitInUse final {
   /// Those of one driver, each with the hindrance that this program uses it.
   static std::vector<AttachedDevice> of(std::string_view driver);
 
+  /// Whether there is one, of any driver.
+  static bool is_any();
+
   /// Held by DriverRegistry while a driver looks for devices or opens one, and by a driver that opens its lost
   /// device again. Between the two looks of another thread a device that it has opened only to ask its name would
   /// be closed while another user of the library begins to use it.

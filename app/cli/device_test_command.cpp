@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -19,12 +20,14 @@
 #include <termios.h>
 
 #include "analysis/number_text.h"
+#include "app/cli/call_limit.h"
 #include "app/cli/command.h"
 #include "app/cli/driver_options.h"
 #include "app/cli/number_option.h"
 #include "app/cli/plugin_option.h"
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
+#include "app/device_bench/device_bench.h"
 #include "app/device_bench/device_choice.h"
 #include "app/device_bench/measure_device.h"
 #include "app/plugins/plugin_files.h"
@@ -141,6 +144,59 @@ void print_for_people(const DeviceProfile& profile) {
   std::cout << aligned(table_of(profile)) << verdict_on(profile).english() << '\n';
 }
 
+// Longer than the drivers need: opening may load firmware and find the zero of an arm, closing waits for a thread.
+constexpr std::chrono::seconds kLongestOpening{120};
+constexpr std::chrono::seconds kLongestClosing{10};
+
+/// A device that is closed within a limit, or left to a call into its driver that does not return.
+class TestedDeviceHandle final {
+ public:
+  TestedDeviceHandle(std::unique_ptr<HapticDevice> device, CallLimit& call)
+      : device_(std::move(device)), call_(call) {}
+  ~TestedDeviceHandle() {
+    if (device_ == nullptr) return;
+    call_.begin("closing the device", kLongestClosing);
+    device_.reset();
+    call_.end();
+  }
+  TestedDeviceHandle(const TestedDeviceHandle&) = delete;
+  TestedDeviceHandle& operator=(const TestedDeviceHandle&) = delete;
+
+  HapticDevice& operator*() noexcept { return *device_; }
+  MeasuredDevice measure(const MeasureOrder& order, const std::stop_token& stop) {
+    try {
+      return measure_device(*device_, order, stop);
+    } catch (const DriverHangs&) {
+      [[maybe_unused]] HapticDevice* const left = device_.release();
+      throw;
+    }
+  }
+
+ private:
+  std::unique_ptr<HapticDevice> device_;
+  CallLimit& call_;
+};
+
+/// Opens it within a limit, which counts anew after each request to the user.
+std::unique_ptr<HapticDevice> open_within_limit(const std::string& device, DriverOptions options,
+                                                CallLimit& call) {
+  const auto begin = [&call] { call.begin("opening the device", kLongestOpening); };
+  options.tell = [begin](const std::string& sentence) {
+    say(sentence);
+    begin();
+  };
+  options.may_move = [begin, &call, asked = options.may_move](const std::string& what) {
+    call.end();
+    const bool is_agreed = asked(what);
+    begin();
+    return is_agreed;
+  };
+  begin();
+  auto opened = built_in_drivers().open(device, options);
+  call.end();
+  return opened;
+}
+
 }  // namespace
 
 void add_device_test(CLI::App& program, Job& job) {
@@ -202,14 +258,13 @@ void add_device_test(CLI::App& program, Job& job) {
           "asperity: stopping the device. If the handle keeps moving by itself, switch the device "
           "off");
       const InterruptWatch::Hold until_it_is_closed;
-      options->drivers.tell = [](const std::string& sentence) { say(sentence); };
       options->drivers.stop = interrupt.token();
       options->drivers.may_move = [&](const std::string& what) {
         return agrees(what, options->agreed, interrupt.token());
       };
       options->drivers.hand = &hand;
-      const std::unique_ptr<HapticDevice> device =
-          built_in_drivers().open(options->device, options->drivers);
+      CallLimit call(options->device);
+      TestedDeviceHandle device(open_within_limit(options->device, options->drivers, call), call);
       interrupt.will_say("asperity: stopping; the force is set to zero");
       if (kind_of_device(options->device) != DeviceKind::simulated) {
         ask_before_it_moves(*device, order.test, options->agreed, interrupt.token());
@@ -218,13 +273,14 @@ void add_device_test(CLI::App& program, Job& job) {
       order.test.tell = [](const DeviceTestNews& news) {
         say(fixed(100.0 * news.done, 0) + " %: " + news.what);
       };
-      const auto [profile, file] = measure_device(*device, order, interrupt.token());
+      const auto [profile, file] = device.measure(order, interrupt.token());
       if (file) say("the profile is stored as " + file->string());
       if (options->json) {
         std::cout << json_text_of(profile);
       } else {
         print_for_people(profile);
       }
+      std::cout.flush();  // closing the device may end the program
       return profile.has_failed() ? 1 : 0;
     };
   });

@@ -1,5 +1,7 @@
 // The program: one binary, one subcommand per job; without one, the window.
 
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -16,6 +18,8 @@
 #include "app/gui/window/program_window.h"
 #endif
 #include "app/study_files/program.h"
+#include "device/units_in_use.h"
+#include "renderers/servo/servo_thread.h"
 
 namespace {
 
@@ -45,6 +49,14 @@ void add_windows(CLI::App& program, asperity::Job& job, int& argc, char** argv) 
   });
 }
 #endif
+
+/// Threads that were left behind in a driver use what the end of a program destroys, and the end of a manufacturer's library
+/// may wait for them. Everything else is closed by now.
+int end_with(int status) {
+  if (!asperity::ServoThread::end_all_forces() && !asperity::UnitInUse::is_any()) return status;
+  std::fflush(nullptr);
+  std::_Exit(status);
+}
 
 }  // namespace
 
@@ -99,5 +111,5 @@ int main(int argc, char** argv) {
     say(*sentence);
     return kWrongUsage;
   }
-  return status_of(job);
+  return end_with(status_of(job));
 }

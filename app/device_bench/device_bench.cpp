@@ -22,13 +22,21 @@ namespace {
 
 constexpr double kConducted_s = 0.005;  // between two looks at a loop in real time
 constexpr double kBenchRing_s = 8.0;
+/// Until a tick under way counts as one that does not return; the servo thread and its watch wait as long for it.
+constexpr double kHangs_s = 1.0;
 constexpr double kFade_s = 0.060;  // a little longer than a surface takes to fade out
+
+/// What the ticks of a stage and the bench both reach.
+struct StageFlags {
+  std::atomic<bool> ran_away{false};
+  std::atomic<bool> is_over{false};  ///< what the stage's force refers to may be gone
+};
 
 /// The stage's force as a surface that is everywhere and never touched: it fades in at once.
 class StageForce final : public ForceRenderer {
  public:
-  StageForce(const DeviceStage& stage, std::atomic<bool>& ran_away)
-      : force_N_(stage.force_N), reach_m_(stage.reach_m), ran_away_(ran_away) {}
+  StageForce(const DeviceStage& stage, StageFlags& flags)
+      : force_N_(stage.force_N), reach_m_(stage.reach_m), flags_(flags) {}
 
   void reset(const ProbeState& first) noexcept override {
     first_ = first;
@@ -37,8 +45,9 @@ class StageForce final : public ForceRenderer {
   RenderedTick tick(const ProbeState& probe, double) noexcept override {
     let_go_ = let_go_ || glm::length(probe.position_m - first_.position_m) > reach_m_;
     RenderedTick tick{};
+    if (flags_.is_over.load()) return tick;
     if (let_go_) {
-      ran_away_.store(true);
+      flags_.ran_away.store(true);
     } else {
       const double since_s = static_cast<double>(probe.time_ns - first_.time_ns) * 1e-9;
       tick.wrench.force_N = force_N_(since_s, probe);
@@ -49,7 +58,7 @@ class StageForce final : public ForceRenderer {
  private:
   std::function<glm::dvec3(double, const ProbeState&)> force_N_{};
   double reach_m_ = 0.0;
-  std::atomic<bool>& ran_away_;
+  StageFlags& flags_;
   ProbeState first_{};
   bool let_go_ = false;
 };
@@ -79,6 +88,19 @@ Phrase loss_of(const StageRecord& record, Pacing pacing) {
                 "close other programs that keep this computer busy, and measure the device again.");
 }
 
+/// Which call does not return, and what to do.
+Phrase hang_of(const TickProgress& progress, const DeviceCapability& device) {
+  const Phrase call = progress.begun == progress.ended
+                          ? phrase("DeviceTest", "setting the force to zero")
+                      : progress.sending ? phrase("DeviceTest", "sending the force")
+                                         : phrase("DeviceTest", "reading the position");
+  return phrase("DeviceTest",
+                "the device %1 does not respond: its driver has not returned from %2 for more than "
+                "a second. Switch the device off, end this program, check the cables of the "
+                "device, then measure it again.")
+      .with(device.model + (device.serial.empty() ? "" : ' ' + device.serial), call);
+}
+
 }  // namespace
 
 DeviceBench::DeviceBench(HapticDevice& device, double rate_Hz, std::stop_token stop,
@@ -94,24 +116,34 @@ void DeviceBench::drain(RecordRing& ring, StageRecord& record) const {
   }
 }
 
+/// Of a stage, kept by the servo thread where a call into the driver does not return.
+struct DeviceBench::Driven {
+  Driven(HapticDevice& device, std::size_t records, const ServoSettings& settings)
+      : ring(records), loop(device, ring, settings) {}
+  StageFlags flags{};
+  RecordRing ring;
+  ServoLoop loop;
+};
+
 StageRecord DeviceBench::run(const DeviceStage& stage, StagePacing pacing) {
   StageRecord record{};
-  std::atomic<bool> ran_away{false};
-  RecordRing ring(static_cast<std::size_t>(kBenchRing_s * rate_Hz_));
   {
     ServoSettings settings = stage.servo;
     settings.rate_Hz = rate_Hz_;
-    ServoLoop loop(device_, ring, settings);
-    if (stage.force_N)
-      loop.present({.id = 1, .renderer = std::make_unique<StageForce>(stage, ran_away)});
-    if (pacing == StagePacing::real_time) {
-      run_in_real_time(stage, loop, ring, record);
-    } else {
-      run_stepped(stage, loop, ring, record);
+    const auto driven = std::make_shared<Driven>(
+        device_, static_cast<std::size_t>(kBenchRing_s * rate_Hz_), settings);
+    if (stage.force_N) {
+      driven->loop.present(
+          {.id = 1, .renderer = std::make_unique<StageForce>(stage, driven->flags)});
     }
-    record.fault = loop.status().fault;
+    if (pacing == StagePacing::real_time) {
+      run_in_real_time(stage, driven, record);
+    } else {
+      run_stepped(stage, *driven, record);
+    }
+    record.fault = driven->loop.status().fault;
+    record.ran_away = driven->flags.ran_away.load();
   }
-  record.ran_away = ran_away.load();
   // First: of a device that is gone nobody can say that its force is zero.
   if (record.fault == Fault::device_lost) {
     if (record.trouble.empty()) record.trouble = device_.complaint();
@@ -134,18 +166,34 @@ StageRecord DeviceBench::run(const DeviceStage& stage, StagePacing pacing) {
   return record;
 }
 
-void DeviceBench::run_in_real_time(const DeviceStage& stage, ServoLoop& loop, RecordRing& ring,
+void DeviceBench::run_in_real_time(const DeviceStage& stage, const std::shared_ptr<Driven>& driven,
                                    StageRecord& record) {
-  ServoThread thread(loop, device_, Scheduling::fifo_if_permitted);
-  record.scheduling = thread.scheduling();
+  {
+    ServoThread thread(driven->loop, device_, Scheduling::fifo_if_permitted, driven);
+    record.scheduling = thread.scheduling();
+    conduct(stage, *driven, record);
+  }
+  if (driven.use_count() > 1) {  // a thread was left behind with it
+    driven->flags.is_over.store(true);
+    throw DriverHangs(hang_of(driven->loop.progress(), device_.capability()));
+  }
+}
+
+void DeviceBench::conduct(const DeviceStage& stage, Driven& driven, StageRecord& record) {
+  ServoLoop& loop = driven.loop;
   const std::int64_t began_ns = monotonic_now_ns();
+  TickProgress last{};
+  double last_came_s = 0.0;
   bool leaving = false;
   for (;;) {
     const double since_s = static_cast<double>(monotonic_now_ns() - began_ns) * 1e-9;
+    const TickProgress now = loop.progress();
+    if (!now.hangs_since(std::exchange(last, now))) last_came_s = since_s;
+    if (since_s - last_came_s > kHangs_s) break;
     if (stop_.stop_requested()) loop.emergency_stop();
     if (!stage.falls_silent_at_s || since_s < *stage.falls_silent_at_s) loop.heartbeat();
     if (stage.conduct) stage.conduct(loop, since_s);
-    drain(ring, record);
+    drain(driven.ring, record);
     const Fault fault = loop.status().fault;
     // Now: it may be well again, and complain of nothing, before anybody asks.
     if (fault == Fault::device_lost) record.trouble = device_.complaint();
@@ -157,12 +205,12 @@ void DeviceBench::run_in_real_time(const DeviceStage& stage, ServoLoop& loop, Re
     if (since_s >= stage.duration_s + kFade_s) break;
     std::this_thread::sleep_for(std::chrono::duration<double>(kConducted_s));
   }
-  drain(ring, record);
+  drain(driven.ring, record);
   now_ns_ = std::max(now_ns_, monotonic_now_ns());
 }
 
-void DeviceBench::run_stepped(const DeviceStage& stage, ServoLoop& loop, RecordRing& ring,
-                              StageRecord& record) {
+void DeviceBench::run_stepped(const DeviceStage& stage, Driven& driven, StageRecord& record) {
+  ServoLoop& loop = driven.loop;
   record.scheduling = "none";
   now_ns_ = std::max(now_ns_, monotonic_now_ns());
   const std::int64_t period_ns = period_ns_of(rate_Hz_);
@@ -174,7 +222,7 @@ void DeviceBench::run_stepped(const DeviceStage& stage, ServoLoop& loop, RecordR
     if (since_s >= stage.duration_s) loop.withdraw();
     now_ns_ += period_ns;
     loop.tick(now_ns_);
-    drain(ring, record);
+    drain(driven.ring, record);
   }
 }
 

@@ -2,8 +2,10 @@
 
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -11,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "app/words/phrase.h"
 #include "device/haptic_device.h"
 #include "renderers/servo/servo_loop.h"
 
@@ -19,6 +22,12 @@ namespace asperity {
 /// The work was stopped on request; the force is zero.
 class DeviceStageStopped final : public std::runtime_error {
   using std::runtime_error::runtime_error;
+};
+
+/// A call into the driver does not return. It uses the device until the program ends: the device must not be destroyed, and
+/// nothing is called on it any more. The watch of the servo thread keeps its force at zero as far as the driver permits.
+class DriverHangs final : public PhrasedError {
+  using PhrasedError::PhrasedError;
 };
 
 /// One stretch of ticks on a device.
@@ -60,11 +69,14 @@ enum class StagePacing {
 ///
 /// Errors: DeviceStageStopped when the token asks to stop: the loop's emergency stop comes first.
 /// PhrasedError when the device is lost: that it said so and why, that it did not call, or that it did not answer and
-/// says no reason; and what to do.
+/// says no reason; and what to do. DriverHangs, in real time: at most `kLongestHang` after a call into the driver that does
+/// not return.
 ///
 /// Threads: belongs to one.
 class DeviceBench final {
  public:
+  static constexpr std::chrono::seconds kLongestHang{4};
+
   /// The device outlives the bench, and has no other reader. `watch` may be empty.
   DeviceBench(HapticDevice& device, double rate_Hz, std::stop_token stop, WatchTicks watch = {});
 
@@ -74,10 +86,11 @@ class DeviceBench final {
   double rate_Hz() const noexcept { return rate_Hz_; }
 
  private:
-  void run_in_real_time(const DeviceStage& stage, ServoLoop& loop, RecordRing& ring,
+  struct Driven;
+  void run_in_real_time(const DeviceStage& stage, const std::shared_ptr<Driven>& driven,
                         StageRecord& record);
-  void run_stepped(const DeviceStage& stage, ServoLoop& loop, RecordRing& ring,
-                   StageRecord& record);
+  void conduct(const DeviceStage& stage, Driven& driven, StageRecord& record);
+  void run_stepped(const DeviceStage& stage, Driven& driven, StageRecord& record);
   void drain(RecordRing& ring, StageRecord& record) const;
 
   HapticDevice& device_;

@@ -67,7 +67,7 @@ struct DeviceTestOptions {
 /// model does not know (DeviceCapability::not_known) are not measured.
 ///
 /// Errors: std::invalid_argument for a rate or a force that is not positive, and for a limit of an item that does not
-/// exist or has no number; DeviceStageStopped; std::runtime_error if the device is lost.
+/// exist or has no number; DeviceStageStopped; DriverHangs; std::runtime_error if the device is lost.
 DeviceProfile test_device(HapticDevice& device, const DeviceTestOptions& options,
                           const std::stop_token& stop);
 

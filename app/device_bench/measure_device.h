@@ -52,7 +52,7 @@ void require_nothing_measured(const std::filesystem::path& study);
 /// real one moves, a person next to it has been informed and has agreed; from before it is opened there is
 /// a MeasuringLock of `order.study`.
 ///
-/// Errors: as `test_device`, DeviceStageStopped also where the stop comes after the last force: nothing is
+/// Errors: as `test_device` (DriverHangs: release the device), DeviceStageStopped also where the stop comes after the last force: nothing is
 /// kept then. ResultsError where the profile cannot be written.
 MeasuredDevice measure_device(HapticDevice& device, const MeasureOrder& order,
                               const std::stop_token& stop);

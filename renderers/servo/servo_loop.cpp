@@ -187,7 +187,8 @@ TickProgress ServoLoop::progress() const noexcept {
   return {.begun = begun_.load(std::memory_order_acquire),
           .ended = ticks_.load(std::memory_order_acquire),
           .presenting = presenting_.load(std::memory_order_acquire),
-          .rendering = rendering_.load(std::memory_order_acquire)};
+          .rendering = rendering_.load(std::memory_order_acquire),
+          .sending = sending_.load(std::memory_order_acquire)};
 }
 
 void ServoLoop::publish_status() noexcept {
@@ -344,6 +345,12 @@ void ServoLoop::bridge_gap(std::int64_t gap_ns, TickRecord& record) noexcept {
 }
 
 void ServoLoop::send(double elapsed_s, bool stood, TickRecord& record) noexcept {
+  sending_.store(true, std::memory_order_release);
+  send_wanted_or_zero(elapsed_s, stood, record);
+  sending_.store(false, std::memory_order_release);
+}
+
+void ServoLoop::send_wanted_or_zero(double elapsed_s, bool stood, TickRecord& record) noexcept {
   Servo& servo = *servo_;
   if (!stood && fault_.load(std::memory_order_acquire) == Fault::none) {
     const bool presenting = record.has(TickFlag::presenting);

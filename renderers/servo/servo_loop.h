@@ -68,6 +68,7 @@ struct TickProgress {
   std::uint64_t ended = 0;
   bool presenting = false;  ///< the loop has a presentation, which its ticks render
   bool rendering = false;   ///< the renderer has been called and has not returned
+  bool sending = false;     ///< the driver has been given a wrench and has not returned
 
   /// Whether the tick that was under way at `earlier` still is.
   bool hangs_since(const TickProgress& earlier) const noexcept {
@@ -165,6 +166,7 @@ class ServoLoop final {
   void render(bool silent, double dt_s, TickRecord& record) noexcept;
   void bridge_gap(std::int64_t gap_ns, TickRecord& record) noexcept;
   void send(double elapsed_s, bool stood, TickRecord& record) noexcept;
+  void send_wanted_or_zero(double elapsed_s, bool stood, TickRecord& record) noexcept;
   bool is_standstill(std::int64_t from_ns, std::int64_t to_ns) const noexcept;
   void publish_status() noexcept;
   void raise(Fault fault) noexcept;
@@ -192,6 +194,7 @@ class ServoLoop final {
   std::atomic<std::uint64_t> begun_{0};
   std::atomic<bool> presenting_{false};
   std::atomic<bool> rendering_{false};
+  std::atomic<bool> sending_{false};
 
   std::unique_ptr<Servo> servo_;
 };

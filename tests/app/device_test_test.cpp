@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <thread>
@@ -17,6 +18,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/device_bench/device_bench.h"
 #include "app/device_bench/measure_device.h"
 #include "app/profiles/profile_verdict.h"
 #include "app/words/coded_phrases.h"
@@ -26,6 +28,7 @@
 #include "device/simulated_models.h"
 #include "results_schema/atomic_file.h"
 #include "tests/support/calling_device.h"
+#include "tests/support/hanging_push.h"
 #include "tests/support/refusal.h"
 #include "tests/support/scripted_device.h"
 #include "tests/support/temporary_folder.h"
@@ -75,6 +78,37 @@ TEST(DeviceTest, FindsTheMassAndTheDampingOfThePlainDevice) {
   EXPECT_LT(profile.value("position_resolution_m").value(), 1e-6);
   EXPECT_LT(profile.value("force_resolution_N").value(), 0.005);
   EXPECT_FALSE(profile.has_failed());
+}
+
+// In real time: nothing else can be waited for.
+TEST(DeviceTest, EndsWhereACallIntoTheDriverDoesNotReturn) {
+  for (const bool is_sending : {false, true}) {
+    const auto hang = std::make_shared<Hang>();
+    const HangEnds at_the_end(hang);
+    hang->is_wanted = true;
+    const auto later = [hang, ticks = std::make_shared<int>(0)] {
+      if (++*ticks > 100) hang->pass();
+    };
+    // Never destroyed, as its user has to see to.
+    static auto& left_behind = *new std::vector<std::unique_ptr<ScriptedDevice>>;
+    ScriptedDevice& device =
+        *left_behind.emplace_back(std::make_unique<ScriptedDevice>(DeviceCapability{
+            .name = "hanging", .model = "Hanger", .serial = "7", .peak_force_N = 5.0}));
+    if (is_sending) {
+      device.at_send = [later](const Wrench&) { later(); };
+    } else {
+      device.at_read = [later](ProbeState&) { later(); };
+    }
+    const auto began = std::chrono::steady_clock::now();
+    const std::string refusal =
+        refusal_of<DriverHangs>([&] { test_device(device, DeviceTestOptions{}, {}); });
+    EXPECT_LT(std::chrono::steady_clock::now() - began, 2 * DeviceBench::kLongestHang);
+    EXPECT_THAT(refusal, testing::HasSubstr("the device Hanger 7 does not respond: its driver has "
+                                            "not returned from " +
+                                            std::string(is_sending ? "sending the force"
+                                                                   : "reading the position") +
+                                            " for more than a second. Switch the device off"));
+  }
 }
 
 TEST(DeviceTest, HasEveryItemOnceAndPassesFunctionAndSafetyOfTheSimulatedDevice) {

@@ -1,5 +1,5 @@
 // A program that is killed while it drives a device that only a library of its manufacturer reaches, and the process that then
-// closes the device.
+// closes the device; and a library that does not return.
 
 #include <csignal>
 #include <string>
@@ -50,6 +50,7 @@ class DeviceOfALibrary : public testing::Test {
 
 class KilledProgram : public DeviceOfALibrary {};
 class CloseDevice : public DeviceOfALibrary {};
+class HangingDriver : public DeviceOfALibrary {};
 
 TEST_F(KilledProgram, HasItsDeviceClosedAtZeroForceByAnotherProcess) {
   const SmallStudy small(1);
@@ -133,6 +134,19 @@ TEST_F(CloseDevice, LeavesADeviceThatAnotherProgramDrives) {
   EXPECT_EQ(closed.status, 0) << closed.err;
   EXPECT_EQ(closed.err, "");
   EXPECT_NE(calls(), before);
+}
+
+// The end of the library waits for its threads, and the program does not.
+TEST_F(HangingDriver, EndsADeviceTestAndHasItsDeviceClosedByAnotherProcess) {
+  Invocation hanging = invocation({"device-test", "force_dimension", "--yes"});
+  hanging.environment["ASPERITY_TEST_DHD_BLOCKS"] = "dhdGetPosition";
+  const Outcome outcome = run(hanging);
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("the device omega.3 101 does not respond: its driver has not "
+                                     "returned from reading the position for more than a second. "
+                                     "Switch the device off"));
+  EXPECT_TRUE(eventually([this] { return calls().ends_with("dhdStop 3\ndhdClose 3\n"); }))
+      << calls();
 }
 
 }  // namespace

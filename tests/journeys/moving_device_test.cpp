@@ -120,6 +120,24 @@ TEST_F(MovingDevice, IsMovedByATestThatIsToldYes) {
   EXPECT_EQ(program.finish().status, 1);
 }
 
+// For ten seconds.
+TEST_F(MovingDevice, IsNotWaitedForWhereItsDriverDoesNotReturnFromClosingIt) {
+  Invocation asked = invocation({"device-test", "force_dimension"});
+  asked.environment["ASPERITY_TEST_DHD_ATTACHED"] = "102";
+  asked.environment.erase("ASPERITY_TEST_DHD_SWITCHED_OFF");
+  asked.environment["ASPERITY_TEST_DHD_BLOCKS"] = "dhdStop";
+  asked.on_terminal = true;
+  Program program(asked);
+  EXPECT_TRUE(program.read_until_told("Type yes")) << program.err();
+  program.type("no\n");
+  const Outcome outcome = program.finish();
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_NE(outcome.err.find("the device force_dimension does not respond: its driver has not "
+                             "returned from closing the device for 10 s. Switch the device off"),
+            std::string::npos)
+      << outcome.err;
+}
+
 TEST_F(MovingDevice, IsSaidToLoseItsForceWhereSomebodyStopsOnceItIsOpen) {
   Invocation agreed = invocation({"device-test", "force_dimension", "--yes"});
   agreed.on_terminal = true;

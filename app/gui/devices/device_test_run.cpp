@@ -67,7 +67,7 @@ void DeviceTestRun::begin(const DriverRegistry& drivers, const DriverOptions& op
                 [&] { say([this, sentence] { emit asked(QString::fromStdString(sentence)); }); },
                 stop);
           };
-          const std::unique_ptr<HapticDevice> opened_device = drivers.open(device, mine);
+          std::unique_ptr<HapticDevice> opened_device = drivers.open(device, mine);
           say([this, capability = opened_device->capability()] { emit opened(capability); });
           MeasureOrder told = order;
           told.test.tell = [this, say, talk](const DeviceTestNews& news) {
@@ -81,7 +81,12 @@ void DeviceTestRun::begin(const DriverRegistry& drivers, const DriverOptions& op
             const std::lock_guard lock(talk->mutex);
             talk->motion.add(ticks);
           };
-          return {.measured = measure_device(*opened_device, told, stop)};
+          try {
+            return {.measured = measure_device(*opened_device, told, stop)};
+          } catch (const DriverHangs&) {
+            [[maybe_unused]] HapticDevice* const left = opened_device.release();
+            throw;
+          }
         } catch (const DeviceStageStopped&) {
           return {};
         } catch (const OpeningStopped& stopped_opening) {

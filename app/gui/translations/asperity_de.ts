@@ -4798,6 +4798,22 @@
         <translation>die Verbindung zum Gerät ging während der Messung verloren: Der Aufruf aus dem Thread des Herstellertreibers blieb %1 ms lang aus; der Thread hängt oder musste warten. Andere Programme schließen, die diesen Rechner belasten, das Kabel prüfen und das Gerät erneut messen.</translation>
     </message>
     <message>
+        <source>setting the force to zero</source>
+        <translation>dem Nullsetzen der Kraft</translation>
+    </message>
+    <message>
+        <source>sending the force</source>
+        <translation>dem Senden der Kraft</translation>
+    </message>
+    <message>
+        <source>reading the position</source>
+        <translation>dem Lesen der Position</translation>
+    </message>
+    <message>
+        <source>the device %1 does not respond: its driver has not returned from %2 for more than a second. Switch the device off, end this program, check the cables of the device, then measure it again.</source>
+        <translation>das Gerät %1 antwortet nicht: Sein Treiber ist seit mehr als einer Sekunde nicht von %2 zurückgekehrt. Das Gerät ausschalten, dieses Programm beenden, die Kabel des Geräts prüfen, dann erneut messen.</translation>
+    </message>
+    <message>
         <source>the connection to the device was lost during the measurement: the device did not respond, and its driver reports no cause. Check its cable and its power supply, close other programs that keep this computer busy, and measure the device again.</source>
         <translation>die Verbindung zum Gerät ging während der Messung verloren: Das Gerät antwortete nicht, und sein Treiber meldet keine Ursache. Kabel und Stromversorgung prüfen, andere Programme schließen, die diesen Rechner belasten, und das Gerät erneut messen.</translation>
     </message>

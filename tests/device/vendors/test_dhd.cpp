@@ -99,17 +99,20 @@ void note_at_wire(const double (&sent)[7]) {
 }
 #endif
 
-void wait_while_blocked(std::unique_lock<std::recursive_mutex>& held, const char* function) {
-  while (the_bench.blocks == function) stopped.wait_for(held, std::chrono::milliseconds(1));
-}
-
 // A library waits for its threads when a program ends in order.
 struct EndOfProcess {
+  int blocked_calls = 0;  // under `the_lock`
   ~EndOfProcess() {
     std::unique_lock held(the_lock);
-    while (!the_bench.blocks.empty()) stopped.wait_for(held, std::chrono::milliseconds(1));
+    while (blocked_calls > 0) stopped.wait_for(held, std::chrono::milliseconds(1));
   }
 } end_of_process;
+
+void wait_while_blocked(std::unique_lock<std::recursive_mutex>& held, const char* function) {
+  ++end_of_process.blocked_calls;
+  while (the_bench.blocks == function) stopped.wait_for(held, std::chrono::milliseconds(1));
+  --end_of_process.blocked_calls;
+}
 
 #ifndef ASPERITY_TEST_DHD_WITHOUT_DRD
 // Moves until neither its force nor its regulation is on, axis by axis; then it takes the arm a while to come to rest.

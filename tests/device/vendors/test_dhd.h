@@ -36,7 +36,8 @@ struct Bench {
   int send_answer = 0;
   int stop_answer = 0;   ///< of drdStop
   bool goes_on = false;  ///< drdIsRunning says so, whatever was stopped
-  /// Does not return while this names it: dhdGetPosition, dhdStop, dhdClose or drdStop. Nor does the end of the process.
+  /// Does not return while this names it: dhdGetPosition, dhdStop, dhdClose or drdStop. Nor does the end of the
+  /// process meanwhile.
   std::string blocks{};
   /// So many more times drdAutoInit goes on with its next axis, force on, after it was stopped.
   int axes_to_search = 0;
