@@ -131,7 +131,7 @@ class Study final {
   WithdrawalRow counts_of_participant(const std::string& label) const;
   /// A participant withdraws, for good. With `kept` all their sessions are excluded, none can be begun, resumed or
   /// included again, and their counterbalancing rows are free. With `deleted` nothing of them is left in the folder:
-  /// rows, recordings, files named after them, the paths of outputs that contain the label, the study from before a
+  /// rows, recordings, files named after them, the paths of outputs that name them (label_in_path.h), the study from before a
   /// migration (`study.sqlite.version-*`), which holds them as well, and the free pages of the database. One who withdrew
   /// before can still be deleted. Returns what was stored, with its counts.
   ///

@@ -11,6 +11,7 @@
 
 #include "results_schema/file_system.h"
 #include "results_schema/folder_entries.h"
+#include "results_schema/label_in_path.h"
 #include "results_schema/study.h"
 #include "results_schema/study_store.h"
 
@@ -186,36 +187,15 @@ bool empty_log(Database& database, std::chrono::milliseconds patience) {
   }
 }
 
+/// The log that is left to others is not worth a longer wait.
+constexpr std::chrono::milliseconds kPatienceAtEnd{1000};
+
 void refuse_busy_log(Database& database, std::chrono::milliseconds patience) {
   if (empty_log(database, patience)) return;
   refuse_deletion(database.folder(),
                   "is being read by another program, so that its log study.sqlite-wal cannot be "
                   "emptied. Wait until that program has finished, or close the study there",
                   SQLITE_BUSY);
-}
-
-/// What the number or the word that a character belongs to consists of.
-enum class Script { other, digits, capitals, small_letters };
-
-Script script_of(char character) {
-  if (character >= '0' && character <= '9') return Script::digits;
-  if (character >= 'A' && character <= 'Z') return Script::capitals;
-  if (character >= 'a' && character <= 'z') return Script::small_letters;
-  return Script::other;
-}
-
-/// Whether a path contains a label, other than as a part of a longer number or word: "P013.html" and "reportP013.html"
-/// contain "P013", and "P0135.html" does not. A label "1" would be found in nearly every path otherwise.
-bool contains_label(const std::string& path, const std::string& label) {
-  for (std::size_t at = path.find(label); at != std::string::npos; at = path.find(label, at + 1)) {
-    const std::size_t end = at + label.size();
-    const bool continues_what_is_before =
-        at > 0 && script_of(path[at - 1]) == script_of(label.front());
-    const bool continues_behind =
-        end < path.size() && script_of(path[end]) == script_of(label.back());
-    if (!continues_what_is_before && !continues_behind) return true;
-  }
-  return false;
 }
 
 void blank_label(Database& database, const UnfinishedDeletion& deletion) {
@@ -226,7 +206,7 @@ void blank_label(Database& database, const UnfinishedDeletion& deletion) {
     std::int64_t id = 0;
     std::string path;
     output.read(id, path);
-    if (contains_label(path, deletion.label)) blanked.push_back(id);
+    if (names_label(path, deletion.label)) blanked.push_back(id);
   }
   for (const std::int64_t id : blanked) {
     Statement(database, "UPDATE output SET path = '' WHERE id = ?").bind(id).run();
@@ -330,7 +310,9 @@ void complete_deletion(Database& database, const UnfinishedDeletion& deletion,
   database.execute("VACUUM");
   refuse_busy_log(database, patience);
   blank_label(database, deletion);
-  empty_log(database, patience);  // otherwise the last program that closes the study empties it
+  // Where a program that reads keeps it from being emptied, the deletion is final all the same: the last program that closes
+  // the study empties it, or the next one that opens it for writing.
+  empty_log(database, std::min(patience, kPatienceAtEnd));
 }
 
 std::vector<std::filesystem::path> files_of_label(const std::filesystem::path& study,

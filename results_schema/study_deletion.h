@@ -18,9 +18,10 @@ namespace asperity {
 /// A deletion whose rows are gone and whose last step is not done.
 ///
 /// The steps are: (1) the rows go in one transaction, which stores the withdrawal with the label; (2) the files go; (3) the
-/// database is compacted, and its log emptied into it; (4) the label is blanked, in the paths of outputs as well; (5) the log
-/// is emptied again, at the latest by the last program that closes the study. Whatever interrupts them, the label in the row of the withdrawal states until (4) that they are to be
-/// done again. The rows go first so that a reader finds a participant with all their files, or neither.
+/// database is compacted, and its log emptied into it; (4) the label is blanked, in the paths of outputs that name it as well
+/// (label_in_path.h); (5) the log is emptied again, by the last program that closes the study where another one reads it, or by
+/// the next one that opens it for writing. Whatever interrupts them, the label in the row of the withdrawal states until (4) that
+/// they are to be done again. The rows go first so that a reader finds a participant with all their files, or neither.
 struct UnfinishedDeletion {
   std::int64_t withdrawal = 0;  ///< the id of its row
   std::string label{};

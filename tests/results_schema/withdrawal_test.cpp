@@ -1,5 +1,6 @@
 // A participant who withdraws: nothing of them is used, or nothing of them is left.
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -284,10 +285,10 @@ TEST_F(WithdrawalFromAStudy, RefusesADamagedStudyInWhichOthersRowsWouldGoToo) {
   EXPECT_TRUE(study.withdrawals().empty());
 }
 
-TEST_F(WithdrawalFromAStudy, BlanksThePathsOfOutputsThatContainTheLabel) {
+TEST_F(WithdrawalFromAStudy, BlanksThePathsOfOutputsThatNameTheParticipant) {
   Study study = open();
-  const std::vector<std::string> paths{"/out/Wanda7.html", "/out/reportWanda7.pdf", "/out/Wanda71",
-                                       "/out/LWanda7",     "/Wanda7/tables",        "/out/tables"};
+  const std::vector<std::string> paths{"/out/Wanda7.html", "/out/report-wanda7.pdf", "/out/Wanda71",
+                                       "/out/LWanda7",     "/wanda7/tables",         "/out/tables"};
   for (const std::string& path : paths) {
     study.end_output(study.begin_output({.kind = OutputKind::report, .path = path}));
   }
@@ -298,6 +299,55 @@ TEST_F(WithdrawalFromAStudy, BlanksThePathsOfOutputsThatContainTheLabel) {
   for (const OutputRow& output : study.outputs()) left.push_back(output.path);
   EXPECT_THAT(left,
               testing::ElementsAre("", "", "/out/Wanda71", "/out/LWanda7", "", "/out/tables"));
+}
+
+/// A connection that begins to read just before the label is blanked, and reads until it is destroyed.
+class ReaderOfTheLabel final {
+ public:
+  explicit ReaderOfTheLabel(const std::filesystem::path& study) {
+    EXPECT_EQ(sqlite3_open((study / "study.sqlite").c_str(), &reader_), SQLITE_OK);
+    watching = this;
+    sqlite3_auto_extension(reinterpret_cast<void (*)()>(&watch));
+  }
+  ~ReaderOfTheLabel() {
+    sqlite3_cancel_auto_extension(reinterpret_cast<void (*)()>(&watch));
+    watching = nullptr;
+    sqlite3_close(reader_);
+  }
+  ReaderOfTheLabel(const ReaderOfTheLabel&) = delete;
+  ReaderOfTheLabel& operator=(const ReaderOfTheLabel&) = delete;
+
+  bool reads() const { return sqlite3_get_autocommit(reader_) == 0; }
+
+ private:
+  static inline ReaderOfTheLabel* watching = nullptr;
+
+  static int watch(sqlite3* handle, const char**, const void*) {
+    return sqlite3_trace_v2(handle, SQLITE_TRACE_STMT, &begin_before_blanking, nullptr);
+  }
+  static int begin_before_blanking(unsigned, void*, void* statement, void*) {
+    const std::string sql = sqlite3_sql(static_cast<sqlite3_stmt*>(statement));
+    if (watching != nullptr && sql.find("SET label = NULL") != std::string::npos) {
+      sqlite3_exec(watching->reader_, "BEGIN; SELECT count(*) FROM withdrawal", nullptr, nullptr,
+                   nullptr);
+    }
+    return 0;
+  }
+
+  sqlite3* reader_ = nullptr;
+};
+
+// Nothing could be repeated then: the label is blanked.
+TEST_F(WithdrawalFromAStudy, IsCompleteAlthoughAProgramReadsWhenTheLabelIsBlanked) {
+  {
+    const ReaderOfTheLabel reader(path_);
+    open().withdraw("Wanda7", kDeletion);
+    EXPECT_TRUE(reader.reads());
+    EXPECT_THAT(files_with("Wanda7"), testing::Not(testing::IsEmpty())) << "in what is read";
+  }
+  open().set_metadata({});
+  EXPECT_THAT(files_with("Wanda7"), testing::IsEmpty());
+  expect_the_end_when_repeated();
 }
 
 TEST_F(WithdrawalFromAStudy, ReportsWhatIsBeingMadeAndWhatWasMadeSinceThePersonWasAdded) {
