@@ -142,6 +142,12 @@ void give_to_group(int descriptor, const std::filesystem::path& file) noexcept {
       ::fchmod(descriptor, (status.st_mode | S_IRGRP | S_IWGRP) & 07777U);
 }
 
+std::filesystem::path part_of(const std::filesystem::path& name) {
+  std::filesystem::path part = name;
+  part += kPartEnding;
+  return part;
+}
+
 void sync_folder(const std::filesystem::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) fail_on_file(folder, "opened", errno);

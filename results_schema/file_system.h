@@ -56,6 +56,11 @@ bool is_group_folder(const std::filesystem::path& folder) noexcept;
 /// Lets the group read and write a new file where it lies in a group folder, whatever the umask.
 void give_to_group(int descriptor, const std::filesystem::path& file) noexcept;
 
+/// The end of the name of what is written before it takes the place of NAME.
+inline constexpr const char* kPartEnding = ".part";
+/// NAME.part
+std::filesystem::path part_of(const std::filesystem::path& name);
+
 /// Makes the names in a folder survive a power loss.
 void sync_folder(const std::filesystem::path& folder);
 

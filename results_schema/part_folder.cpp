@@ -20,11 +20,6 @@ std::filesystem::path without_slash(const std::filesystem::path& folder) {
   return path.has_filename() ? path : path.parent_path();
 }
 
-/// `target` without a slash at its end.
-std::filesystem::path part_of(const std::filesystem::path& target) {
-  return target.string() + ".part";
-}
-
 }  // namespace
 
 PartFolder::PartFolder(const std::filesystem::path& target, mode_t mode)

@@ -108,12 +108,6 @@ std::string numbered(const std::string& path, int number) {
          whole.extension().string();
 }
 
-std::filesystem::path part_file_of(const std::filesystem::path& path) {
-  std::filesystem::path part = path;
-  part += ".part";
-  return part;
-}
-
 }  // namespace
 
 struct RecordingWriter::File {
@@ -121,7 +115,7 @@ struct RecordingWriter::File {
        std::size_t records_per_chunk)
       : path(std::move(file_path)),
         target(file_target),
-        output(part_file_of(file_target)),
+        output(part_of(file_target)),
         values(columns),
         chunk(records_per_chunk) {}
 

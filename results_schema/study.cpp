@@ -209,7 +209,7 @@ void Study::Store::bring_up_to_date() {
         log_of(database_in(folder), (".version-" + std::to_string(version)).c_str());
     if (!std::filesystem::exists(kept)) {
       // Under another name until it is whole; the transaction keeps others from doing the same.
-      const std::filesystem::path part = log_of(kept, ".part");
+      const std::filesystem::path part = part_of(kept);
       std::error_code ignored;
       std::filesystem::remove(part, ignored);
       {

@@ -120,6 +120,9 @@ class Study final {
   void end_output(std::int64_t id);        ///< it is complete, from now on for ever
   void remove_output(std::int64_t id);     ///< it was not made
   std::vector<OutputRow> outputs() const;  ///< in the order of listing
+  /// Those that can contain data of a participant: not complete, or made since the participant was added; of a virtual one,
+  /// whose dates are those of a simulated calendar, all.
+  std::vector<OutputRow> outputs_since_added(const std::string& label) const;
 
   /// `created_utc` may be empty: the time of the call.
   void add_participant(const ParticipantRow& participant);

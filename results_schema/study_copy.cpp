@@ -67,7 +67,7 @@ bool is_loose_file(const std::filesystem::path& relative) {
   const std::string first = relative.begin()->string();
   if (first == "locks" || first == "recordings" || first.rfind("study.sqlite", 0) == 0)
     return false;
-  return relative.extension() != ".tmp" && relative.extension() != ".part";
+  return relative.extension() != ".tmp" && relative.extension() != kPartEnding;
 }
 
 /// A link leads to what is not of the study, or to what a copy would hold twice.

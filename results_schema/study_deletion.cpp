@@ -264,7 +264,7 @@ std::int64_t insert_withdrawal(Database& database, WithdrawalRow& row,
   return id;
 }
 
-std::vector<OutputRow> outputs_since_added(Database& database, const std::string& label) {
+std::vector<OutputRow> outputs_since_added_in(Database& database, const std::string& label) {
   std::vector<OutputRow> outputs = outputs_in(database);
   Statement participant(database,
                         "SELECT is_virtual, created_utc FROM participant WHERE label = ?");
@@ -287,7 +287,7 @@ DeletedRows delete_rows(Database& database, const std::string& label, Withdrawal
   refuse_recordings_elsewhere(database, label);
   DeletedRows deleted{};
   // Inside: an output that reads the rows has listed itself before, and therefore before they go.
-  deleted.outputs = outputs_since_added(database, label);
+  deleted.outputs = outputs_since_added_in(database, label);
   WithoutTriggers triggers(database);
   Statement(database, "DELETE FROM participant WHERE label = ?").bind(label).run();
   delete_orphans(database);
@@ -357,11 +357,7 @@ void remove_tree(const std::filesystem::path& path) {
   if (status.type() == std::filesystem::file_type::not_found) return;
   if (status.type() == std::filesystem::file_type::directory) {
     std::vector<std::filesystem::path> content;
-    std::filesystem::directory_iterator entry(path, error);
-    for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
-      content.push_back(entry->path());
-    }
-    if (error) fail_on_file(path, "removed", error.value());
+    for (const auto& entry : entries_in(path)) content.push_back(entry.path());
     remove_trees(content);
     if (::rmdir(path.c_str()) != 0 && errno != ENOENT) fail_on_file(path, "removed", errno);
   } else if (::unlink(path.c_str()) != 0 && errno != ENOENT) {

@@ -35,7 +35,7 @@ std::vector<UnfinishedDeletion> unfinished_deletions(Database& database);
 
 struct DeletedRows {
   UnfinishedDeletion deletion{};
-  std::vector<OutputRow> outputs{};  ///< as `outputs_since_added`, at that moment
+  std::vector<OutputRow> outputs{};  ///< as Study::outputs_since_added, at that moment
 };
 
 /// Step (1). `row` receives its time. Errors: ResultsError, and nothing is changed; also where rows refer to rows that do
@@ -68,8 +68,7 @@ std::int64_t insert_withdrawal(Database& database, WithdrawalRow& row,
 
 /// In the order of listing.
 std::vector<OutputRow> outputs_in(Database& database);
-/// Of a participant who is a person those that are not complete or were made since they were added; otherwise all, because
-/// the dates of a virtual participant are those of a simulated calendar.
-std::vector<OutputRow> outputs_since_added(Database& database, const std::string& label);
+/// See Study::outputs_since_added.
+std::vector<OutputRow> outputs_since_added_in(Database& database, const std::string& label);
 
 }  // namespace asperity

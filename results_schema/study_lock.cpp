@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "results_schema/file_system.h"
+#include "results_schema/folder_entries.h"
 #include "results_schema/study.h"
 #include "results_schema/study_sharing.h"
 
@@ -113,25 +114,20 @@ std::optional<LockHolder> StudyLock::holder(const std::filesystem::path& study,
 std::vector<std::string> StudyLock::held(const std::filesystem::path& study,
                                          const std::string& beginning) {
   std::vector<std::string> names{};
-  const std::filesystem::path folder = study / kLocks;
-  std::error_code error;
-  std::filesystem::directory_iterator entry(folder, error);
-  if (error == std::errc::no_such_file_or_directory) return names;
-  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
-    const std::string name = entry->path().stem().string();
+  for (const auto& entry : entries_in(study / kLocks)) {
+    const std::string name = entry.path().stem().string();
     // What no lock can be called, or is no file: somebody's copy, note or folder, which nobody holds.
-    if (entry->path().extension() != kSuffix || !name.starts_with(beginning) ||
+    if (entry.path().extension() != kSuffix || !name.starts_with(beginning) ||
         !is_lock_name(name)) {
       continue;
     }
     std::error_code unknown;
-    const std::filesystem::file_status kind = entry->symlink_status(unknown);
+    const std::filesystem::file_status kind = entry.symlink_status(unknown);
     if (kind.type() == std::filesystem::file_type::none) {
-      fail_on_file(entry->path(), "examined", unknown.value());
+      fail_on_file(entry.path(), "examined", unknown.value());
     }
     if (std::filesystem::is_regular_file(kind) && holder(study, name)) names.push_back(name);
   }
-  if (error) fail_on_file(folder, "read", error.value());
   std::sort(names.begin(), names.end());
   return names;
 }

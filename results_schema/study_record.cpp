@@ -62,6 +62,11 @@ void Study::remove_output(std::int64_t id) {
 
 std::vector<OutputRow> Study::outputs() const { return store_->read(outputs_in); }
 
+std::vector<OutputRow> Study::outputs_since_added(const std::string& label) const {
+  return store_->read(
+      [&label](Database& database) { return outputs_since_added_in(database, label); });
+}
+
 std::vector<OutputRow> outputs_in(Database& database) {
   Statement statement(database,
                       "SELECT kind, path, program_version, made_utc FROM output ORDER BY id");

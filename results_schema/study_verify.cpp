@@ -448,13 +448,13 @@ std::vector<std::string> Study::leftovers() const {
     if (!entry.is_regular_file(unknown)) continue;
     const std::filesystem::path relative = entry.path().lexically_relative(study);
     const std::string path = relative.string();
-    if (relative.extension() == ".part" || relative.extension() == ".tmp") {
+    if (relative.extension() == kPartEnding || relative.extension() == ".tmp") {
       leftovers.push_back(
           path +
           ": an incomplete file, which is being written now or was left by a program that crashed. "
           "If no program is writing to the study, remove it: " +
-          (relative.extension() == ".part" ? "no row refers to the records that it contains"
-                                           : "the file of this name was not changed"));
+          (relative.extension() == kPartEnding ? "no row refers to the records that it contains"
+                                               : "the file of this name was not changed"));
     } else if (*relative.begin() == "recordings" && !known.contains(path)) {
       leftovers.push_back(path +
                           ": a recording that belongs to no attempt, which is being written now or "

@@ -216,7 +216,7 @@ Withdrawal Study::withdraw(const std::string& label, const WithdrawalRow& withdr
                                           "; to delete the data as well, request their deletion");
   }
   Transaction transaction(database);
-  done.outputs = outputs_since_added(database, label);
+  done.outputs = outputs_since_added_in(database, label);
   exclude_sessions(database, label, done.row);
   Statement(database, "UPDATE participant SET withdrawn = 1 WHERE label = ?").bind(label).run();
   insert_withdrawal(database, done.row, {});

@@ -129,13 +129,9 @@ std::vector<OutputRow> outputs_of_participant(const Study& study, const std::str
             "; use a label from the page Participants or from participants.tsv of an export",
         study.folder());
   }
-  Withdrawal withdrawal{.row = {.is_virtual = participant->is_virtual}, .outputs = study.outputs()};
-  if (!participant->is_virtual) {
-    std::erase_if(withdrawal.outputs, [&participant](const OutputRow& output) {
-      return !output.made_utc.empty() && output.made_utc < participant->created_utc;
-    });
-  }
-  return outputs_of_withdrawal(withdrawal, label);
+  return outputs_of_withdrawal(
+      {.row = {.is_virtual = participant->is_virtual}, .outputs = study.outputs_since_added(label)},
+      label);
 }
 
 std::vector<OutputRow> outputs_of_withdrawal(const Withdrawal& withdrawal,

@@ -1,6 +1,7 @@
 #include "app/tasks/new_study.h"
 
 #include <algorithm>
+#include <exception>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 #include "app/study_files/program.h"
 #include "protocols/file/library_protocols.h"
 #include "renderers/recordings/relief_recording.h"
+#include "results_schema/folder_entries.h"
 #include "results_schema/part_folder.h"
 #include "results_schema/study.h"
 #include "results_schema/study_sharing.h"
@@ -210,7 +212,7 @@ bool is_of_store(const std::filesystem::path& path) {
 
 /// Whether the folders of a study are empty but for locks, and nothing else is next to its store.
 bool holds_no_files(const std::filesystem::path& folder) {
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+  for (const auto& entry : entries_in(folder)) {
     const bool is_known = is_of_store(entry.path()) || entry.path().filename() == "locks";
     const bool is_empty = entry.is_directory() && std::filesystem::is_empty(entry.path());
     if (!is_known && !is_empty) return false;
@@ -221,12 +223,15 @@ bool holds_no_files(const std::filesystem::path& folder) {
 using FillFolder = std::function<void(const std::filesystem::path&)>;
 
 void remove_study(const std::filesystem::path& folder) noexcept {
-  std::error_code error{};
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    const bool is_ours = is_of_store(entry.path()) || name == "protocols" || name == "stimuli" ||
-                         name == "recordings" || name == "locks";
-    if (is_ours) std::filesystem::remove_all(entry.path(), error);
+  try {
+    for (const auto& entry : entries_in(folder)) {
+      const std::string name = entry.path().filename().string();
+      const bool is_ours = is_of_store(entry.path()) || name == "protocols" || name == "stimuli" ||
+                           name == "recordings" || name == "locks";
+      std::error_code ignored{};
+      if (is_ours) std::filesystem::remove_all(entry.path(), ignored);
+    }
+  } catch (const std::exception&) {  // what stopped the making of the study is reported
   }
 }
 

@@ -16,13 +16,13 @@ namespace {
 
 using testing::HasSubstr;
 
+constexpr const char* kEndless = ASPERITY_FAULTY_PLUGINS "/faulty_endless.so";
+
 TEST(HangingModel, StopsARealTimeSessionWithZeroForceAndAWordAndCanBeResumed) {
   const TemporaryFolder place{};
   const fs::path study = place / "study";
   ASSERT_EQ(asperity({"new", study}).status, 0);
-  nlohmann::ordered_json protocol = faulty_discrimination();
-  protocol["stimuli"]["ridges"]["model"] = "endless";
-  write_text(place / "endless.json", protocol.dump());
+  write_text(place / "endless.json", faulty_discrimination().dump());
   const std::vector<std::string> session{"run",
                                          place / "endless.json",
                                          "--study",
@@ -34,12 +34,12 @@ TEST(HangingModel, StopsARealTimeSessionWithZeroForceAndAWordAndCanBeResumed) {
                                          "1",
                                          "--realtime",
                                          "--plugin",
-                                         ASPERITY_ENDLESS_PLUGIN};
+                                         kEndless};
   const Outcome stopped = asperity(session);
   EXPECT_EQ(stopped.status, 1) << stopped.err;
   EXPECT_THAT(stopped.err,
               HasSubstr("The servo loop stalled for more than 50 ms: the force was set to zero."));
-  EXPECT_THAT(stopped.err, HasSubstr("a tick of the force model endless did not return; end this "
+  EXPECT_THAT(stopped.err, HasSubstr("a tick of the force model faulty did not return; end this "
                                      "program and start it again"));
   const auto tables = exported(study, place / "out");
   const Tsv attempts = tsv(tables.at("attempts.tsv"));
@@ -47,11 +47,11 @@ TEST(HangingModel, StopsARealTimeSessionWithZeroForceAndAWordAndCanBeResumed) {
   EXPECT_EQ(attempts.column("outcome").back(), "device_fault");
   EXPECT_EQ(attempts.column("valid").back(), "0");
   EXPECT_EQ(attempts.column("invalid_code").back(), "model_does_not_return");
-  EXPECT_EQ(asperity({"verify", study, "--plugin", ASPERITY_ENDLESS_PLUGIN}).status, 0);
+  EXPECT_EQ(asperity({"verify", study, "--plugin", kEndless}).status, 0);
 
   std::vector<std::string> again = session;
   again.emplace_back("--resume");
-  EXPECT_THAT(asperity(again).err, HasSubstr("a tick of the force model endless did not return"));
+  EXPECT_THAT(asperity(again).err, HasSubstr("a tick of the force model faulty did not return"));
 }
 
 }  // namespace

@@ -32,6 +32,7 @@
 #define FAULT_quits 20
 #define FAULT_quits_loading 21
 #define FAULT_huge 22
+#define FAULT_endless 23
 #define IS(fault) (FAULT == FAULT_##fault)
 
 namespace {
@@ -54,6 +55,7 @@ class Faulty {
     const double depth_m = -sample.height_m;
     if (!(depth_m > 0.0)) return {};
     ++contact_ticks_;
+    if (IS(endless)) loop_in_real_time();
     asperity_force force{
         {0.0, 0.0, stiffness_N_per_m_ * depth_m}, stiffness_N_per_m_ * depth_m, depth_m};
     // Between the limits of the parameter: the suite does not have this amplitude.
@@ -77,19 +79,30 @@ class Faulty {
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   [[noreturn]] static void hang() {
     std::fputs("the tick does not return\n", stderr);
     for (;;) pause();
   }
+  // Once a hand has pressed for 80 ms: what is checked before a session takes much less than the time of its ticks.
+  void loop_in_real_time() {
+    const Clock::time_point now = Clock::now();
+    if (contact_ticks_ == 1) began_ = now;
+    volatile bool is_endless = contact_ticks_ > 100 && now - began_ > std::chrono::milliseconds(80);
+    while (is_endless) {
+    }
+  }
   static void wait() {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds(700);
-    while (std::chrono::steady_clock::now() < end) continue;
+    const auto end = Clock::now() + std::chrono::microseconds(700);
+    while (Clock::now() < end) continue;
   }
 
   double stiffness_N_per_m_ = 0.0;
   double amplitude_m_ = 0.0;
   int ticks_ = 0;
   int contact_ticks_ = 0;
+  Clock::time_point began_{};
   static inline int ticks_of_all = 0;
   double* volatile nowhere_ = nullptr;
   std::vector<double> kept_{};
