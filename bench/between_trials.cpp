@@ -25,7 +25,7 @@
 #include "app/tasks/protocol_files.h"
 #include "device/machine.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 
 namespace asperity {
 namespace {

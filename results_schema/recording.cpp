@@ -17,10 +17,10 @@
 #include <zstd.h>
 #include <zstd_errors.h>
 
-#include "results_schema/atomic_file.h"
-#include "results_schema/file_system.h"
-#include "results_schema/sha256.h"
-#include "results_schema/sha256_stream.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/files/file_system.h"
+#include "results_schema/hashes/sha256.h"
+#include "results_schema/hashes/sha256_stream.h"
 #include "results_schema/study.h"
 #include "results_schema/study_sharing.h"
 

@@ -15,11 +15,11 @@
 
 #include <sqlite3.h>
 
-#include "results_schema/file_system.h"
-#include "results_schema/part_folder.h"
-#include "results_schema/sha256.h"
+#include "results_schema/deletion/study_deletion.h"
+#include "results_schema/files/file_system.h"
+#include "results_schema/files/part_folder.h"
+#include "results_schema/hashes/sha256.h"
 #include "results_schema/sqlite.h"
-#include "results_schema/study_deletion.h"
 #include "results_schema/study_sharing.h"
 #include "results_schema/study_store.h"
 

@@ -1,7 +1,7 @@
 // Attempts of a study, with everything that hangs on them.
 
 #include "results_schema/attempt_rows.h"
-#include "results_schema/file_system.h"
+#include "results_schema/files/file_system.h"
 #include "results_schema/study.h"
 #include "results_schema/study_store.h"
 

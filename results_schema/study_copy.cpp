@@ -11,13 +11,13 @@
 
 #include <sqlite3.h>
 
-#include "results_schema/file_system.h"
-#include "results_schema/folder_entries.h"
-#include "results_schema/part_folder.h"
-#include "results_schema/seal.h"
-#include "results_schema/sha256_stream.h"
+#include "results_schema/deletion/study_deletion.h"
+#include "results_schema/files/file_system.h"
+#include "results_schema/files/folder_entries.h"
+#include "results_schema/files/part_folder.h"
+#include "results_schema/hashes/seal.h"
+#include "results_schema/hashes/sha256_stream.h"
 #include "results_schema/study.h"
-#include "results_schema/study_deletion.h"
 #include "results_schema/study_sharing.h"
 #include "results_schema/study_store.h"
 

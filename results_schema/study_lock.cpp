@@ -5,8 +5,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "results_schema/file_system.h"
-#include "results_schema/folder_entries.h"
+#include "results_schema/files/file_system.h"
+#include "results_schema/files/folder_entries.h"
 #include "results_schema/study.h"
 #include "results_schema/study_sharing.h"
 

@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "results_schema/deletion/study_deletion.h"
 #include "results_schema/study.h"
-#include "results_schema/study_deletion.h"
 #include "results_schema/study_store.h"
 
 namespace asperity {

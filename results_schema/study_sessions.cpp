@@ -6,7 +6,7 @@
 
 #include <sqlite3.h>
 
-#include "results_schema/file_system.h"
+#include "results_schema/files/file_system.h"
 #include "results_schema/study.h"
 #include "results_schema/study_store.h"
 

@@ -9,8 +9,8 @@
 
 #include <grp.h>
 
-#include "results_schema/file_system.h"
-#include "results_schema/folder_entries.h"
+#include "results_schema/files/file_system.h"
+#include "results_schema/files/folder_entries.h"
 #include "results_schema/study.h"
 
 namespace asperity {

@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
+#include "results_schema/deletion/study_deletion.h"
+#include "results_schema/hashes/seal.h"
 #include "results_schema/migrations.h"
-#include "results_schema/seal.h"
 #include "results_schema/sqlite.h"
 #include "results_schema/study.h"
-#include "results_schema/study_deletion.h"
 
 namespace asperity {
 

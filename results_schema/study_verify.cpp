@@ -13,14 +13,14 @@
 
 #include <sqlite3.h>
 
+#include "results_schema/deletion/study_deletion.h"
 #include "results_schema/error_text.h"
-#include "results_schema/file_system.h"
-#include "results_schema/folder_entries.h"
+#include "results_schema/files/file_system.h"
+#include "results_schema/files/folder_entries.h"
+#include "results_schema/hashes/seal.h"
+#include "results_schema/hashes/sha256.h"
 #include "results_schema/recording.h"
-#include "results_schema/seal.h"
-#include "results_schema/sha256.h"
 #include "results_schema/study.h"
-#include "results_schema/study_deletion.h"
 #include "results_schema/study_store.h"
 #include "results_schema/table_rules.h"
 

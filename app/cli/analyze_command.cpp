@@ -23,7 +23,7 @@
 #include "app/figures/figures_of.h"
 #include "app/study_files/height_field_files.h"
 #endif
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 
 namespace asperity {
 namespace {

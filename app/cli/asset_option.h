@@ -9,7 +9,7 @@
 
 #include "app/cli/command.h"
 #include "renderers/force/force_model.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 
 namespace asperity {
 

@@ -25,7 +25,7 @@
 #include "app/timing/tick_table.h"
 #include "app/timing/timed_scenes.h"
 #include "app/timing/timing_machine.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 
 namespace asperity {
 

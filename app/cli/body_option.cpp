@@ -10,7 +10,7 @@
 
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/textured_mesh_files.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -24,7 +24,7 @@
 #include "app/study_files/height_field_files.h"
 #include "app/sweep/clean_stiffness_table.h"
 #include "device/simulated_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 
 namespace asperity {
 

@@ -22,7 +22,7 @@
 #include "renderers/vibrations/haptic_texture_toolkit.h"
 #include "renderers/vibrations/vibration_fit.h"
 #include "renderers/vibrations/vibration_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 
 namespace asperity {
 

@@ -8,7 +8,7 @@
 
 #include "app/cli/command.h"
 #include "app/words/text_parts.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "analysis/number_text.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

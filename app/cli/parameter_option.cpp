@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "app/cli/command.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

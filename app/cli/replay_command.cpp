@@ -23,7 +23,7 @@
 #include "app/records/path_table.h"
 #include "app/records/recorded_attempt.h"
 #include "protocols/design/wording.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 
 namespace asperity {
 

@@ -18,7 +18,7 @@
 #include "app/study_files/parameter_json.h"
 #include "app/study_files/program.h"
 #include "app/tasks/compare_replays.h"
-#include "results_schema/sha256.h"
+#include "results_schema/hashes/sha256.h"
 #ifdef ASPERITY_WITH_WINDOWS
 #include "app/figures/figure_files.h"
 #include "app/figures/replay_figure.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/records/other_model.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 
 namespace asperity {
 

@@ -18,8 +18,8 @@
 #include "app/study_files/textured_mesh_files.h"
 #include "app/words/text_parts.h"
 #include "renderers/proxy/body_surface.h"
-#include "results_schema/atomic_file.h"
-#include "results_schema/sha256.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/hashes/sha256.h"
 #include "stimuli/heights/synthetic_surface.h"
 
 namespace asperity {

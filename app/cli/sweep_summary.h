@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/sweep/sweep.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -13,7 +13,7 @@
 #include "app/words/phrase.h"
 #include "protocols/file/diagnostic.h"
 #include "results_schema/study.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -29,7 +29,7 @@
 #include "renderers/recordings/relief_recording.h"
 #include "renderers/recordings/texture_recording.h"
 #include "renderers/recordings/wav_samples.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 
 namespace asperity {
 

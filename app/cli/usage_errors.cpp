@@ -9,7 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "protocols/design/wording.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -2,7 +2,7 @@
 
 #include "analysis/number_text.h"
 #include "app/profiles/device_kind.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "results_schema/study_sharing.h"
 
 namespace asperity {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/exports/columns/codebook.h"
-#include "results_schema/table_file.h"
+#include "results_schema/tables/table_file.h"
 
 namespace asperity {
 namespace {

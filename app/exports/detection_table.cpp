@@ -8,8 +8,8 @@
 #include "app/exports/fit_table.h"
 #include "app/findings/study/discrimination_sensitivity.h"
 #include "app/findings/study/gathered_answers.h"
-#include "results_schema/table.h"
-#include "results_schema/table_file.h"
+#include "results_schema/tables/table.h"
+#include "results_schema/tables/table_file.h"
 
 namespace asperity {
 

@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "results_schema/error_text.h"
-#include "results_schema/folder_entries.h"
-#include "results_schema/sha256.h"
+#include "results_schema/files/folder_entries.h"
+#include "results_schema/hashes/sha256.h"
 #include "results_schema/study.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

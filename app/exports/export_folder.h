@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "results_schema/atomic_file.h"
-#include "results_schema/part_folder.h"
-#include "results_schema/table_file.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/files/part_folder.h"
+#include "results_schema/tables/table_file.h"
 
 namespace asperity {
 

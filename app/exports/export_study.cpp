@@ -29,8 +29,8 @@
 #include "app/study_files/study_condition.h"
 #include "app/words/text_parts.h"
 #include "protocols/design/protocol.h"
-#include "results_schema/name_forms.h"
 #include "results_schema/stored_json.h"
+#include "results_schema/tables/name_forms.h"
 
 namespace asperity {
 namespace {

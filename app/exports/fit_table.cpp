@@ -9,7 +9,7 @@
 #include "app/exports/detection_table.h"
 #include "app/findings/study/gathered_answers.h"
 #include "results_schema/analysis_use.h"
-#include "results_schema/table_file.h"
+#include "results_schema/tables/table_file.h"
 
 namespace asperity {
 

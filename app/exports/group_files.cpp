@@ -5,7 +5,7 @@
 #include "app/exports/bids_events.h"
 #include "app/exports/columns/export_tables.h"
 #include "app/exports/made_by.h"
-#include "results_schema/table_file.h"
+#include "results_schema/tables/table_file.h"
 
 namespace asperity {
 namespace {

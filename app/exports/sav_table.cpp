@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "results_schema/study.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

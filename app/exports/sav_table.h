@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/exports/columns/export_column.h"
-#include "results_schema/sav_file.h"
+#include "results_schema/tables/sav_file.h"
 
 namespace asperity {
 

@@ -10,7 +10,7 @@
 #include "app/exports/columns/column_making.h"
 #include "app/study_files/height_field_files.h"
 #include "results_schema/analysis_use.h"
-#include "results_schema/table_file.h"
+#include "results_schema/tables/table_file.h"
 
 namespace asperity {
 

@@ -9,7 +9,7 @@
 #include "app/exports/columns/export_tables.h"
 #include "app/exports/detection_table.h"
 #include "results_schema/analysis_use.h"
-#include "results_schema/sav_file.h"
+#include "results_schema/tables/sav_file.h"
 
 namespace asperity {
 

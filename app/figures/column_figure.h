@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/findings/figure.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

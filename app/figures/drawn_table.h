@@ -9,7 +9,7 @@
 
 #include "app/findings/reading_table.h"
 #include "app/findings/study/analysis_outcome.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

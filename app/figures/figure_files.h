@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/findings/figure.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 
 namespace asperity {
 

@@ -10,7 +10,7 @@
 #include "app/figures/axis_ticks.h"
 #include "app/figures/figure_kinds.h"
 #include "app/figures/single_participants.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

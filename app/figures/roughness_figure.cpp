@@ -12,7 +12,7 @@
 #include "app/figures/figure_kinds.h"
 #include "app/figures/finding_parts.h"
 #include "app/figures/single_participants.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

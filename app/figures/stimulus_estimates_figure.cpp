@@ -9,7 +9,7 @@
 #include "app/figures/axis_ticks.h"
 #include "app/figures/drawn_table.h"
 #include "app/figures/figure_kinds.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/figures/axis_ticks.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

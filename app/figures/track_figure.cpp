@@ -7,7 +7,7 @@
 
 #include "app/figures/figure_kinds.h"
 #include "app/words/text_parts.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -12,7 +12,7 @@
 
 #include "analysis/finding.h"
 #include "app/words/text_parts.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

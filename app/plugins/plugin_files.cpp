@@ -14,8 +14,8 @@
 #include "renderers/built_in_models.h"
 #include "renderers/plugin/plugin_call.h"
 #include "renderers/plugin/plugin_model.h"
-#include "results_schema/atomic_file.h"
-#include "results_schema/sha256.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/hashes/sha256.h"
 
 namespace asperity {
 

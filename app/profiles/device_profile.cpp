@@ -11,9 +11,9 @@
 #include "app/words/device_remarks.h"
 #include "app/words/utc_time.h"
 #include "device/simulated_models.h"
-#include "results_schema/atomic_file.h"
 #include "results_schema/error_text.h"
-#include "results_schema/folder_entries.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/files/folder_entries.h"
 
 namespace asperity {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "results_schema/atomic_file.h"
-#include "results_schema/sha256.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/hashes/sha256.h"
 
 namespace asperity {
 

@@ -10,7 +10,7 @@
 
 #include "results_schema/recording.h"
 #include "results_schema/study.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -10,7 +10,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "device/small_turn.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

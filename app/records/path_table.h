@@ -10,7 +10,7 @@
 #include "device/probe_state.h"
 #include "renderers/force/rendered_tick.h"
 #include "renderers/offline/along_path.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -11,7 +11,7 @@
 #include "app/words/phrase.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/plan/groups.h"
-#include "results_schema/sha256.h"
+#include "results_schema/hashes/sha256.h"
 
 namespace asperity {
 

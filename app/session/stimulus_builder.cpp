@@ -14,10 +14,10 @@
 #include "renderers/force/path_clock.h"
 #include "renderers/offline/force_matching.h"
 #include "renderers/proxy/body_surface.h"
-#include "results_schema/atomic_file.h"
-#include "results_schema/sha256.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/hashes/sha256.h"
 #include "results_schema/study.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 #include "stimuli/photographs/texture_from_photograph.h"
 
 namespace asperity {

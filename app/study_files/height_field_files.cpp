@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/study_files/program.h"
-#include "results_schema/sha256.h"
+#include "results_schema/hashes/sha256.h"
 #include "results_schema/study.h"
 
 namespace asperity {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "stimuli/heights/height_field.h"
 #include "stimuli/heights/height_field_file.h"
 #include "stimuli/pictures/grey_image.h"

@@ -6,7 +6,7 @@
 #include <gnu/libc-version.h>
 
 #include "app/study_files/program_identity.h"  // written by CMake
-#include "results_schema/sha256.h"
+#include "results_schema/hashes/sha256.h"
 
 namespace asperity {
 

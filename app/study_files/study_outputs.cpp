@@ -7,8 +7,8 @@
 
 #include "app/study_files/program.h"
 #include "app/study_files/study_condition.h"
-#include "results_schema/atomic_file.h"
-#include "results_schema/table.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

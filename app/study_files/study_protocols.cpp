@@ -8,8 +8,8 @@
 #include "app/words/phrase.h"
 #include "protocols/file/diagnostic.h"
 #include "protocols/file/json_document.h"
-#include "results_schema/atomic_file.h"
-#include "results_schema/sha256.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/hashes/sha256.h"
 #include "results_schema/study.h"
 
 namespace asperity {

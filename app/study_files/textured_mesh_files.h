@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "stimuli/meshes/textured_mesh_file.h"
 
 namespace asperity {

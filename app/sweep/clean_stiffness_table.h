@@ -10,7 +10,7 @@
 
 #include "renderers/offline/clean_stiffness.h"
 #include "renderers/offline/roughness_stroke.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -14,8 +14,8 @@
 #include "analysis/magnitude.h"
 #include "app/sweep/sweep_measure.h"
 #include "renderers/offline/roughness_stroke.h"
-#include "results_schema/atomic_file.h"
-#include "results_schema/table.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

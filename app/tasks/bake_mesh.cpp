@@ -9,7 +9,7 @@
 #include "analysis/number_text.h"
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/textured_mesh_files.h"
-#include "results_schema/sha256.h"
+#include "results_schema/hashes/sha256.h"
 #include "results_schema/study.h"
 #include "stimuli/meshes/mesh_decimation.h"
 #include "stimuli/meshes/mesh_repair.h"

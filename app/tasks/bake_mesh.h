@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "stimuli/meshes/mesh_file.h"
 #include "stimuli/meshes/solid_body.h"
 #include "stimuli/meshes/texture_baking.h"

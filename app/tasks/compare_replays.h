@@ -13,7 +13,7 @@
 #include "app/plugins/plugin_builds.h"
 #include "app/records/other_model.h"
 #include "results_schema/study.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

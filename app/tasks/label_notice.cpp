@@ -6,7 +6,7 @@
 #include "app/tasks/unfinished_session.h"
 #include "app/words/time_ago.h"
 #include "app/words/utc_time.h"
-#include "results_schema/name_forms.h"
+#include "results_schema/tables/name_forms.h"
 
 namespace asperity {
 

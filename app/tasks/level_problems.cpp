@@ -8,7 +8,7 @@
 #include "protocols/design/json_pointer.h"
 #include "protocols/file/json_document.h"
 #include "protocols/plan/plan.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 namespace {

@@ -38,10 +38,10 @@
 #include "protocols/plan/course.h"
 #include "renderers/pd_gradient/geometry/finest_wave.h"
 #include "renderers/servo/contact.h"
-#include "results_schema/atomic_file.h"
 #include "results_schema/error_text.h"
+#include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 #include "stimuli/pictures/photograph.h"
 
 namespace asperity {

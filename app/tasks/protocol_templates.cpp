@@ -5,7 +5,7 @@
 
 #include "app/study_files/study_protocols.h"
 #include "protocols/file/library_protocols.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 
 namespace asperity {
 

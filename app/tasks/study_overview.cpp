@@ -27,10 +27,10 @@
 #include "protocols/file/protocol_reader.h"
 #include "protocols/plan/course.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
 #include "results_schema/error_text.h"
-#include "results_schema/folder_entries.h"
-#include "results_schema/sha256.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/files/folder_entries.h"
+#include "results_schema/hashes/sha256.h"
 #include "stimuli/photographs/preview.h"
 
 namespace asperity {

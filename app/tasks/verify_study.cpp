@@ -28,10 +28,10 @@
 #include "app/tasks/verify_instability.h"
 #include "app/tasks/verify_questionnaire.h"
 #include "protocols/plan/shown_options.h"
-#include "results_schema/atomic_file.h"
 #include "results_schema/error_text.h"
-#include "results_schema/folder_entries.h"
-#include "results_schema/table.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/files/folder_entries.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -7,7 +7,7 @@
 
 #include "app/timing/timed_scenes.h"
 #include "app/timing/timing_machine.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -8,8 +8,8 @@
 #include <glm/common.hpp>
 
 #include "app/study_files/textured_mesh_files.h"
-#include "results_schema/atomic_file.h"
-#include "results_schema/sha256.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/hashes/sha256.h"
 #include "results_schema/study.h"
 #include "stimuli/meshes/detailed_bodies.h"
 #include "stimuli/meshes/mesh_decimation.h"

@@ -17,7 +17,7 @@
 #include "app/findings/reading_number.h"
 #include "app/findings/study/analyze_study.h"
 #include "app/findings/study/estimate_sentences.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/app/analysed_study.h"
 #include "tests/support/refusal.h"
 

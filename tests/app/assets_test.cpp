@@ -15,9 +15,9 @@
 #include "app/tasks/study_overview.h"
 #include "app/tasks/verify_study.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
-#include "results_schema/sha256.h"
-#include "results_schema/table.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/hashes/sha256.h"
+#include "results_schema/tables/table.h"
 #include "tests/app/small_study.h"
 #include "tests/support/temporary_folder.h"
 

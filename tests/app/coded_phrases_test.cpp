@@ -12,7 +12,7 @@
 #include "app/words/device_remarks.h"
 #include "app/words/offered_reasons.h"
 #include "app/words/reason.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {

@@ -13,7 +13,7 @@
 #include "app/tasks/protocol_files.h"
 #include "protocols/file/library_protocols.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/app/small_study.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"

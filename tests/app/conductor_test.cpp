@@ -19,7 +19,7 @@
 #include "app/session/rig/recording_columns.h"
 #include "app/words/coded_phrases.h"
 #include "app/words/reason.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 #include "tests/app/scripted_session.h"
 
 namespace asperity {

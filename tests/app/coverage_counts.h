@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "results_schema/atomic_file.h"
-#include "results_schema/tidy_table.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/tables/tidy_table.h"
 
 namespace asperity {
 

@@ -17,7 +17,7 @@
 #include "app/tasks/texture_warnings.h"
 #include "protocols/file/library_protocols.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/app/small_study.h"
 
 namespace asperity {

@@ -26,7 +26,7 @@
 #include "app/words/coded_phrases.h"
 #include "device/pause.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/app/small_study.h"
 #include "tests/support/patience.h"
 #include "tests/support/patient_servo.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {

@@ -26,7 +26,7 @@
 #include "app/words/reason.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/support/calling_device.h"
 #include "tests/support/hanging_push.h"
 #include "tests/support/refusal.h"

@@ -11,7 +11,7 @@
 
 #include "app/records/session_timeline.h"
 #include "app/words/event_kinds.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 #include "tests/app/exported_study.h"
 
 namespace asperity {

@@ -12,7 +12,7 @@
 
 #include "app/exports/export_study.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {

@@ -20,8 +20,8 @@
 #include "app/tasks/sitting.h"
 #include "app/tasks/unfinished_session.h"
 #include "app/words/event_kinds.h"
-#include "results_schema/atomic_file.h"
-#include "results_schema/sha256.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/hashes/sha256.h"
 #include "tests/app/scripted_session.h"
 
 namespace asperity {

@@ -14,7 +14,7 @@
 #include "app/tasks/verify_study.h"
 #include "protocols/file/protocol_reader.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/app/exported_study.h"
 #include "tests/app/small_study.h"
 #include "tests/support/refusal.h"

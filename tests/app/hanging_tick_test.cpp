@@ -19,7 +19,7 @@
 #include "app/tasks/run_session.h"
 #include "app/words/coded_phrases.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/app/small_study.h"
 #include "tests/support/eventually.h"
 #include "tests/support/hanging_push.h"

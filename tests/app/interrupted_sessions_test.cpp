@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {

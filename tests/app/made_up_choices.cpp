@@ -18,7 +18,7 @@
 #include "app/words/text_parts.h"
 #include "protocols/file/stored_protocol.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {

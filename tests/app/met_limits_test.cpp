@@ -14,7 +14,7 @@
 #include "app/session/rehearsal/rehearsed_device.h"
 #include "app/tasks/protocol_files.h"
 #include "app/words/coded_phrases.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/app/scripted_session.h"
 
 namespace asperity {

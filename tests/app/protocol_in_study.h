@@ -10,7 +10,7 @@
 
 #include "app/tasks/protocol_files.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {

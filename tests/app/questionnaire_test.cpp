@@ -15,7 +15,7 @@
 #include "app/session/questionnaire_rows.h"
 #include "app/session/respondents/virtual_participant.h"
 #include "app/tasks/verify_questionnaire.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/app/scripted_session.h"
 
 namespace asperity {

@@ -13,8 +13,8 @@
 #include "analysis/number_text.h"
 #include "analysis/random.h"
 #include "app/findings/tidy/reference_case.h"
-#include "results_schema/atomic_file.h"
-#include "results_schema/table.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/tables/table.h"
 #include "tests/support/refusal.h"
 
 namespace asperity {

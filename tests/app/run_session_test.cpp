@@ -15,7 +15,7 @@
 #include "app/tasks/sitting.h"
 #include "app/tasks/verify_study.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/app/scripted_session.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/records/eye_mask.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 #include "tests/app/exported_study.h"
 
 namespace asperity {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/study_files/height_field_files.h"
-#include "results_schema/sha256.h"
+#include "results_schema/hashes/sha256.h"
 #include "tests/app/exported_study.h"
 
 namespace asperity {

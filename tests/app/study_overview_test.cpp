@@ -7,7 +7,7 @@
 
 #include "app/tasks/protocol_templates.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/app/made_up_study.h"
 #include "tests/app/small_study.h"
 #include "tests/support/temporary_folder.h"

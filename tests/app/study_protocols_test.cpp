@@ -8,7 +8,7 @@
 #include "app/tasks/protocol_files.h"
 #include "app/words/phrase.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"
 #include "tests/app/small_study.h"
 #include "tests/support/temporary_folder.h"

@@ -22,7 +22,7 @@
 #include "app/report/text/report_tests.h"
 #include "app/tasks/simulation.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/app/made_up_study.h"
 #include "tests/app/small_study.h"
 #include "tests/support/temporary_folder.h"

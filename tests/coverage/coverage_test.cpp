@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "app/findings/found_numbers.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/app/coverage_counts.h"
 #include "tests/support/temporary_folder.h"
 

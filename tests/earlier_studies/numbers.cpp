@@ -12,7 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 #include "tests/app/sav_reading.h"
 #include "tests/journeys/small_study.h"
 

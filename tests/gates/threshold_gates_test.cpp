@@ -17,7 +17,7 @@
 #include "protocols/file/library_protocols.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/analysis_use.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"
 #include "tests/gates/gate_checks.h"
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/study_files/textured_mesh_files.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 #include "tests/journeys/program.h"
 #include "tests/journeys/small_study.h"
 #include "tests/stimuli/made_mesh.h"

@@ -19,7 +19,7 @@
 #include "app/findings/study/analyze_study.h"
 #include "app/session/rig/recording_columns.h"
 #include "renderers/offline/recorded_force.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "results_schema/recording.h"
 #include "results_schema/study.h"
 #include "tests/journeys/program.h"

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "results_schema/sha256.h"
-#include "results_schema/short_hash.h"
+#include "results_schema/hashes/sha256.h"
+#include "results_schema/hashes/short_hash.h"
 #include "tests/journeys/program.h"
 #include "tests/journeys/small_study.h"
 #include "tests/support/temporary_folder.h"

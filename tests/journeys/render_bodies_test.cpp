@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 #include "tests/journeys/program.h"
 #include "tests/journeys/small_study.h"
 #include "tests/stimuli/made_mesh.h"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 #include "tests/journeys/program.h"
 #include "tests/journeys/small_study.h"
 

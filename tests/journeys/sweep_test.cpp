@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/file/library_protocols.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 #include "tests/app/made_up_study.h"
 #include "tests/journeys/program.h"
 #include "tests/journeys/small_study.h"

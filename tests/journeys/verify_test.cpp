@@ -12,7 +12,7 @@
 #include <sqlite3.h>
 
 #include "app/session/rig/recording_columns.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 #include "tests/journeys/program.h"
 #include "tests/journeys/small_study.h"
 

@@ -20,7 +20,7 @@
 #include "renderers/built_in_models.h"
 #include "renderers/conformance/heap_calls.h"
 #include "renderers/servo/servo_loop.h"
-#include "results_schema/sha256.h"
+#include "results_schema/hashes/sha256.h"
 #include "tests/support/refusal.h"
 #include "tests/support/scripted_device.h"
 #include "tests/support/temporary_folder.h"

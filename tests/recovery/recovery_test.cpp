@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "app/findings/study/discrimination_coverage.h"
-#include "results_schema/atomic_file.h"
-#include "results_schema/tidy_table.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/tables/tidy_table.h"
 #include "tests/recovery/posterior_coverage.h"
 #include "tests/recovery/threshold_coverage.h"
 

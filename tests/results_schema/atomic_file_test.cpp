@@ -1,6 +1,6 @@
 // A written file is the old one or the new one.
 
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 
 #include <algorithm>
 #include <iterator>
@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include "results_schema/sha256.h"
+#include "results_schema/hashes/sha256.h"
 #include "results_schema/study.h"
 #include "tests/results_schema/sync_watch.h"
 #include "tests/support/refusal.h"

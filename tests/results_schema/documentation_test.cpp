@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "results_schema/migrations.h"
 #include "results_schema/recording.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 #include "tests/results_schema/rows_for_tests.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,6 +1,6 @@
 // Folders are read in order, and refused by name.
 
-#include "results_schema/folder_entries.h"
+#include "results_schema/files/folder_entries.h"
 
 #include <filesystem>
 #include <fstream>

@@ -1,6 +1,6 @@
 // Which paths of outputs a withdrawal blanks: no more and no less than those that name the participant.
 
-#include "results_schema/label_in_path.h"
+#include "results_schema/deletion/label_in_path.h"
 
 #include <string>
 

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/results_schema/rows_for_tests.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"

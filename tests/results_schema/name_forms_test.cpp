@@ -1,6 +1,6 @@
 // Labels that are one name to a reader.
 
-#include "results_schema/name_forms.h"
+#include "results_schema/tables/name_forms.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // A folder in the making is nobody's but its maker's, and leaves nothing behind.
 
-#include "results_schema/part_folder.h"
+#include "results_schema/files/part_folder.h"
 
 #include <filesystem>
 #include <memory>
@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"
 #include "tests/results_schema/rename_watch.h"
 #include "tests/results_schema/sync_watch.h"

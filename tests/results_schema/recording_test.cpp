@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include "results_schema/atomic_file.h"
-#include "results_schema/sha256.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/hashes/sha256.h"
 #include "results_schema/study.h"
 #include "tests/results_schema/sync_watch.h"
 #include "tests/results_schema/zstd_without_memory.h"

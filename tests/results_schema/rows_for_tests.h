@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "results_schema/sha256.h"
+#include "results_schema/hashes/sha256.h"
 #include "results_schema/study.h"
 
 namespace asperity {

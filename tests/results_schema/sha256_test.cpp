@@ -1,6 +1,6 @@
 // SHA-256 against the published examples.
 
-#include "results_schema/sha256.h"
+#include "results_schema/hashes/sha256.h"
 
 #include <fstream>
 

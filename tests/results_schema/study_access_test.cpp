@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
-#include "results_schema/atomic_file.h"
-#include "results_schema/file_system.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/files/file_system.h"
 #include "results_schema/study.h"
 #include "tests/results_schema/rows_for_tests.h"
 #include "tests/support/refusal.h"

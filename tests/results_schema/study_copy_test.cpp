@@ -15,10 +15,10 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/hashes/seal.h"
+#include "results_schema/hashes/sha256.h"
 #include "results_schema/recording.h"
-#include "results_schema/seal.h"
-#include "results_schema/sha256.h"
 #include "results_schema/study.h"
 #include "results_schema/table_rules.h"
 #include "tests/results_schema/rows_for_tests.h"

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "results_schema/recording.h"
 #include "tests/results_schema/rows_for_tests.h"
 #include "tests/support/temporary_folder.h"

@@ -14,7 +14,7 @@
 #include <grp.h>
 #include <gtest/gtest.h>
 
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "results_schema/recording.h"
 #include "results_schema/study.h"
 #include "tests/results_schema/rows_for_tests.h"

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
-#include "results_schema/sha256.h"
+#include "results_schema/hashes/sha256.h"
 #include "tests/results_schema/rows_for_tests.h"
 #include "tests/results_schema/sync_watch.h"
 #include "tests/support/refusal.h"

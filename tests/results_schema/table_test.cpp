@@ -1,6 +1,6 @@
 // Tab-separated text says exactly what the table does.
 
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +12,11 @@
 #include <locale.h>
 #include <stdlib.h>
 
-#include "results_schema/atomic_file.h"
-#include "results_schema/sav_file.h"
-#include "results_schema/sha256.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/hashes/sha256.h"
 #include "results_schema/study.h"
-#include "results_schema/table_file.h"
+#include "results_schema/tables/sav_file.h"
+#include "results_schema/tables/table_file.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,6 +1,6 @@
 // Tables as spreadsheets and statistics programs write them.
 
-#include "results_schema/tidy_table.h"
+#include "results_schema/tables/tidy_table.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -13,7 +13,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "results_schema/rows.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

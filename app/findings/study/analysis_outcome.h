@@ -10,7 +10,7 @@
 #include "analysis/finding.h"
 #include "app/findings/study/gathered_answers.h"
 #include "app/words/phrase.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -17,7 +17,7 @@
 #include "app/findings/study/study_analysis.h"
 #include "app/study_files/study_condition.h"
 #include "protocols/kinds/experiment_kind.h"
-#include "results_schema/short_hash.h"
+#include "results_schema/hashes/short_hash.h"
 
 namespace asperity {
 

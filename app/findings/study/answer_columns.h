@@ -9,7 +9,7 @@
 
 #include "app/findings/study/gathered_answers.h"
 #include "app/findings/tidy/tidy_families.h"
-#include "results_schema/tidy_table.h"
+#include "results_schema/tables/tidy_table.h"
 
 namespace asperity {
 

@@ -11,7 +11,7 @@
 #include "app/findings/study/test_methods.h"
 #include "app/records/felt_octaves.h"
 #include "app/words/text_parts.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -9,7 +9,7 @@
 
 #include "app/findings/study/cell_words.h"
 #include "app/words/text_parts.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -13,7 +13,7 @@
 
 #include "analysis/number_text.h"
 #include "app/findings/study/answer_columns.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -10,7 +10,7 @@
 
 #include "app/findings/study/gathered_answers.h"
 #include "app/findings/study/gathered_exploration.h"
-#include "results_schema/tidy_table.h"
+#include "results_schema/tables/tidy_table.h"
 
 namespace asperity {
 

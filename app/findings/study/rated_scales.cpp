@@ -7,7 +7,7 @@
 
 #include "app/findings/study/study_findings.h"
 #include "protocols/answers/scale_form.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

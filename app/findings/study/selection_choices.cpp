@@ -10,7 +10,7 @@
 #include "app/findings/study/answer_columns.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/tidy/finding_list.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -19,7 +19,7 @@
 #include "app/findings/study/study_findings.h"
 #include "app/findings/study/test_sentences.h"
 #include "protocols/answers/scale_form.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

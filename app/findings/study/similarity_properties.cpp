@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/findings/study/answer_columns.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

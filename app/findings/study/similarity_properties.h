@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/findings/study/gathered_answers.h"
-#include "results_schema/tidy_table.h"
+#include "results_schema/tables/tidy_table.h"
 
 namespace asperity {
 

@@ -7,7 +7,7 @@
 #include "analysis/number_text.h"
 #include "analysis/summary.h"
 #include "app/findings/study/study_findings.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "results_schema/tidy_table.h"
+#include "results_schema/tables/tidy_table.h"
 
 namespace asperity {
 

@@ -14,7 +14,7 @@
 #include "analysis/number_text.h"
 #include "analysis/repeated_key.h"
 #include "protocols/file/json_document.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "analysis/finding.h"
-#include "results_schema/tidy_table.h"
+#include "results_schema/tables/tidy_table.h"
 
 namespace asperity {
 

@@ -7,7 +7,7 @@
 
 #include "analysis/psychometric_model.h"
 #include "app/findings/tidy/unforced_estimates.h"
-#include "results_schema/tidy_table.h"
+#include "results_schema/tables/tidy_table.h"
 
 namespace asperity {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analysis/rated_dissimilarities.h"
-#include "results_schema/tidy_table.h"
+#include "results_schema/tables/tidy_table.h"
 
 namespace asperity {
 

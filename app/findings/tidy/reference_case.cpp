@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/number_text.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 
 namespace asperity {
 namespace {

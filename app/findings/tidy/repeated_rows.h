@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "app/findings/tidy/finding_list.h"
-#include "results_schema/tidy_table.h"
+#include "results_schema/tables/tidy_table.h"
 
 namespace asperity {
 

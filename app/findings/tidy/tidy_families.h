@@ -10,7 +10,7 @@
 
 #include "analysis/finding.h"
 #include "app/findings/tidy/family_options.h"
-#include "results_schema/tidy_table.h"
+#include "results_schema/tables/tidy_table.h"
 
 namespace asperity {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "results_schema/tidy_table.h"
+#include "results_schema/tables/tidy_table.h"
 
 namespace asperity {
 

@@ -16,7 +16,7 @@
 #include "app/session/rig/recording_columns.h"
 #include "app/tasks/study_overview.h"
 #include "app/words/offered_reasons.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 
 namespace asperity {
 

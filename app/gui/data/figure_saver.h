@@ -9,7 +9,7 @@
 
 #include "app/findings/figure.h"
 #include "app/gui/look/background_task.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 
 class QWidget;
 

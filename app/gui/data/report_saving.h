@@ -6,7 +6,7 @@
 #include <QtWidgets/QWidget>
 
 #include "app/gui/look/background_task.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 
 class QPushButton;
 

@@ -35,7 +35,7 @@
 #include "app/tasks/protocol_files.h"
 #include "device/simulated_models.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/folder_entries.h"
+#include "results_schema/files/folder_entries.h"
 
 namespace asperity {
 

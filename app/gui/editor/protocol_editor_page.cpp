@@ -16,8 +16,8 @@
 #include "app/gui/look/words.h"
 #include "app/gui/plan/plan_preview.h"
 #include "app/study_files/study_protocols.h"
-#include "results_schema/atomic_file.h"
 #include "results_schema/error_text.h"
+#include "results_schema/files/atomic_file.h"
 
 namespace asperity {
 

@@ -8,7 +8,7 @@
 
 #include "app/gui/look/words.h"
 #include "protocols/file/library_protocols.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -17,7 +17,7 @@
 #include "app/gui/look/words.h"
 #include "protocols/plan/course.h"
 #include "protocols/plan/groups.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

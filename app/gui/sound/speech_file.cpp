@@ -10,7 +10,7 @@
 #include <QtMultimedia/QAudioFormat>
 #include <QtMultimedia/QWaveDecoder>
 
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 
 namespace asperity {
 

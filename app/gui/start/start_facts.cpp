@@ -9,10 +9,10 @@
 #include "app/tasks/protocol_files.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/plan/course.h"
-#include "results_schema/atomic_file.h"
 #include "results_schema/error_text.h"
-#include "results_schema/folder_entries.h"
-#include "results_schema/sha256.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/files/folder_entries.h"
+#include "results_schema/hashes/sha256.h"
 #include "results_schema/study.h"
 
 namespace asperity {

@@ -22,7 +22,7 @@
 #include "app/tasks/checks/noise_check.h"
 #include "app/tasks/checks/protocol_check.h"
 #include "protocols/plan/groups.h"
-#include "results_schema/short_hash.h"
+#include "results_schema/hashes/short_hash.h"
 
 namespace asperity {
 

@@ -18,7 +18,7 @@
 #include "app/gui/look/words.h"
 #include "app/gui/study/sessions_page.h"
 #include "app/words/offered_reasons.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

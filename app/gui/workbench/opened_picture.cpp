@@ -11,8 +11,8 @@
 #include <QtGui/QImageReader>
 
 #include "app/gui/look/words.h"
-#include "results_schema/atomic_file.h"
-#include "results_schema/sha256.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/hashes/sha256.h"
 #include "stimuli/measured/measured_surface.h"
 #include "stimuli/measured/surface_relief.h"
 #include "stimuli/photographs/preview.h"

@@ -10,7 +10,7 @@
 
 #include "app/gui/look/background_task.h"
 #include "app/gui/workbench/opened_picture.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 
 class QLabel;
 class QLineEdit;

@@ -26,7 +26,7 @@
 #include "app/gui/workbench/relief_view.h"
 #include "app/gui/workbench/save_panel.h"
 #include "app/gui/workbench/signal_plots.h"
-#include "results_schema/folder_entries.h"
+#include "results_schema/files/folder_entries.h"
 
 namespace asperity {
 

@@ -8,7 +8,7 @@
 #include <stop_token>
 #include <string>
 
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"
 
 namespace asperity {

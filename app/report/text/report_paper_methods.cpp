@@ -23,7 +23,7 @@
 #include "protocols/kinds/experiment_kind.h"
 #include "renderers/offline/perceived_instability.h"
 #include "renderers/offline/unexplained_vibration.h"
-#include "results_schema/short_hash.h"
+#include "results_schema/hashes/short_hash.h"
 
 namespace asperity {
 

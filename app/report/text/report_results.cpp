@@ -23,7 +23,7 @@
 #include "app/report/text/report_sections.h"
 #include "app/report/text/report_tests.h"
 #include "app/words/text_parts.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "results_schema/sha256.h"
+#include "results_schema/hashes/sha256.h"
 #include "results_schema/study.h"
 
 namespace asperity {

@@ -10,7 +10,7 @@
 #include "app/session/levels/level_messages.h"
 #include "app/words/phrase.h"
 #include "app/words/shown_text.h"
-#include "results_schema/log_file.h"
+#include "results_schema/files/log_file.h"
 #include "results_schema/study.h"
 
 namespace asperity {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/session/session_setup.h"
-#include "results_schema/sha256.h"
+#include "results_schema/hashes/sha256.h"
 
 namespace asperity {
 

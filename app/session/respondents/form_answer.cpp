@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "analysis/number_text.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

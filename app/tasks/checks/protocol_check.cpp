@@ -5,8 +5,8 @@
 
 #include "app/tasks/protocol_files.h"
 #include "protocols/file/protocol_problems.h"
-#include "results_schema/sha256.h"
-#include "results_schema/short_hash.h"
+#include "results_schema/hashes/sha256.h"
+#include "results_schema/hashes/short_hash.h"
 #include "results_schema/study.h"
 
 namespace asperity {

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "app/words/shell_word.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"
 #include "results_schema/study_sharing.h"
 

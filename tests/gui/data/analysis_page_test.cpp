@@ -28,7 +28,7 @@
 #include "app/gui/data/outcome_view.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/app/made_up_study.h"
 #include "tests/gui/support/screenshot.h"
 #include "tests/gui/support/widgets.h"

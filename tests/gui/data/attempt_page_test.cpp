@@ -26,7 +26,7 @@
 #include "app/gui/window/study_window.h"
 #include "app/tasks/simulation.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/app/made_up_study.h"
 #include "tests/app/small_study.h"
 #include "tests/gui/study/quiet_home.h"

@@ -36,7 +36,7 @@
 #include "app/gui/window/study_window.h"
 #include "app/session/rig/clock.h"
 #include "app/words/utc_time.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/app/small_study.h"
 #include "tests/gui/support/screenshot.h"
 #include "tests/gui/support/widgets.h"

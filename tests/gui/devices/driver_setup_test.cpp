@@ -29,7 +29,7 @@
 #include "app/gui/window/session_desk.h"
 #include "app/gui/window/study_window.h"
 #include "device/vendor_library.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/app/small_study.h"
 #include "tests/device/emulated_falcon.h"
 #include "tests/device/vendors/test_dhd.h"

@@ -24,7 +24,7 @@
 #include "app/gui/editor/question_bar.h"
 #include "app/gui/plan/plan_preview.h"
 #include "protocols/file/library_protocols.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"
 #include "tests/gui/study/lively_study.h"
 #include "tests/gui/study/quiet_home.h"

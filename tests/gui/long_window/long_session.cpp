@@ -25,7 +25,7 @@
 #include "app/tasks/new_study.h"
 #include "app/tasks/run_session.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"
 #include "tests/support/patient_servo.h"
 

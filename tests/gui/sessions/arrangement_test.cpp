@@ -9,7 +9,7 @@
 #include "app/tasks/protocol_files.h"
 #include "protocols/file/library_protocols.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/gui/sessions/session_room.h"
 #include "tests/gui/support/screenshot.h"
 

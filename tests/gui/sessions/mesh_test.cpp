@@ -17,7 +17,7 @@
 #include "app/tasks/simulation.h"
 #include "app/tasks/verify_study.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "stimuli/meshes/solid_body.h"
 #include "tests/gui/sessions/session_room.h"
 

@@ -17,7 +17,7 @@
 #include "app/study_files/height_field_files.h"
 #include "app/tasks/protocol_files.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "stimuli/heights/synthetic_surface.h"
 #include "stimuli/photographs/preview.h"
 #include "tests/app/punctual_trial.h"

@@ -10,7 +10,7 @@
 #include "app/session/session_monitor.h"
 #include "app/tasks/protocol_files.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/gui/sessions/session_room.h"
 #include "tests/gui/support/screenshot.h"
 

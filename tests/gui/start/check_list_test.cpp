@@ -16,7 +16,7 @@
 #include "app/tasks/checks/disk_check.h"
 #include "app/tasks/checks/session_checks.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"
 #include "tests/app/small_study.h"
 #include "tests/gui/support/widgets.h"

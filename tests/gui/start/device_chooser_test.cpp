@@ -30,7 +30,7 @@
 #include "app/words/utc_time.h"
 #include "device/force_dimension/force_dimension_device.h"
 #include "device/vendor_library.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/app/punctual_trial.h"
 #include "tests/app/small_study.h"
 #include "tests/device/vendors/test_dhd.h"

@@ -10,8 +10,8 @@
 #include <QtTest/QTest>
 #include <gtest/gtest.h>
 
-#include "results_schema/atomic_file.h"
-#include "results_schema/sha256.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/hashes/sha256.h"
 #include "results_schema/study.h"
 #include "tests/app/small_study.h"
 #include "tests/gui/support/full_disk.h"

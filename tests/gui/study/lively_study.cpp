@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/tasks/protocol_files.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"
 
 namespace asperity {

@@ -32,7 +32,7 @@
 #include "app/gui/study/trials_page.h"
 #include "app/gui/window/study_window.h"
 #include "protocols/file/library_protocols.h"
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/screenshot.h"

@@ -5,7 +5,7 @@
 
 #include "analysis/number_text.h"
 #include "app/session/respondents/form_answer.h"
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

@@ -1,4 +1,4 @@
-#include "results_schema/seal.h"
+#include "results_schema/hashes/seal.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -11,9 +11,9 @@
 
 #include <sqlite3.h>
 
-#include "results_schema/atomic_file.h"
-#include "results_schema/file_system.h"
-#include "results_schema/sha256_stream.h"
+#include "results_schema/files/atomic_file.h"
+#include "results_schema/files/file_system.h"
+#include "results_schema/hashes/sha256_stream.h"
 #include "results_schema/study.h"
 #include "results_schema/study_store.h"
 

@@ -1,16 +1,16 @@
 // Quoted cells are unquoted in place: a cell never becomes longer.
 
-#include "results_schema/tidy_table.h"
+#include "results_schema/tables/tidy_table.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <unordered_map>
 
-#include "results_schema/name_forms.h"
 #include "results_schema/study.h"
-#include "results_schema/table.h"
-#include "results_schema/table_words.h"
+#include "results_schema/tables/name_forms.h"
+#include "results_schema/tables/table.h"
+#include "results_schema/tables/table_words.h"
 
 namespace asperity {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 namespace asperity {
 

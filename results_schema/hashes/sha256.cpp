@@ -1,14 +1,14 @@
 // SHA-256 by libcrypto.
 
-#include "results_schema/sha256.h"
+#include "results_schema/hashes/sha256.h"
 
 #include <stdexcept>
 #include <vector>
 
 #include <openssl/evp.h>
 
-#include "results_schema/file_system.h"
-#include "results_schema/sha256_stream.h"
+#include "results_schema/files/file_system.h"
+#include "results_schema/hashes/sha256_stream.h"
 
 namespace asperity {
 

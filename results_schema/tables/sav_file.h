@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "results_schema/table_file.h"
+#include "results_schema/tables/table_file.h"
 
 namespace asperity {
 

@@ -1,6 +1,6 @@
 // Files that are on disk when we say so.
 
-#include "results_schema/file_system.h"
+#include "results_schema/files/file_system.h"
 
 #include <array>
 #include <cerrno>

@@ -1,4 +1,4 @@
-#include "results_schema/study_deletion.h"
+#include "results_schema/deletion/study_deletion.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -9,9 +9,9 @@
 
 #include <sqlite3.h>
 
-#include "results_schema/file_system.h"
-#include "results_schema/folder_entries.h"
-#include "results_schema/label_in_path.h"
+#include "results_schema/deletion/label_in_path.h"
+#include "results_schema/files/file_system.h"
+#include "results_schema/files/folder_entries.h"
 #include "results_schema/study.h"
 #include "results_schema/study_store.h"
 

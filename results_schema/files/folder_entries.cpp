@@ -1,11 +1,11 @@
 // Folders, read to their end or refused by name: the standard library's iterators name none when they fail.
 
-#include "results_schema/folder_entries.h"
+#include "results_schema/files/folder_entries.h"
 
 #include <algorithm>
 #include <system_error>
 
-#include "results_schema/file_system.h"
+#include "results_schema/files/file_system.h"
 
 namespace asperity {
 namespace {

@@ -1,4 +1,4 @@
-#include "results_schema/part_folder.h"
+#include "results_schema/files/part_folder.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -8,7 +8,7 @@
 #include <system_error>
 #include <unistd.h>
 
-#include "results_schema/file_system.h"
+#include "results_schema/files/file_system.h"
 #include "results_schema/study.h"
 #include "results_schema/study_sharing.h"
 

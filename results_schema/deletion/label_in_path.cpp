@@ -1,6 +1,6 @@
 // Whether the path of an output names a participant.
 
-#include "results_schema/label_in_path.h"
+#include "results_schema/deletion/label_in_path.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,6 @@
 // Tab-separated text, written and read.
 
-#include "results_schema/table.h"
+#include "results_schema/tables/table.h"
 
 #include <algorithm>
 #include <charconv>
@@ -8,7 +8,7 @@
 #include <set>
 
 #include "results_schema/study.h"
-#include "results_schema/table_words.h"
+#include "results_schema/tables/table_words.h"
 
 namespace asperity {
 namespace {

@@ -1,6 +1,6 @@
 // Compares names letter by letter, a letter being a character with the marks that follow it.
 
-#include "results_schema/name_forms.h"
+#include "results_schema/tables/name_forms.h"
 
 #include <algorithm>
 #include <cstddef>

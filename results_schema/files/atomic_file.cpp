@@ -1,6 +1,6 @@
 // A new file under a temporary name, synced, then renamed.
 
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 
 #include <cerrno>
 #include <climits>
@@ -11,7 +11,7 @@
 #include <unistd.h>
 #include <utility>
 
-#include "results_schema/file_system.h"
+#include "results_schema/files/file_system.h"
 #include "results_schema/study.h"
 
 namespace asperity {

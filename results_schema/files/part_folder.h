@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <sys/types.h>
 
-#include "results_schema/atomic_file.h"
+#include "results_schema/files/atomic_file.h"
 
 namespace asperity {
 

@@ -1,4 +1,4 @@
-#include "results_schema/table_file.h"
+#include "results_schema/tables/table_file.h"
 
 #include <charconv>
 #include <new>
@@ -6,9 +6,9 @@
 
 #include <zlib.h>
 
-#include "results_schema/file_system.h"
-#include "results_schema/sha256_stream.h"
-#include "results_schema/table_words.h"
+#include "results_schema/files/file_system.h"
+#include "results_schema/hashes/sha256_stream.h"
+#include "results_schema/tables/table_words.h"
 
 namespace asperity {
 namespace {

@@ -1,4 +1,4 @@
-#include "results_schema/sav_file.h"
+#include "results_schema/tables/sav_file.h"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,8 @@
 
 #include <readstat.h>
 
-#include "results_schema/file_system.h"
-#include "results_schema/sha256_stream.h"
+#include "results_schema/files/file_system.h"
+#include "results_schema/hashes/sha256_stream.h"
 #include "results_schema/study.h"
 
 namespace asperity {

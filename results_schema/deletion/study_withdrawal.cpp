@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
+#include "results_schema/deletion/study_deletion.h"
 #include "results_schema/error_text.h"
 #include "results_schema/study.h"
-#include "results_schema/study_deletion.h"
 #include "results_schema/study_store.h"
 
 namespace asperity {

@@ -1,10 +1,10 @@
-#include "results_schema/log_file.h"
+#include "results_schema/files/log_file.h"
 
 #include <cerrno>
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "results_schema/file_system.h"
+#include "results_schema/files/file_system.h"
 #include "results_schema/study_sharing.h"
 
 namespace asperity {
