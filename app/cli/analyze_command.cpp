@@ -13,9 +13,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/cli/analysis_output.h"
 #include "app/cli/command.h"
-#include "app/cli/terminal.h"
+#include "app/cli/output/analysis_output.h"
+#include "app/cli/output/terminal.h"
 #include "app/findings/study/analyze_study.h"
 #include "app/findings/tidy/reference_case.h"
 #ifdef ASPERITY_WITH_WINDOWS

@@ -13,9 +13,9 @@
 
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
-#include "app/cli/number_option.h"
-#include "app/cli/terminal.h"
-#include "app/cli/word_option.h"
+#include "app/cli/options/number_option.h"
+#include "app/cli/options/word_option.h"
+#include "app/cli/output/terminal.h"
 #include "app/tasks/bake_mesh.h"
 
 namespace asperity {

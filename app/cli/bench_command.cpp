@@ -17,10 +17,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/number_option.h"
+#include "app/cli/options/number_option.h"
+#include "app/cli/options/word_option.h"
+#include "app/cli/output/terminal.h"
 #include "app/cli/signals.h"
-#include "app/cli/terminal.h"
-#include "app/cli/word_option.h"
 #include "app/study_files/height_field_files.h"
 #include "app/timing/tick_table.h"
 #include "app/timing/timed_scenes.h"

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "app/cli/terminal.h"
+#include "app/cli/output/terminal.h"
 
 namespace asperity {
 

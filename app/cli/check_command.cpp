@@ -16,10 +16,10 @@
 
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
-#include "app/cli/driver_options.h"
-#include "app/cli/plugin_option.h"
+#include "app/cli/options/driver_options.h"
+#include "app/cli/options/plugin_option.h"
+#include "app/cli/output/terminal.h"
 #include "app/cli/signals.h"
-#include "app/cli/terminal.h"
 #include "app/device_bench/compared_device.h"
 #include "app/device_bench/device_choice.h"
 #include "app/plugins/plugin_files.h"

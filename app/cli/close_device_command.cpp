@@ -9,9 +9,9 @@
 
 #include "app/cli/call_limit.h"
 #include "app/cli/command.h"
-#include "app/cli/driver_options.h"
-#include "app/cli/number_option.h"
-#include "app/cli/terminal.h"
+#include "app/cli/options/driver_options.h"
+#include "app/cli/options/number_option.h"
+#include "app/cli/output/terminal.h"
 #include "device/device_claim.h"
 
 namespace asperity {

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "app/cli/terminal.h"
+#include "app/cli/output/terminal.h"
 #include "app/plugins/plugin_process.h"
 #include "protocols/file/diagnostic.h"
 #include "results_schema/error_text.h"

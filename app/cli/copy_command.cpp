@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/terminal.h"
+#include "app/cli/output/terminal.h"
 #include "app/study_files/study_outputs.h"
 #include "results_schema/study.h"
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/driver_options.h"
+#include "app/cli/options/driver_options.h"
 #include "app/device_bench/device_survey.h"
 
 namespace asperity {

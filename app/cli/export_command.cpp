@@ -10,9 +10,9 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
+#include "app/cli/options/word_option.h"
+#include "app/cli/output/terminal.h"
 #include "app/cli/signals.h"
-#include "app/cli/terminal.h"
-#include "app/cli/word_option.h"
 #include "app/exports/export_study.h"
 #include "app/exports/publication.h"
 #include "app/study_files/study_metadata.h"

@@ -11,8 +11,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
+#include "app/cli/output/terminal.h"
 #include "app/cli/signals.h"
-#include "app/cli/terminal.h"
 #include "app/cli/usage_errors.h"
 #ifdef ASPERITY_WITH_WINDOWS
 #include "app/gui/window/program_window.h"

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/metadata_options.h"
-#include "app/cli/terminal.h"
-#include "app/cli/text_option.h"
+#include "app/cli/options/metadata_options.h"
+#include "app/cli/options/text_option.h"
+#include "app/cli/output/terminal.h"
 #include "app/study_files/study_metadata.h"
 #include "results_schema/study.h"
 

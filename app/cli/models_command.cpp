@@ -12,10 +12,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/model_option.h"
-#include "app/cli/parameter_option.h"
-#include "app/cli/plugin_option.h"
-#include "app/cli/terminal.h"
+#include "app/cli/options/model_option.h"
+#include "app/cli/options/parameter_option.h"
+#include "app/cli/options/plugin_option.h"
+#include "app/cli/output/terminal.h"
 #include "app/plugins/plugin_files.h"
 #include "renderers/conformance/conformance.h"
 #include "renderers/force/force_model.h"

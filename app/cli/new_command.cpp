@@ -6,8 +6,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/metadata_options.h"
-#include "app/cli/terminal.h"
+#include "app/cli/options/metadata_options.h"
+#include "app/cli/output/terminal.h"
 #include "app/tasks/new_study.h"
 #include "results_schema/study_sharing.h"
 

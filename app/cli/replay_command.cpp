@@ -9,14 +9,14 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/cli/asset_option.h"
 #include "app/cli/command.h"
-#include "app/cli/model_option.h"
-#include "app/cli/number_option.h"
-#include "app/cli/parameter_option.h"
-#include "app/cli/plugin_option.h"
+#include "app/cli/options/asset_option.h"
+#include "app/cli/options/model_option.h"
+#include "app/cli/options/number_option.h"
+#include "app/cli/options/parameter_option.h"
+#include "app/cli/options/plugin_option.h"
+#include "app/cli/output/terminal.h"
 #include "app/cli/replay_options.h"
-#include "app/cli/terminal.h"
 #include "app/plugins/plugin_files.h"
 #include "app/plugins/stored_plugins.h"
 #include "app/records/other_model.h"

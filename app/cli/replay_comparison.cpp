@@ -11,9 +11,9 @@
 
 #include "analysis/rounded_text.h"
 #include "app/cli/command.h"
+#include "app/cli/output/terminal.h"
 #include "app/cli/replay_options.h"
 #include "app/cli/signals.h"
-#include "app/cli/terminal.h"
 #include "app/plugins/plugin_files.h"
 #include "app/study_files/parameter_json.h"
 #include "app/study_files/program.h"

@@ -7,8 +7,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
+#include "app/cli/output/terminal.h"
 #include "app/cli/signals.h"
-#include "app/cli/terminal.h"
 #include "app/figures/figure_files.h"
 #include "app/report/pages/report_file.h"
 #include "app/study_files/study_condition.h"

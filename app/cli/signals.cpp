@@ -12,7 +12,7 @@
 
 #include <time.h>
 
-#include "app/cli/terminal.h"
+#include "app/cli/output/terminal.h"
 #include "app/session/respondents/unechoed_input.h"
 #include "renderers/servo/servo_thread.h"
 

@@ -9,9 +9,9 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/plugin_option.h"
+#include "app/cli/options/plugin_option.h"
+#include "app/cli/output/terminal.h"
 #include "app/cli/signals.h"
-#include "app/cli/terminal.h"
 #include "app/plugins/plugin_files.h"
 #include "app/tasks/verify_study.h"
 

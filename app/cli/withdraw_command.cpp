@@ -9,9 +9,9 @@
 #include <pwd.h>
 
 #include "app/cli/command.h"
-#include "app/cli/terminal.h"
-#include "app/cli/text_option.h"
-#include "app/cli/word_option.h"
+#include "app/cli/options/text_option.h"
+#include "app/cli/options/word_option.h"
+#include "app/cli/output/terminal.h"
 #include "app/study_files/study_outputs.h"
 #include "results_schema/study.h"
 

@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/number_text.h"
-#include "app/cli/analysis_output.h"
+#include "app/cli/output/analysis_output.h"
 #include "app/findings/reading_number.h"
 #include "app/findings/study/analyze_study.h"
 #include "app/findings/study/estimate_sentences.h"

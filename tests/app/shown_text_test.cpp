@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/cli/terminal.h"
+#include "app/cli/output/terminal.h"
 
 namespace asperity {
 namespace {

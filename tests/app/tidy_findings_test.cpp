@@ -10,7 +10,7 @@
 #include "analysis/decision_rules.h"
 #include "analysis/forced_choice.h"
 #include "analysis/tail_probabilities.h"
-#include "app/cli/analysis_output.h"
+#include "app/cli/output/analysis_output.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/support/refusal.h"
 

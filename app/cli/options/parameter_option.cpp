@@ -1,4 +1,4 @@
-#include "app/cli/parameter_option.h"
+#include "app/cli/options/parameter_option.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,8 +1,8 @@
-#include "app/cli/session_output.h"
+#include "app/cli/output/session_output.h"
 
 #include <string>
 
-#include "app/cli/terminal.h"
+#include "app/cli/output/terminal.h"
 
 namespace asperity {
 

@@ -1,10 +1,10 @@
-#include "app/cli/height_field_line.h"
+#include "app/cli/output/height_field_line.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "analysis/number_text.h"
-#include "app/cli/terminal.h"
+#include "app/cli/output/terminal.h"
 #include "app/findings/reading_number.h"
 
 namespace asperity {

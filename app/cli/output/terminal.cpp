@@ -1,4 +1,4 @@
-#include "app/cli/terminal.h"
+#include "app/cli/output/terminal.h"
 
 #include <algorithm>
 #include <array>

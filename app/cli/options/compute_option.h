@@ -8,7 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/cli/word_option.h"
+#include "app/cli/options/word_option.h"
 
 namespace asperity {
 

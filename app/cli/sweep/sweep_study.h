@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/sweep_options.h"
+#include "app/cli/sweep/sweep_options.h"
 #include "app/findings/figure.h"
 #include "app/findings/study/analysis_outcome.h"
 

@@ -1,4 +1,4 @@
-#include "app/cli/body_option.h"
+#include "app/cli/options/body_option.h"
 
 #include <algorithm>
 #include <array>

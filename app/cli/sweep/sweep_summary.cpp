@@ -1,6 +1,6 @@
 // Prints the results of a sweep.
 
-#include "app/cli/sweep_summary.h"
+#include "app/cli/sweep/sweep_summary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include <string>
 
 #include "analysis/number_text.h"
-#include "app/cli/terminal.h"
+#include "app/cli/output/terminal.h"
 #include "app/words/text_parts.h"
 
 namespace asperity {

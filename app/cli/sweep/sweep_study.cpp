@@ -1,6 +1,6 @@
 // Finds the estimates of a study with which a sweep is compared. Absent without Qt, because it needs figures.
 
-#include "app/cli/sweep_study.h"
+#include "app/cli/sweep/sweep_study.h"
 
 #include <map>
 #include <optional>
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/cli/terminal.h"
+#include "app/cli/output/terminal.h"
 #include "app/figures/figures_of.h"
 #include "app/figures/sweep_figure.h"
 #include "app/findings/study/analyze_study.h"

@@ -1,6 +1,6 @@
 // Reads the options of asperity sweep.
 
-#include "app/cli/sweep_options.h"
+#include "app/cli/sweep/sweep_options.h"
 
 #include <cmath>
 #include <filesystem>
@@ -8,12 +8,12 @@
 #include <stdexcept>
 
 #include "analysis/number_text.h"
-#include "app/cli/asset_option.h"
-#include "app/cli/body_option.h"
 #include "app/cli/command.h"
-#include "app/cli/model_option.h"
-#include "app/cli/number_list.h"
-#include "app/cli/parameter_option.h"
+#include "app/cli/options/asset_option.h"
+#include "app/cli/options/body_option.h"
+#include "app/cli/options/model_option.h"
+#include "app/cli/options/number_list.h"
+#include "app/cli/options/parameter_option.h"
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/textured_mesh_files.h"
 #include "app/words/text_parts.h"

@@ -1,13 +1,13 @@
 // Numbers are shortened here and nowhere before.
 
-#include "app/cli/analysis_output.h"
+#include "app/cli/output/analysis_output.h"
 
 #include <optional>
 #include <variant>
 
 #include <nlohmann/json.hpp>
 
-#include "app/cli/terminal.h"
+#include "app/cli/output/terminal.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/discrimination_results.h"

@@ -1,11 +1,11 @@
-#include "app/cli/recording_warnings.h"
+#include "app/cli/output/recording_warnings.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include "analysis/number_text.h"
-#include "app/cli/terminal.h"
+#include "app/cli/output/terminal.h"
 
 namespace asperity {
 

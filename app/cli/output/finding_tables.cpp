@@ -8,8 +8,8 @@
 #include <string_view>
 #include <utility>
 
-#include "app/cli/analysis_output.h"
-#include "app/cli/terminal.h"
+#include "app/cli/output/analysis_output.h"
+#include "app/cli/output/terminal.h"
 #include "app/findings/found_numbers.h"
 #include "app/findings/reading_number.h"
 
