@@ -47,8 +47,8 @@ struct DeviceTestOptions {
   /// The time for a person to move the handle along the borders of its workspace; 0 leaves this part out.
   double workspace_s = 0.0;
   std::function<void(const DeviceTestNews&)>
-      tell{};  ///< called before each part, and each of its axes
-  WatchTicks watch{};                                 ///< see DeviceBench
+      tell{};          ///< called before each part, and each of its axes
+  WatchTicks watch{};  ///< see DeviceBench
 };
 
 /// Measures a device, in one and a half to three minutes in real time. The device moves by itself: by at most 30 mm, with at

@@ -45,6 +45,7 @@ struct JudgedPairs {
 JudgedPairs judged_pairs_in(const TidyTable& table, std::vector<std::string> items);
 
 /// Nothing where there are fewer than three pairs of values, or one of the two is constant.
-std::optional<double> pearson_correlation(const std::vector<double>& a, const std::vector<double>& b);
+std::optional<double> pearson_correlation(const std::vector<double>& a,
+                                          const std::vector<double>& b);
 
 }  // namespace asperity

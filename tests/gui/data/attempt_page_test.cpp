@@ -134,9 +134,8 @@ TEST_F(DataView, CutsNothingOfTheMeasures) {
   window.show_page("attempt");
   ASSERT_TRUE(eventually([&] { return shows_recording(page); }));
   child<QTabWidget>(page, "attempt_tabs").setCurrentIndex(1);
-  for (const char* name :
-       {"attempt_answers", "attempt_surfaces", "attempt_compliance", "attempt_instability",
-        "attempt_loop"}) {
+  for (const char* name : {"attempt_answers", "attempt_surfaces", "attempt_compliance",
+                           "attempt_instability", "attempt_loop"}) {
     const auto& table = child<StudyTable>(page, name);
     EXPECT_TRUE(eventually([&] { return cut_cells(table).isEmpty(); }))
         << name << ": " << cut_cells(table).join(" | ").toStdString();

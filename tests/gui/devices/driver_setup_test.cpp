@@ -223,9 +223,9 @@ TEST_F(DriversToSetUp, HaveALibraryEach) {
   open_setup("force_dimension");
   browse("force_dimension", wrong_firmware);
   EXPECT_TRUE(found("force_dimension").starts_with("✕")) << found("force_dimension");
-  EXPECT_NE(found("force_dimension")
-                .find("this is not a shared library; name the file of the library"),
-            std::string::npos);
+  EXPECT_NE(
+      found("force_dimension").find("this is not a shared library; name the file of the library"),
+      std::string::npos);
   browse("force_dimension", ASPERITY_TEST_HD);
   EXPECT_NE(found("force_dimension").find("has no function dhdGetDeviceCount"), std::string::npos)
       << found("force_dimension");
