@@ -6,6 +6,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
@@ -22,14 +23,15 @@
 #include <poll.h>
 #include <time.h>
 
+#include "device/monotonic_clock.h"
+
 namespace asperity {
 namespace {
 
 constexpr int kBetweenLooks_ms = 50;
 // A library that stands between this process and the system calls may have one of its locks held by another thread when
 // the process is forked, which no thread of the fork ever releases. Such a fork never says that it watches.
-constexpr int kToStart_ms = 200;
-constexpr int kTries = 25;
+constexpr std::array kToStart_ms{100, 200, 400, 800, 1600, 3200};
 // To act after its last word: more than any driver takes.
 constexpr int kToEnd_ms = 5000;
 constexpr timespec kBetweenWaits{0, 1'000'000};
@@ -113,9 +115,10 @@ bool stands_still(const StatusPath& status) noexcept {
 }  // namespace
 
 WatchdogProcess::WatchdogProcess(Act act, const void* about, int keep_open) {
-  for (int tries = 0; tries < kTries; ++tries) {
+  // A busy machine may keep every try from its cores as long.
+  for (const int limit_ms : kToStart_ms) {
     start(act, about, keep_open);
-    if (says_that_it_watches()) return;
+    if (says_that_it_watches(limit_ms)) return;
     close(leash_);
     end_by_force();
   }
@@ -156,11 +159,13 @@ void WatchdogProcess::start(Act act, const void* about, int keep_open) {
   }
 }
 
-bool WatchdogProcess::says_that_it_watches() const noexcept {
+bool WatchdogProcess::says_that_it_watches(int limit_ms) const noexcept {
   pollfd word{leash_, POLLIN, 0};
+  const std::int64_t until_ns = monotonic_now_ns() + std::int64_t{limit_ms} * 1'000'000;
   int ready = 0;
-  do {
-    ready = poll(&word, 1, kToStart_ms);
+  do {  // again where a signal came
+    const std::int64_t left_ms = (until_ns - monotonic_now_ns()) / 1'000'000;
+    ready = poll(&word, 1, static_cast<int>(std::max<std::int64_t>(left_ms, 0)));
   } while (ready < 0 && errno == EINTR);
   char said = 0;
   return ready == 1 && read(leash_, &said, 1) == 1 && said == kReady;

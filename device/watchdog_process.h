@@ -18,12 +18,13 @@ inline constexpr const char* kWatchdogIsGone =
 ///   soon as the kernel closes this process's files.
 /// - Stopped (SIGSTOP, Ctrl-Z, a debugger) or writing a core dump: `act(stopped, …)` within 0.1 s, and
 ///   again every 50 ms until it goes on.
-/// - Constructed: the other process watches. One that does not say so within 0.2 s is killed and started again.
+/// - Constructed: the other process watches. One that does not say so is killed and started again, with longer limits.
 /// - Destroyed in order: nothing is called, or after `leave_to_act` `act(left, …)`; the destructor waits until the
 ///   other process is gone, and kills it after 5 s.
 ///
 /// What it cannot see: a thread that hangs in a process that runs, a kernel that died, a plug that was
-/// pulled.
+/// pulled; the end of this process while another fork of it, which called no exec, goes on. What kills or freezes
+/// all processes of a session or container at once takes it too.
 ///
 /// The other process is a fork, with its memory as it was then: `act` may make system calls and nothing
 /// else (no heap, no lock, no C++ of others). It has its own terminal session, so that no key reaches it,
@@ -31,7 +32,7 @@ inline constexpr const char* kWatchdogIsGone =
 /// process but `keep_open`: locks and connections end with this one.
 ///
 /// Errors: the constructor throws std::runtime_error when the machine has no process or file left, and when no process
-/// has said within 5 s that it watches.
+/// has said within 6 s that it watches.
 ///
 /// Threads: construct and destroy from any; not in real time (a fork takes milliseconds).
 class WatchdogProcess final {
@@ -57,10 +58,10 @@ class WatchdogProcess final {
 
  private:
   void start(Act act, const void* about, int keep_open);
-  bool says_that_it_watches() const noexcept;
+  bool says_that_it_watches(int limit_ms) const noexcept;
   void end_by_force() const noexcept;
 
-  int leash_ = -1;  // no other process has this end: it closes when this process ends
+  int leash_ = -1;  // closes when this process ends: no program that it starts has this end
   pid_t process_ = -1;
   bool is_left_to_act_ = false;
 };
