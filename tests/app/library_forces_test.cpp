@@ -77,7 +77,7 @@ TEST_P(LibraryForces, AreSentAsRenderedInASimulatedSession) {
     const Trial& trial = plan.trials.at(static_cast<std::size_t>(attempt.trial - 1));
     std::int64_t changed = 0;
     for (const TickRecord& record :
-         recorded_attempt(stored, session, trial, attempt, builder).records) {
+         recorded_attempt(study, session, trial, attempt, builder).records) {
       if (!is_sent_as_rendered(record)) ++changed;
       if (record.gain == 1.0 && record.penetration_m > 0.0) ++ticks_at_full_gain;
     }
