@@ -530,7 +530,7 @@ CREATE TRIGGER output_no_update BEFORE UPDATE ON output
 WHEN NEW.id IS NOT OLD.id OR NEW.kind IS NOT OLD.kind OR NEW.program_version IS NOT OLD.program_version
   OR (NEW.made_utc IS NOT OLD.made_utc AND OLD.made_utc IS NOT NULL)
   OR (NEW.path IS NOT OLD.path AND NOT (NEW.path = '' AND EXISTS (
-        SELECT 1 FROM withdrawal WHERE instr(OLD.path, label) > 0)))
+        SELECT 1 FROM withdrawal WHERE instr(lower(OLD.path), lower(label)) > 0)))
 BEGIN SELECT RAISE(ABORT, 'an output is completed once, and only a withdrawal blanks its path'); END;
 CREATE TRIGGER output_no_delete BEFORE DELETE ON output
 WHEN OLD.made_utc IS NOT NULL

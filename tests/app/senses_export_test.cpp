@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/exports/new_labels.h"
 #include "app/records/eye_mask.h"
 #include "results_schema/tables/table.h"
 #include "tests/app/exported_study.h"
@@ -154,7 +155,9 @@ TEST(SensesExport, LeavesTheMeasuredLevelOutWithNewLabels) {
   MadeUpStudy made;
   fill_with_senses(made);
   const fs::path out = made.beside("out");
-  export_to(made, out, options_of(ExportAudience::relabelled));
+  ExportOptions options = options_of(ExportAudience::relabelled);
+  options.random_bits = random_bits_of_this_machine();
+  export_to(made, out, options);
   const Table attempts = table_in(out, "attempts.tsv");
   EXPECT_THAT(attempts.columns, Not(Contains("masking_noise_measured_dBA")));
   EXPECT_EQ(cell_of(attempts, 0, "masking_noise_source"), Cell{"program"});
