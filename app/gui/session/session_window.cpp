@@ -277,6 +277,7 @@ void SessionWindow::write_blindness() {
   troubles_->set_blind(blind_);
   write_answers();
   write_tracks();
+  if (ended_) write_end();
 }
 
 QString SessionWindow::field_lock() const {
@@ -318,8 +319,11 @@ void SessionWindow::write_end() {
            : shown_.trials > 0 && shown_.trials_done >= shown_.trials && !shown_.trouble;
   outcome.can_go_on =
       facts_ != nullptr && !outcome.is_complete && !(end_ && end_->as_the_protocol_says);
-  if (end_) {
-    for (const Phrase& anchors : end_->anchors) outcome.anchors += words_of(anchors);
+  // Responses show conditions, and whether they were correct, to the experimenter who resumes the session.
+  if (end_ && !(outcome.can_go_on && blind_)) {
+    for (const Phrase& anchors : end_->anchors) {
+      outcome.anchors += troubles_->veiled(words_of(anchors));
+    }
   }
   QString why{};
   if (end_ && !end_->reason.empty()) {

@@ -952,6 +952,20 @@ TEST(SessionWindow, ShowsHowTheResponsesToAnchorsChanged) {
       child<QLabel>(*window, "end_text").text().endsWith("\nAnchors of block 1: 12 → 10 → 6."));
 }
 
+TEST(SessionWindow, HidesTheAnchorsOfASessionThatCanBeResumedWhileItIsBlind) {
+  FilledMonitor session("improved_selection", SessionMode::pilot);
+  session.answer_up_to(9);
+  session.set_phase(SessionPhase::ended);
+  const auto window = session.window();
+  window->show_end({.state = SessionState::stopped,
+                    .reason = "on request, after the block",
+                    .anchors = {Phrase("Anchors of block 1: correct → incorrect.")}});
+  const auto& text = child<QLabel>(*window, "end_text");
+  EXPECT_FALSE(text.text().contains("Anchors of block 1")) << text.text().toStdString();
+  child<QPushButton>(*window, "unblind").click();
+  EXPECT_TRUE(text.text().contains("Anchors of block 1: correct → incorrect."));
+}
+
 TEST(SessionWindow, AsksBeforeItClosesInASession) {
   FilledMonitor session{};
   session.answer_up_to(9);
