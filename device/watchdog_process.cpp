@@ -31,7 +31,7 @@ namespace {
 constexpr int kBetweenLooks_ms = 50;
 // A library that stands between this process and the system calls may have one of its locks held by another thread when
 // the process is forked, which no thread of the fork ever releases. Such a fork never says that it watches.
-constexpr std::array kToStart_ms{100, 200, 400, 800, 1600, 3200};
+constexpr std::array kToStart_ms{100, 100, 100, 200, 200, 200, 400, 400, 800, 800, 1600, 1600};
 // To act after its last word: more than any driver takes.
 constexpr int kToEnd_ms = 5000;
 constexpr timespec kBetweenWaits{0, 1'000'000};

@@ -32,7 +32,7 @@ inline constexpr const char* kWatchdogIsGone =
 /// process but `keep_open`: locks and connections end with this one.
 ///
 /// Errors: the constructor throws std::runtime_error when the machine has no process or file left, and when no process
-/// has said within 6 s that it watches.
+/// has said within 7 s that it watches.
 ///
 /// Threads: construct and destroy from any; not in real time (a fork takes milliseconds).
 class WatchdogProcess final {

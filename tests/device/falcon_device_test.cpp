@@ -648,9 +648,16 @@ TEST_F(Falcon, HasAWatchdogThatActsWhateverLockALibraryHoldsAtItsStart) {
   std::array<int, 2> ends{};
   ASSERT_EQ(pipe2(ends.data(), O_CLOEXEC), 0);
   const std::jthread locks([](const std::stop_token& end) {
-    while (!end.stop_requested()) access("/dev/null", R_OK);
+    // Held for about a third of the time.
+    while (!end.stop_requested()) {
+      const auto begun = std::chrono::steady_clock::now();
+      access("/dev/null", R_OK);
+      const auto held = std::chrono::steady_clock::now() - begun;
+      while (std::chrono::steady_clock::now() - begun < 3 * held) {
+      }
+    }
   });
-  constexpr int kWatchdogs = 5;
+  constexpr int kWatchdogs = 10;
   for (int number = 0; number < kWatchdogs; ++number) {
     WatchdogProcess watchdog(
         [](WatchdogProcess::Cause, const void* to) noexcept {
