@@ -375,9 +375,9 @@ TEST_F(Falcon, KeepsNobodyFromLookingWhileItIsHomed) {
 TEST_F(Falcon, TellsWhereTheGripIsInTheHandsFrame) {
   EmulatedFalcon emulated(bus(), {});
   const auto device = open();
+  emulated.press(0b0101);  // first: the answer with the place has it then
   // 20 mm right, 10 mm up, 5 mm towards the hand.
   emulated.put_grip({0.020, 0.010, 0.120});
-  emulated.press(0b0101);
   ProbeState state{};
   EXPECT_TRUE(eventually([&] {
     const auto read = device->read(42);
