@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <exception>
+#include <future>
 #include <new>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "analysis/number_text.h"
@@ -52,19 +56,42 @@ bool is_finite(const InstabilityRow& row) {
 }
 
 ReplayedMeasures measures_of(const JudgedSurface& surface, std::span<const TickRecord> records,
-                             double rate_Hz) {
+                             double rate_Hz, AttemptInstability::Values wanted) {
   const RecordedTexture texture = texture_of(surface, records, rate_Hz);
-  return {.texture_force_N = finite_texture_force_N(texture, surface.band),
-          .instability =
-              instability_row(perceived_instability(surface.model, surface.inputs, texture))};
+  ReplayedMeasures measures{.texture_force_N = finite_texture_force_N(texture, surface.band)};
+  if (wanted == AttemptInstability::Values::all) {
+    measures.instability =
+        instability_row(perceived_instability(surface.model, surface.inputs, texture));
+  }
+  return measures;
 }
+
+/// A renderer whose calls are counted, so that one that does not return is noticed from another thread.
+class CountedRenderer final : public ForceRenderer {
+ public:
+  CountedRenderer(std::unique_ptr<ForceRenderer> inner,
+                  std::shared_ptr<std::atomic<std::uint64_t>> calls)
+      : inner_(std::move(inner)), calls_(std::move(calls)) {}
+  void reset(const ProbeState& first) noexcept override {
+    inner_->reset(first);
+    ++*calls_;
+  }
+  RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override {
+    const RenderedTick rendered = inner_->tick(probe, dt_s);
+    ++*calls_;
+    return rendered;
+  }
+  Friction* friction() noexcept override { return inner_->friction(); }
+  TipOnCharts* tip() noexcept override { return inner_->tip(); }
+  std::span<const NamedCount> limits() const noexcept override { return inner_->limits(); }
+  std::string_view error() const noexcept override { return inner_->error(); }
+
+ private:
+  std::unique_ptr<ForceRenderer> inner_;
+  std::shared_ptr<std::atomic<std::uint64_t>> calls_;
+};
 
 }  // namespace
-
-std::optional<double> texture_force_N(const JudgedSurface& surface,
-                                      std::span<const TickRecord> records, double rate_Hz) {
-  return finite_texture_force_N(texture_of(surface, records, rate_Hz), surface.band);
-}
 
 std::optional<InstabilityRow> instability_row(const PerceivedInstability& judged) {
   const auto reason = [](const std::optional<NotJudged>& none) {
@@ -94,37 +121,95 @@ std::optional<InstabilityRow> instability_row(const PerceivedInstability& judged
   return row;
 }
 
-void AttemptInstability::begin(std::vector<JudgedSurface> surfaces,
-                               std::span<const TickRecord> records, double rate_Hz) {
+struct AttemptInstability::Work {
+  std::vector<JudgedSurface> surfaces{};
+  std::vector<TickRecord>
+      felt{};  // the recorder's records move in memory while the session continues
+  double rate_Hz = 0.0;
+  Values wanted = Values::all;
+  std::shared_ptr<std::atomic<std::uint64_t>> calls =
+      std::make_shared<std::atomic<std::uint64_t>>(0);
+  std::atomic<std::size_t> surface = 0;  // that is judged at present
+  std::promise<std::map<int, Judged>> result{};
+  std::future<std::map<int, Judged>> found = result.get_future();
+
+  void run() noexcept {
+    try {
+      std::map<int, Judged> judged{};
+      for (const JudgedSurface& each : surfaces) {
+        const auto id = static_cast<std::uint64_t>(each.position);
+        judged[each.position] = {.records = records_of(id, felt),
+                                 .values = measures_of(each, felt, rate_Hz, wanted)};
+        ++surface;
+      }
+      result.set_value(std::move(judged));
+    } catch (...) {
+      result.set_exception(std::current_exception());
+    }
+  }
+};
+
+AttemptInstability::AttemptInstability(std::chrono::milliseconds patience) : patience_(patience) {}
+
+AttemptInstability::~AttemptInstability() {
   try {
-    // The recorder's records move in memory while the session continues.
-    begun_ =
-        std::async(std::launch::async,
-                   [surfaces = std::move(surfaces),
-                    felt = std::vector<TickRecord>(records.begin(), records.end()), rate_Hz] {
-                     std::map<int, Judged> judged{};
-                     for (const JudgedSurface& surface : surfaces) {
-                       const auto id = static_cast<std::uint64_t>(surface.position);
-                       judged[surface.position] = {.records = records_of(id, felt),
-                                                   .values = measures_of(surface, felt, rate_Hz)};
-                     }
-                     return judged;
-                   });
+    finish();
+  } catch (const std::exception&) {  // nobody wants the values
+  }
+}
+
+void AttemptInstability::begin(std::vector<JudgedSurface> surfaces,
+                               std::span<const TickRecord> records, double rate_Hz, Values wanted) {
+  try {
+    const auto work = std::make_shared<Work>();
+    work->surfaces = std::move(surfaces);
+    work->felt.assign(records.begin(), records.end());
+    work->rate_Hz = rate_Hz;
+    work->wanted = wanted;
+    for (JudgedSurface& surface : work->surfaces) {
+      surface.model.make = [make = std::move(surface.model.make),
+                            calls = work->calls](const RendererInputs& inputs) {
+        auto renderer = std::make_unique<CountedRenderer>(make(inputs), calls);
+        ++*calls;
+        return renderer;
+      };
+    }
+    std::thread([work] { work->run(); }).detach();
+    work_ = work;
   } catch (const std::system_error&) {  // no thread
   } catch (const std::bad_alloc&) {
   }
 }
 
+void AttemptInstability::finish() {
+  const std::shared_ptr<Work> work = std::exchange(work_, nullptr);
+  if (work == nullptr) return;
+  std::uint64_t calls = *work->calls;
+  while (work->found.wait_for(patience_) != std::future_status::ready) {
+    const std::uint64_t before = std::exchange(calls, work->calls->load());
+    if (calls != before) continue;
+    const std::size_t last = work->surfaces.size() - 1;  // of one that is judged this moment
+    hanging_model_ = work->surfaces.at(std::min(last, work->surface.load())).model.declaration.id;
+    return;
+  }
+  judged_ = work->found.get();
+}
+
 ReplayedMeasures AttemptInstability::take(const JudgedSurface& surface,
-                                          std::span<const TickRecord> records, double rate_Hz) {
+                                          std::span<const TickRecord> records, double rate_Hz,
+                                          Values wanted) {
   const auto id = static_cast<std::uint64_t>(surface.position);
-  try {
-    if (begun_.valid()) judged_ = begun_.get();
+  const auto is_judged = [&] {
     const auto found = judged_.find(surface.position);
-    if (found != judged_.end() && found->second.records == records_of(id, records)) {
-      return found->second.values;
+    return found != judged_.end() && found->second.records == records_of(id, records);
+  };
+  try {
+    finish();
+    if (!hanging_model_ && !is_judged()) {
+      begin({surface}, records, rate_Hz, wanted);
+      finish();
     }
-    return measures_of(surface, records, rate_Hz);
+    return is_judged() ? judged_.at(surface.position).values : ReplayedMeasures{};
   } catch (const std::exception&) {  // no reason to lose what the participant did
     return {};
   }

@@ -552,12 +552,13 @@ void TrialAttempt::measure(const std::vector<TickRecord>& records) {
     fill_times(records, id, rate_Hz, presentation);
     if (hanging_tick_) {
       // Replayed, its model might not return here either.
-    } else if (interruption_) {
-      presentation.achieved_texture_force_N = texture_force_N(judged_surface(i), records, rate_Hz);
     } else {
-      ReplayedMeasures replayed = instability_.take(judged_surface(i), records, rate_Hz);
+      ReplayedMeasures replayed =
+          instability_.take(judged_surface(i), records, rate_Hz,
+                            interruption_ ? AttemptInstability::Values::texture_force_only
+                                          : AttemptInstability::Values::all);
       presentation.achieved_texture_force_N = replayed.texture_force_N;
-      presentation.instability = std::move(replayed.instability);
+      if (!interruption_) presentation.instability = std::move(replayed.instability);
     }
     for (const NamedCount& limit : surfaces_.limits(i)) {
       presentation.limits.push_back(
@@ -572,6 +573,13 @@ void TrialAttempt::measure(const std::vector<TickRecord>& records) {
       }
     }
     row_.presentations.push_back(std::move(presentation));
+  }
+  if (const auto& model = instability_.hanging_model()) {
+    course_.report_to_experimenter(
+        "The force model " + *model +
+        " did not return when its forces in this attempt were computed again. The attempt is "
+        "stored without its texture force and its perceived instability; please report this to "
+        "the author of the model.");
   }
 }
 

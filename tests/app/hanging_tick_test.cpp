@@ -4,10 +4,12 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <numbers>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -58,27 +60,29 @@ class EventLog final {
   std::vector<std::pair<std::string, std::chrono::steady_clock::time_point>> events_{};
 };
 
-/// A model whose ticks, wherever they are computed, do not return while `hang` is wanted.
-class HangingModel final : public ForceRenderer {
+/// Called in each tick of a model, wherever it is computed; the tick does not return before it does.
+using AtTick = std::function<void()>;
+
+class WatchedModel final : public ForceRenderer {
  public:
-  HangingModel(std::unique_ptr<ForceRenderer> inner, std::shared_ptr<Hang> hang)
-      : inner_(std::move(inner)), hang_(std::move(hang)) {}
+  WatchedModel(std::unique_ptr<ForceRenderer> inner, AtTick at_tick)
+      : inner_(std::move(inner)), at_tick_(std::move(at_tick)) {}
   void reset(const ProbeState& first) noexcept override { inner_->reset(first); }
   RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override {
-    hang_->pass();
+    at_tick_();
     return inner_->tick(probe, dt_s);
   }
 
  private:
   std::unique_ptr<ForceRenderer> inner_;
-  std::shared_ptr<Hang> hang_;
+  AtTick at_tick_;
 };
 
-ModelRegistry models_that_hang(const std::shared_ptr<Hang>& hang) {
+ModelRegistry models_with(const AtTick& at_tick) {
   ModelRegistry models = built_in_models();
   ForceModel model = *models.find("height_map");
-  model.make = [make = model.make, hang](const RendererInputs& inputs) {
-    return std::make_unique<HangingModel>(make(inputs), hang);
+  model.make = [make = model.make, at_tick](const RendererInputs& inputs) {
+    return std::make_unique<WatchedModel>(make(inputs), at_tick);
   };
   models.replace(std::move(model));
   return models;
@@ -137,14 +141,22 @@ class HangingTick : public testing::Test {
       state.velocity_m_per_s = {0.010 * 2.0 * std::numbers::pi * std::cos(turn), 0.0, 0.0};
     };
     device->at_send = [this](const Wrench& wrench) {
-      if (!may_hang_ || glm::length(wrench.force_N) < 0.1) return;
-      may_hang_ = false;
-      log_.note("hangs with force");
-      hang_->is_wanted = true;
+      loop_ = std::this_thread::get_id();
+      exerts_ = glm::length(wrench.force_N) >= 0.1;
     };
     device->at_zero_from_outside = [this] { log_.note("zero"); };
     device->at_close = [this] { ++closed_; };
     return device;
+  }
+
+  /// In the servo loop only: a replay of the model is no tick that exerts a force.
+  void at_tick() {
+    if (std::this_thread::get_id() != loop_) return;
+    if (exerts_ && may_hang_.exchange(false)) {
+      log_.note("hangs with force");
+      hang_->is_wanted = true;
+    }
+    hang_->pass();
   }
 
   SessionEnd run() {
@@ -168,7 +180,9 @@ class HangingTick : public testing::Test {
   TemporaryFolder folder_{};
   RunInputs inputs_{};
   DriverRegistry drivers_{};
-  ModelRegistry models_ = models_that_hang(hang_);
+  std::atomic<std::thread::id> loop_{};
+  std::atomic<bool> exerts_{false};
+  ModelRegistry models_ = models_with([this] { at_tick(); });
   ScriptedPerson person_{{.reading_s = 0.0, .answering_s = 0.05}};
   SessionLinks links_{};
 };

@@ -1,6 +1,11 @@
 // The detectors of perceived instability in a session: stored, judged, and found again in the recording.
 
+#include <chrono>
 #include <limits>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,6 +16,7 @@
 #include "app/words/coded_phrases.h"
 #include "device/simulated_models.h"
 #include "tests/app/scripted_session.h"
+#include "tests/support/hanging_push.h"
 
 namespace asperity {
 namespace {
@@ -58,6 +64,68 @@ TEST(InstabilityRow, IsMissingWhereANumberOfADetectorIsNotFinite) {
     wrong.ridge->crest_share = number;
     EXPECT_FALSE(instability_row(wrong));
   }
+}
+
+/// A plate whose ticks do not return while a test wants them to hang.
+JudgedSurface surface_that_hangs(int position, const std::shared_ptr<Hang>& hang) {
+  JudgedSurface surface{.position = position};
+  surface.model.declaration.id = "hanging_" + std::to_string(position);
+  surface.model.make = [hang](const RendererInputs&) {
+    return std::make_unique<HangingPush>(hang);
+  };
+  return surface;
+}
+
+std::vector<TickRecord> records_of_two_surfaces() {
+  constexpr int kTicks = 300;
+  std::vector<TickRecord> records{};
+  for (int i = 0; i < 2 * kTicks; ++i) {
+    TickRecord& record = records.emplace_back();
+    record.presentation = i < kTicks ? 1 : 2;
+    record.flags = static_cast<std::uint32_t>(TickFlag::presenting);
+    record.probe.time_ns = 1'000'000 * i;
+  }
+  return records;
+}
+
+// Whoever answers a question must not wait for a model.
+TEST(AttemptInstability, LeavesAReplayThatDoesNotReturnAndNamesItsModel) {
+  const auto hang = std::make_shared<Hang>();
+  const auto idle = std::make_shared<Hang>();
+  const HangEnds ends(hang);
+  hang->is_wanted = true;
+  const std::vector<TickRecord> records = records_of_two_surfaces();
+  const JudgedSurface first = surface_that_hangs(1, idle);
+  const JudgedSurface second = surface_that_hangs(2, hang);
+  for (const bool begins : {true, false}) {
+    AttemptInstability instability(std::chrono::milliseconds(200));
+    if (begins) instability.begin({first, second}, records, 1000.0);
+    for (const JudgedSurface& surface : {second, first}) {
+      const ReplayedMeasures values = instability.take(surface, records, 1000.0);
+      EXPECT_FALSE(values.texture_force_N);
+      EXPECT_FALSE(values.instability);
+    }
+    EXPECT_EQ(instability.hanging_model(), "hanging_2");
+  }
+}
+
+TEST(AttemptInstability, WaitsForAReplayWhoseTicksReturnHoweverLongAllOfThemTake) {
+  const auto idle = std::make_shared<Hang>();
+  JudgedSurface surface = surface_that_hangs(1, idle);
+  surface.model.make = [](const RendererInputs&) {
+    class Slow final : public ForceRenderer {
+      void reset(const ProbeState&) noexcept override {}
+      RenderedTick tick(const ProbeState&, double) noexcept override {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        return {};
+      }
+    };
+    return std::make_unique<Slow>();
+  };
+  AttemptInstability instability(std::chrono::milliseconds(300));  // 0.6 s and more in all
+  const std::vector<TickRecord> records = records_of_two_surfaces();
+  EXPECT_TRUE(instability.take(surface, records, 1000.0).instability);
+  EXPECT_EQ(instability.hanging_model(), std::nullopt);
 }
 
 TEST_F(InstabilityOfSession, IsStoredForEverySurfaceAndFoundAgainInTheRecording) {
