@@ -122,7 +122,7 @@ TEST(AnchorTables, HaveAChangeOfOneParticipantWithoutAnInterval) {
       "rating",
       {number_at("p", AnchorPlace::start, 4.0), number_at("p", AnchorPlace::middle, 3.0)});
   const Table& trend = table_of(outcome, kAnchorTrend).table;
-  EXPECT_NEAR(number_in_row(trend, 0, "change"), -2.0, 1e-12) << "from the start to the end";
+  EXPECT_NEAR(number_in_row(trend, 0, "change"), -1.0, 1e-12) << "not extrapolated to the end";
   EXPECT_EQ(column_of(trend, "change_low"), std::nullopt);
   EXPECT_EQ(column_of(trend, "end"), std::nullopt);
 }
@@ -144,6 +144,22 @@ TEST(AnchorTables, WeighEveryParticipantEqually) {
   EXPECT_NEAR(number_in_row(trend, 0, "change"), -1.0, 1e-12);
   EXPECT_NEAR(number_in_row(trend, 0, "start"), 4.0, 1e-12);
   EXPECT_NEAR(number_in_row(trend, 0, "end"), 3.0, 1e-12);
+}
+
+// The run of b ended before its last anchor: neither its start nor its middle is in a mean. The tracks of c had no middle.
+TEST(AnchorTables, AverageTheSameRunsAtBothEnds) {
+  const AnalysisOutcome outcome = outcome_of_anchors(
+      "rating",
+      {number_at("a", AnchorPlace::start, 5.0), number_at("a", AnchorPlace::middle, 1.0),
+       number_at("a", AnchorPlace::end, 4.0), number_at("b", AnchorPlace::start, 1.0),
+       number_at("b", AnchorPlace::middle, 7.0), number_at("c", AnchorPlace::start, 3.0),
+       number_at("c", AnchorPlace::end, 3.0)});
+  const Table& trend = table_of(outcome, kAnchorTrend).table;
+  EXPECT_EQ(cell_of(trend, 0, "persons"), Cell{std::int64_t{2}});
+  EXPECT_NEAR(number_in_row(trend, 0, "start"), 4.0, 1e-12);
+  EXPECT_NEAR(number_in_row(trend, 0, "middle"), 1.0, 1e-12);
+  EXPECT_NEAR(number_in_row(trend, 0, "end"), 3.5, 1e-12);
+  EXPECT_NEAR(number_in_row(trend, 0, "change"), -0.5, 1e-12);
 }
 
 TEST(AnchorTables, AreTheOnlyPlaceOfTheirResponses) {

@@ -20,12 +20,11 @@ inline constexpr const char* kAnchorCorrect = "anchor_correct";
 /// Adds these tables if a block has an anchor in the middle or at the end: those only at the start are references of a scale.
 /// No finding contains anchors, and nothing is tested.
 ///
-/// The change in a run is the slope b of the least-squares line through its responses y over the places p = 0, ½, 1,
-///
-///   b = Σ(p − p̄)(y − ȳ)/Σ(p − p̄)²,
-///
-/// with y = log10 of an estimate. That of a participant is the mean over the runs. The interval of the mean over
-/// participants is that of Student's t. Proportions correct have none: each is one trial.
+/// The change in a run is that from the first to the last place at which the block has responses, y_last − y_first, with
+/// y = log10 of an estimate; a run without a response at both is left out. It is the slope of the least-squares line over
+/// three equidistant places, and assumes nothing of the place of the middle one. The change of a participant is the mean
+/// over the runs. The interval of the mean over participants is that of Student's t. Proportions correct have none: each
+/// is one trial.
 void add_anchors(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
 
 }  // namespace asperity

@@ -21,9 +21,9 @@ using CellWords = std::map<std::string, Phrase>;
 
 const CellWords& words_of_measures() {
   static const CellWords kWords{
-      {kAnchorCorrect, phrase("CellWords", "proportion correct; change: end − start")},
-      {kAnchorEstimate, phrase("CellWords", "estimate; change: end/start")},
-      {kAnchorRating, phrase("CellWords", "rating; change: end − start")},
+      {kAnchorCorrect, phrase("CellWords", "proportion correct; change: last − first")},
+      {kAnchorEstimate, phrase("CellWords", "estimate; change: last/first")},
+      {kAnchorRating, phrase("CellWords", "rating; change: last − first")},
       {"balanced_share", phrase("CellWords", "proportion correct, mean over the textures")},
       {"by_chance_in_all", phrase("CellWords", "correctly matched items expected under guessing")},
       {"correct_of_halves", phrase("CellWords", "proportion correct; change: second − first half")},

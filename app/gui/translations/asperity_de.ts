@@ -2780,12 +2780,12 @@
         <translation>Markierte Versuche unter denen, die zählen: %1; die Gründe stehen bei den Durchgängen jeder Sitzung und in attempts.tsv eines Exports.</translation>
     </message>
     <message>
-        <source>Means over the participants at the start, in the middle and at the end of a run of the block, and the change from its start to its end: the slope of a straight line through each participant’s responses. Estimates: geometric means, and the ratio of end to start. The change is described and not tested.</source>
-        <translation>Mittelwerte über die Versuchspersonen am Anfang, in der Mitte und am Ende eines Laufs des Blocks und die Veränderung vom Anfang zum Ende: die Steigung einer Geraden durch die Antworten jeder Versuchsperson. Schätzungen: geometrische Mittel und das Verhältnis von Ende zu Anfang. Die Veränderung wird beschrieben und nicht getestet.</translation>
+        <source>Means over the participants at the start, in the middle and at the end of a run of the block, and the change from the first to the last of these places. Runs without a response at both are left out; the mean in the middle is of those with a response there. Estimates: geometric means, and the ratio of the last to the first. The change is described and not tested.</source>
+        <translation>Mittelwerte über die Versuchspersonen am Anfang, in der Mitte und am Ende eines Laufs des Blocks und die Veränderung von der ersten zur letzten dieser Stellen. Läufe, in denen an einer von beiden eine Antwort fehlt, sind ausgelassen; der Mittelwert in der Mitte ist der jener mit einer Antwort dort. Schätzungen: geometrische Mittel und das Verhältnis der letzten zur ersten. Die Veränderung wird beschrieben und nicht getestet.</translation>
     </message>
     <message>
-        <source>95 % CI: t-based over participants, for estimates on the logarithmic scale.</source>
-        <translation>95-%-KI: t-basiert über die Versuchspersonen, für Schätzungen auf der logarithmischen Skala.</translation>
+        <source>95 % CI: t-based over participants, for estimates on the logarithmic scale; in simulations with 2 to 20 participants, its coverage was 94 to 100 %, and 92 to 100 % for ratings near an end of their scale.</source>
+        <translation>95-%-KI: t-basiert über die Versuchspersonen, für Schätzungen auf der logarithmischen Skala; in Simulationen mit 2 bis 20 Versuchspersonen enthielt es den wahren Wert in 94 bis 100 % der Studien, bei Urteilen nahe einem Ende ihrer Skala in 92 bis 100 %.</translation>
     </message>
     <message>
         <source>Changes of proportions correct have no CI, because each participant has only one trial at a place.</source>
@@ -4544,16 +4544,16 @@
         <translation>es wurden weniger Stufen dargeboten, als die Funktion Parameter hat</translation>
     </message>
     <message>
-        <source>proportion correct; change: end − start</source>
-        <translation>Anteil richtig; Veränderung: Ende − Anfang</translation>
+        <source>proportion correct; change: last − first</source>
+        <translation>Anteil richtig; Veränderung: letzte − erste</translation>
     </message>
     <message>
-        <source>estimate; change: end/start</source>
-        <translation>Schätzung; Veränderung: Ende/Anfang</translation>
+        <source>estimate; change: last/first</source>
+        <translation>Schätzung; Veränderung: letzte/erste</translation>
     </message>
     <message>
-        <source>rating; change: end − start</source>
-        <translation>Urteil; Veränderung: Ende − Anfang</translation>
+        <source>rating; change: last − first</source>
+        <translation>Urteil; Veränderung: letzte − erste</translation>
     </message>
     <message>
         <source>start</source>
