@@ -160,7 +160,8 @@ void analyze_with_exclusions(const GatheredAnswers& gathered, AnalysisOutcome& o
         phrase("Analysis",
                "Participants whom the declared rule (%3) excludes: %1 of %2 (%4). Results are "
                "those without these participants; tables with the excluded participants follow. "
-               "Tables of response times, learning and exploration contain all participants.")
+               "Tables of response times, learning, exploration and anchors contain all "
+               "participants.")
             .with(std::to_string(excluded.size()), std::to_string(gathered.people.size()),
                   words_of_rule(*rule), codes));
     add_results_of_all(std::move(of_all), outcome);

@@ -2408,8 +2408,8 @@
         <translation>Die festgelegte Regel (%1) schließt alle Versuchspersonen aus, sodass die Ergebnisse die der ausgeschlossenen Versuchspersonen sind.</translation>
     </message>
     <message>
-        <source>Participants whom the declared rule (%3) excludes: %1 of %2 (%4). Results are those without these participants; tables with the excluded participants follow. Tables of response times, learning and exploration contain all participants.</source>
-        <translation>Versuchspersonen, die die festgelegte Regel (%3) ausschließt: %1 von %2 (%4). Die Ergebnisse sind die ohne diese Versuchspersonen; Tabellen mit den ausgeschlossenen Versuchspersonen folgen. Tabellen der Antwortzeiten, des Lernens und der Exploration enthalten alle Versuchspersonen.</translation>
+        <source>Participants whom the declared rule (%3) excludes: %1 of %2 (%4). Results are those without these participants; tables with the excluded participants follow. Tables of response times, learning, exploration and anchors contain all participants.</source>
+        <translation>Versuchspersonen, die die festgelegte Regel (%3) ausschließt: %1 von %2 (%4). Die Ergebnisse sind die ohne diese Versuchspersonen; Tabellen mit den ausgeschlossenen Versuchspersonen folgen. Tabellen der Antwortzeiten, des Lernens, der Exploration und der Anker enthalten alle Versuchspersonen.</translation>
     </message>
     <message>
         <source>No signal: the standard was presented twice, and “cannot tell” is correct. Every choice is a false alarm.</source>
