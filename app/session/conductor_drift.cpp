@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include <glm/geometric.hpp>
+
 #include "app/session/conductor.h"
 #include "app/session/drift_check.h"
 #include "app/words/coded_phrases.h"
@@ -19,14 +21,13 @@ void Conductor::check_drift(const Protocol::Break::DriftCheck& requested) {
 void Conductor::measure_drift(const char* part, const std::string& prompt, double duration_s) {
   course_.ask_experimenter(prompt, outside_);
   const std::vector<TickRecord> records = records_without_surface(duration_s, outside_);
-  const std::optional<RestReading> reading = rest_reading(records);
-  if (const Phrase problem = problem_in(records); !problem.empty() || !reading) {
+  if (const Phrase problem = problem_in(records); !problem.empty()) {
     throw Interruption{AttemptOutcome::device_fault, phrase_of(Reason::not_ready).with(problem)};
   }
   const std::vector<EventRow> before = study_.events(session_.row.id);
-  DriftCheck check{.reading = *reading, .limit_m = rest_limit_m(rig_.capability())};
+  DriftCheck check{.reading = rest_reading(records), .limit_m = rest_limit_m(rig_.capability())};
   if (const auto first_m = first_rest_m(before, part)) {
-    check.shift_m = glm::length(reading->position_m - *first_m);
+    check.shift_m = glm::length(check.reading.position_m - *first_m);
   }
   course_.event("drift_checked", part, drift_data_json(check));
   const Phrase result = drift_text(part, check);

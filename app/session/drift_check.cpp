@@ -20,9 +20,22 @@ double seconds_of(const TickRecord& record, std::int64_t zero_ns) {
 
 std::string in_mm(double length_m) { return fixed(1e3 * length_m, 3); }
 
+/// `limit_m`: what noise or drift exceeds.
+Phrase excess_text(const std::string& part, double limit_m) {
+  const Phrase text =
+      part == kTipHeld
+          ? phrase("DriftCheck",
+                   "Noise or drift exceeds the limit of this device, %1 mm: check that the tip is "
+                   "held still at its reference, and the device, before you continue.")
+          : phrase("DriftCheck",
+                   "Noise or drift exceeds the limit of this device, %1 mm: check that nothing "
+                   "touches the handle, and the device, before you continue.");
+  return text.with(in_mm(limit_m));
+}
+
 }  // namespace
 
-std::optional<RestReading> rest_reading(std::span<const TickRecord> records) {
+RestReading rest_reading(std::span<const TickRecord> records) {
   if (records.empty()) return {};
   const std::int64_t zero_ns = records.front().probe.time_ns;
   const auto n = static_cast<double>(records.size());
@@ -110,10 +123,7 @@ Phrase drift_text(const std::string& part, const DriftCheck& check) {
     add(phrase("DriftCheck", "Noise and drift are within the limit of this device, %1 mm.")
             .with(in_mm(*check.limit_m)));
   } else if (check.is_passed() == false) {
-    add(phrase("DriftCheck",
-               "Noise or drift exceeds the limit of this device, %1 mm: check that nothing touches "
-               "the handle, and the device, before you continue.")
-            .with(in_mm(*check.limit_m)));
+    add(excess_text(part, *check.limit_m));
   }
   return text;
 }

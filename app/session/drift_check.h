@@ -34,8 +34,8 @@ struct RestReading {
   double drift_m = 0.0;     ///< |b|·duration
 };
 
-/// Nothing without ticks.
-std::optional<RestReading> rest_reading(std::span<const TickRecord> records);
+/// All zero without ticks.
+RestReading rest_reading(std::span<const TickRecord> records);
 
 /// The largest noise and drift that a device at rest should have: ten steps of its position. A reading between two steps
 /// alternates between them; ten steps are a motion. Nothing where the step is not known.

@@ -40,7 +40,7 @@ std::vector<TickRecord> readings_m(const std::vector<glm::dvec3>& positions_m) {
 TEST(RestReading, HasTheDriftOfAReadingThatMovesEvenly) {
   std::vector<glm::dvec3> line_m{};
   for (int i = 0; i <= 4; ++i) line_m.push_back(1e-6 * glm::dvec3{1.0 * i, 3.0 - 0.75 * i, 7.0});
-  const RestReading reading = rest_reading(readings_m(line_m)).value();
+  const RestReading reading = rest_reading(readings_m(line_m));
   EXPECT_EQ(reading.ticks, 5U);
   EXPECT_NEAR(reading.duration_s, 0.004, 1e-12);
   EXPECT_NEAR(reading.drift_m, 5e-6, 1e-15);
@@ -53,14 +53,14 @@ TEST(RestReading, HasTheDriftOfAReadingThatMovesEvenly) {
 // x = 1, −1, −1, 1 µm: no slope, Σr² = 4 µm², n − 2 = 2.
 TEST(RestReading, HasTheNoiseAboutTheLine) {
   const RestReading reading =
-      rest_reading(readings_m({{1e-6, 0, 0}, {-1e-6, 0, 0}, {-1e-6, 0, 0}, {1e-6, 0, 0}})).value();
+      rest_reading(readings_m({{1e-6, 0, 0}, {-1e-6, 0, 0}, {-1e-6, 0, 0}, {1e-6, 0, 0}}));
   EXPECT_NEAR(reading.drift_m, 0.0, 1e-15);
   EXPECT_NEAR(reading.noise_m, std::sqrt(2.0) * 1e-6, 1e-15);
 }
 
-TEST(RestReading, NeedsATick) {
-  EXPECT_EQ(rest_reading({}), std::nullopt);
-  EXPECT_EQ(rest_reading(readings_m({{1e-3, 0, 0}})).value().noise_m, 0.0);
+TEST(RestReading, HasNoNoiseOfASingleTick) {
+  EXPECT_EQ(rest_reading({}).ticks, 0U);
+  EXPECT_EQ(rest_reading(readings_m({{1e-3, 0, 0}})).noise_m, 0.0);
 }
 
 TEST(DriftCheck, IsLimitedByTenStepsOfThePosition) {
@@ -77,7 +77,12 @@ TEST(DriftCheck, IsLimitedByTenStepsOfThePosition) {
   EXPECT_THAT(drift_text(kHandOff, check).english(),
               AllOf(StartsWith("Handle at rest: position (0.000, 0.000, 0.000) mm, noise 0.009 mm, "
                                "drift 0.011 mm"),
-                    HasSubstr("exceeds the limit of this device, 0.010 mm")));
+                    HasSubstr("exceeds the limit of this device, 0.010 mm: check that nothing "
+                              "touches the handle")));
+  EXPECT_THAT(drift_text(kTipHeld, check).english(),
+              HasSubstr("exceeds the limit of this device, 0.010 mm: check that the tip is held "
+                        "still"))
+      << "a hand holds it";
 }
 
 class DriftCheckedSession : public SessionTest {

@@ -4857,6 +4857,10 @@
         <translation>Rauschen und Drift liegen innerhalb der Grenze dieses Geräts, %1 mm.</translation>
     </message>
     <message>
+        <source>Noise or drift exceeds the limit of this device, %1 mm: check that the tip is held still at its reference, and the device, before you continue.</source>
+        <translation>Rauschen oder Drift überschreitet die Grenze dieses Geräts, %1 mm: Prüfen Sie, dass die Spitze am Bezugspunkt ruhig gehalten wird, und das Gerät, bevor Sie fortfahren.</translation>
+    </message>
+    <message>
         <source>Noise or drift exceeds the limit of this device, %1 mm: check that nothing touches the handle, and the device, before you continue.</source>
         <translation>Rauschen oder Drift überschreitet die Grenze dieses Geräts, %1 mm: Prüfen Sie, dass nichts den Griff berührt, und das Gerät, bevor Sie fortfahren.</translation>
     </message>
