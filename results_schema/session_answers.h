@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -75,11 +76,13 @@ struct SessionAnswers {
   };
 
   std::vector<std::string> words{};
-  std::vector<Trial> trials{};      ///< the plan, in order
-  std::vector<Attempt> attempts{};  ///< by trial, attempt
-  std::vector<Surface> surfaces{};  ///< of an attempt together, by position
+  std::vector<Trial> trials{};  ///< the plan, in order
+  /// PlannedTrialRow::plan_json of the anchors, by trial.
+  std::map<int, std::string> anchor_plans{};
+  std::vector<Attempt> attempts{};          ///< by trial, attempt
+  std::vector<Surface> surfaces{};          ///< of an attempt together, by position
   std::vector<Exploration> explorations{};  ///< as `surfaces`; empty where they were not read
-  std::vector<Reply> replies{};     ///< of an attempt together, by question and item
+  std::vector<Reply> replies{};             ///< of an attempt together, by question and item
 
   std::span<const Surface> surfaces_of(const Attempt& attempt) const {
     return std::span(surfaces).subspan(attempt.first_surface, attempt.surfaces);

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
+#include <string>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
@@ -38,26 +40,30 @@ constexpr const char* kOfSession =
 void read_plan(Database& database, std::int64_t session_id, SessionAnswers& answers,
                WordPlaces& words) {
   // Not those equal to ?: to see where these end SQLite would read every row whole, whose plan is
-  // most of a study.
+  // most of a study. The plan is read of anchors only.
   Statement statement(
       database,
       "SELECT session_id, trial, block, phase, factors_json, repetition, "
-      "block_ordinal, track, step, is_catch FROM trial WHERE session_id >= ? ORDER BY session_id, "
-      "trial");
+      "block_ordinal, track, step, is_catch, CASE WHEN repetition = 0 THEN plan_json END "
+      "FROM trial WHERE session_id >= ? ORDER BY session_id, trial");
   statement.bind(session_id);
   std::int64_t session = 0;
   std::string block;
   std::string phase;
   std::string factors_json;
   bool is_catch = false;
+  std::optional<std::string> plan_json{};
   while (statement.step()) {
     SessionAnswers::Trial trial{};
     statement.read(session, trial.trial, block, phase, factors_json, trial.repetition,
-                   trial.block_ordinal, trial.track, trial.step, is_catch);
+                   trial.block_ordinal, trial.track, trial.step, is_catch, plan_json);
     if (session != session_id) break;
     trial.use = use_in_analyses(phase, trial.repetition, is_catch);
     trial.block = words.place(block);
     trial.factors_json = words.place(factors_json);
+    if (plan_json && trial.use == AnalysisUse::anchor) {
+      answers.anchor_plans[trial.trial] = std::move(*plan_json);
+    }
     answers.trials.push_back(trial);
   }
 }

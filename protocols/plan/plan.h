@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "protocols/design/protocol.h"
 #include "protocols/design/trial.h"
 
@@ -68,6 +70,8 @@ int counterbalance_rows(const Protocol& protocol);
 std::string json_of(const Trial& trial);
 /// The JSON of the trial's factors alone, identical to that part of the trial's JSON.
 std::string factors_json_of(const Trial& trial);
+/// The place of an anchor in the run of its block, as the JSON of its trial states it: one that states none is at the start.
+AnchorPlace anchor_place_in(const nlohmann::json& trial);
 
 /// The duration and size of a plan, for `check` and for the experimenter.
 struct PlanCost {

@@ -239,7 +239,7 @@ std::string json_of(const Trial& trial) {
     line.field("step", trial.track->step);
   }
   if (trial.catch_trial) line.field("catch", text_of(trial.catch_trial->type));
-  // An anchor without this member is at the start.
+  // An anchor without this member is at the start (anchor_place_in).
   if (trial.anchor && *trial.anchor != AnchorPlace::start) {
     line.field("anchor", text_of(*trial.anchor));
   }
@@ -258,6 +258,12 @@ std::string factors_json_of(const Trial& trial) {
   JsonLine line{};
   line.levels(trial.factors);
   return std::move(line).take();
+}
+
+AnchorPlace anchor_place_in(const nlohmann::json& trial) {
+  const auto stated = trial.find("anchor");
+  if (stated == trial.end()) return AnchorPlace::start;
+  return *stated == text_of(AnchorPlace::middle) ? AnchorPlace::middle : AnchorPlace::end;
 }
 
 std::string options_json_of(const TrialQuestion& question) {

@@ -36,16 +36,18 @@ MadeUpTrial rated_trial(const std::string& item, double rating) {
   return trial;
 }
 
-MadeUpTrial as_anchor(MadeUpTrial trial) {
+MadeUpTrial as_anchor(MadeUpTrial trial, AnchorPlace place) {
   trial.repetition = 0;
+  if (place != AnchorPlace::start)
+    trial.plan_json = R"({"anchor": ")" + std::string(text_of(place)) + "\"}";
   return trial;
 }
 
 /// Two items, rated after the first, between and before the last anchor.
 std::vector<MadeUpTrial> ratings_with_anchors(double start, double middle, double end) {
-  return {as_anchor(rated_trial("metal", start)), rated_trial("metal", 3.0),
-          as_anchor(rated_trial("metal", middle)), rated_trial("wood", 5.0),
-          as_anchor(rated_trial("metal", end))};
+  return {as_anchor(rated_trial("metal", start), AnchorPlace::start), rated_trial("metal", 3.0),
+          as_anchor(rated_trial("metal", middle), AnchorPlace::middle), rated_trial("wood", 5.0),
+          as_anchor(rated_trial("metal", end), AnchorPlace::end)};
 }
 
 double number_in_row(const Table& table, std::size_t row, const std::string& column) {
@@ -149,11 +151,10 @@ TEST(AnchorTables, WeighEveryParticipantEqually) {
 // The run of b ended before its last anchor: neither its start nor its middle is in a mean. The tracks of c had no middle.
 TEST(AnchorTables, AverageTheSameRunsAtBothEnds) {
   const AnalysisOutcome outcome = outcome_of_anchors(
-      "rating",
-      {number_at("a", AnchorPlace::start, 5.0), number_at("a", AnchorPlace::middle, 1.0),
-       number_at("a", AnchorPlace::end, 4.0), number_at("b", AnchorPlace::start, 1.0),
-       number_at("b", AnchorPlace::middle, 7.0), number_at("c", AnchorPlace::start, 3.0),
-       number_at("c", AnchorPlace::end, 3.0)});
+      "rating", {number_at("a", AnchorPlace::start, 5.0), number_at("a", AnchorPlace::middle, 1.0),
+                 number_at("a", AnchorPlace::end, 4.0), number_at("b", AnchorPlace::start, 1.0),
+                 number_at("b", AnchorPlace::middle, 7.0), number_at("c", AnchorPlace::start, 3.0),
+                 number_at("c", AnchorPlace::end, 3.0)});
   const Table& trend = table_of(outcome, kAnchorTrend).table;
   EXPECT_EQ(cell_of(trend, 0, "persons"), Cell{std::int64_t{2}});
   EXPECT_NEAR(number_in_row(trend, 0, "start"), 4.0, 1e-12);
@@ -185,6 +186,17 @@ TEST(AnchorTables, AreTheOnlyPlaceOfTheirResponses) {
   }
 }
 
+// The tracks of this run ended before their first trial, as an external program can state.
+TEST(AnchorTables, StateThePlaceOfThePlan) {
+  const std::vector<MadeUpTrial> only_end{as_anchor(rated_trial("metal", 2.0), AnchorPlace::end)};
+  const AnalysisOutcome outcome =
+      analysed("rating", kRatedWithAnchors, {},
+               {ratings_with_anchors(4, 6, 3), ratings_with_anchors(5, 6, 3), only_end});
+  const Table& anchors = table_of(outcome, kAnchors).table;
+  ASSERT_EQ(anchors.rows.size(), 7U);
+  EXPECT_EQ(cell_of(anchors, 6, "place"), Cell{"end"});
+}
+
 TEST(AnchorTables, LeaveOutInvalidAttempts) {
   std::vector<MadeUpTrial> trials = ratings_with_anchors(4, 6, 3);
   trials[2].valid = false;
@@ -195,7 +207,7 @@ TEST(AnchorTables, LeaveOutInvalidAttempts) {
 
 // They are the reference of a scale.
 TEST(AnchorTables, AreAbsentIfAllAnchorsAreAtTheStart) {
-  const std::vector<MadeUpTrial> trials{as_anchor(rated_trial("metal", 4.0)),
+  const std::vector<MadeUpTrial> trials{as_anchor(rated_trial("metal", 4.0), AnchorPlace::start),
                                         rated_trial("metal", 3.0), rated_trial("wood", 5.0)};
   const AnalysisOutcome outcome = analysed("rating", kRatedWithAnchors, {}, {trials, trials});
   EXPECT_EQ(find_table(outcome, kAnchors), nullptr);
@@ -251,10 +263,11 @@ TEST(GatheredAnchors, HaveTheItemsOfAnAssignment) {
   trial.answers = {"metal", "wood"};
   trial.right = {"metal", "stone"};
   trial.options = {"metal", "stone", "wood"};
-  made.add_session("anna",
-                   made.add_protocol("matched", "matching",
-                                     R"({"blocks": {"main": {"question": {"name": "which"}}}})"),
-                   {as_anchor(trial), trial, trial, as_anchor(trial)});
+  made.add_session(
+      "anna",
+      made.add_protocol("matched", "matching",
+                        R"({"blocks": {"main": {"question": {"name": "which"}}}})"),
+      {as_anchor(trial, AnchorPlace::start), trial, trial, as_anchor(trial, AnchorPlace::end)});
   const std::vector<GatheredAnswers> all = gather_answers(made.study(), std::nullopt, {});
   ASSERT_EQ(all.size(), 1U);
   ASSERT_EQ(all.front().anchors.size(), 2U);
@@ -301,8 +314,6 @@ TEST(AnchorExport, NamesThePlaceOfAnAnchorAndCountsNone) {
   MadeUpStudy made;
   made.add_person("anna", "F");
   std::vector<MadeUpTrial> trials = ratings_with_anchors(4, 6, 3);
-  trials[2].plan_json = R"({"anchor": "middle"})";
-  trials[4].plan_json = R"({"anchor": "end"})";
   MadeUpTrial caught = rated_trial("wood", 1.0);
   caught.repetition = 0;
   caught.is_catch = true;

@@ -8,6 +8,7 @@
 #include "app/exports/columns/table_columns.h"
 #include "protocols/design/protocol.h"
 #include "protocols/kinds/experiment_kind.h"
+#include "protocols/plan/plan.h"
 #include "stimuli/properties/unit_of_name.h"
 
 namespace asperity::export_columns {
@@ -58,7 +59,6 @@ ExportColumn catch_type(const StudyVocabulary& vocabulary) {
   return made;
 }
 
-// Of the plan of the trial, which names the place where it is not the start.
 ExportColumn anchor() {
   ExportColumn made = missing(
       "not an anchor",
@@ -68,7 +68,7 @@ ExportColumn anchor() {
                  "contains, in the run of its block",
                  [](const Place& at) -> Cell {
                    if (at.trial->repetition != 0 || at.trial->is_catch) return {};
-                   return at.plan->value("anchor", std::string(text_of(AnchorPlace::start)));
+                   return text_of(anchor_place_in(*at.plan));
                  }),
           {text_of(AnchorPlace::start), text_of(AnchorPlace::middle), text_of(AnchorPlace::end)}));
   made.level_meanings = {{text_of(AnchorPlace::start), {"before the other trials", ""}},

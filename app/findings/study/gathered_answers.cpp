@@ -15,6 +15,7 @@
 #include "protocols/design/protocol.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/kinds/experiment_kind.h"
+#include "protocols/plan/plan.h"
 #include "results_schema/stored_json.h"
 #include "results_schema/tables/table.h"
 
@@ -150,10 +151,8 @@ class Gathering {
     reading.options = reading.factors = reading.words;
     std::map<int, const SessionAnswers::Trial*> planned{};
     std::map<int, int> first_of_block{};  ///< the trial, by the ordinal of the block
-    std::map<int, int> last_of_block{};
     for (const SessionAnswers::Trial& trial : answers.trials) {
       first_of_block.try_emplace(trial.block_ordinal, trial.trial);
-      last_of_block[trial.block_ordinal] = trial.trial;
       if (!reading.asks(trial)) continue;
       planned[trial.trial] = &trial;
       if (trial.use == AnalysisUse::counted) ++gathered.count.planned_trials;
@@ -167,12 +166,7 @@ class Gathering {
         case AnalysisUse::anchor:
           if (attempt.valid && attempt.replies > 0) ++gathered.count.anchors;
           if (attempt.valid && !attempt.excluded) {
-            const int ordinal = trial->second->block_ordinal;
-            add_anchor(reading, attempt, *trial->second,
-                       {.participant = session.participant,
-                        .place = attempt.trial == first_of_block[ordinal]  ? AnchorPlace::start
-                                 : attempt.trial == last_of_block[ordinal] ? AnchorPlace::end
-                                                                           : AnchorPlace::middle});
+            add_anchor(reading, attempt, *trial->second, session.participant);
           }
           break;
         case AnalysisUse::catch_trial:
@@ -477,12 +471,14 @@ class Gathering {
     }
   }
 
-  /// `of`: the participant and the place.
   void add_anchor(const Session& session, const SessionAnswers::Attempt& attempt,
-                  const SessionAnswers::Trial& trial, AnchorResponse of) {
-    of.session = session.session;
-    of.block_ordinal = trial.block_ordinal;
-    of.block = session.answers.words[trial.block];
+                  const SessionAnswers::Trial& trial, const std::string& participant) {
+    const AnchorResponse of{.participant = participant,
+                            .session = session.session,
+                            .block_ordinal = trial.block_ordinal,
+                            .block = session.answers.words[trial.block],
+                            .place = anchor_place_in(stored_json(
+                                session.answers.anchor_plans.at(trial.trial), "trial.plan_json"))};
     for (const RepliesToQuestion& to : replies_by_question(session, attempt, of.block)) {
       AnchorResponse& response = gathered.anchors.emplace_back(of);
       response.question = session.answers.words[to.question];
