@@ -190,8 +190,8 @@ Json BidsDataset::session_sidecar(const ExportPlace& at,
     // An object: BIDS takes every other member of the sidecar of events for a column.
     Json& environment = sidecar["Environment"];
     environment["Description"] =
-        "what the participant was to see and hear, as the protocol requests; what was measured is "
-        "in eye_mask_confirmed, masking_noise_source and masking_noise_measured_dBA of _beh.tsv";
+        "what the participant was to see and hear, as the protocol requests; what was recorded is "
+        "in eye_mask_confirmed and masking_noise_source of _beh.tsv";
     environment["Vision"] = senses_->vision;
     environment["MaskingNoise"] = senses_->noise;
     if (senses_->noise_dBA) environment["MaskingNoiseLevel_dBA"] = *senses_->noise_dBA;

@@ -1,5 +1,6 @@
 // What participants were to see and hear, and what was recorded of it, in an export.
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ namespace fs = std::filesystem;
 
 using testing::Contains;
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::Not;
 
 constexpr const char* kBlindfolded = R"({"environment": {
@@ -160,6 +162,11 @@ TEST(SensesExport, LeavesTheMeasuredLevelOutWithNewLabels) {
   export_to(made, out, options);
   const Table attempts = table_in(out, "attempts.tsv");
   EXPECT_THAT(attempts.columns, Not(Contains("masking_noise_measured_dBA")));
+  for (const fs::directory_entry& each : fs::recursive_directory_iterator(out)) {
+    if (each.path().extension() != ".json") continue;
+    EXPECT_THAT(read_file(each.path()), Not(HasSubstr("masking_noise_measured_dBA")))
+        << each.path() << " refers to a column that is left out";
+  }
   EXPECT_EQ(cell_of(attempts, 0, "masking_noise_source"), Cell{"program"});
   EXPECT_EQ(cell_of(table_in(out, "sessions.tsv"), 0, "masking_noise_level_dBA"), Cell{"65"});
 }

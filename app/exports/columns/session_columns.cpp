@@ -47,8 +47,7 @@ void add_senses(const StudyVocabulary& vocabulary, Columns& columns) {
       [](const Senses& senses) -> Cell { return senses.noise; });
   add(missing("the protocol requests no masking noise, or does not state its level",
               column("masking_noise_level_dBA", "number", "dB(A)",
-                     "level of this noise at the ear, as the protocol requests; the measured level "
-                     "is masking_noise_measured_dBA of attempts",
+                     "level of this noise at the ear, as the protocol requests and not as measured",
                      {})),
       [](const Senses& senses) { return optional_cell(senses.noise_dBA); });
 }
