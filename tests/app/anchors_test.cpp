@@ -91,6 +91,8 @@ TEST(AnchorTables, ListTheResponsesInOrder) {
   }
   EXPECT_EQ(places, (std::vector<Cell>{"start", "middle", "end"}));
   EXPECT_THAT(responses, ElementsAre(4.0, 6.0, 3.0));
+  EXPECT_TRUE(table_of(outcome, kAnchors).lists_trials);
+  EXPECT_FALSE(table_of(outcome, kAnchorTrend).lists_trials);
 }
 
 /// The outcome of responses to the question "rough" in one run of the block "main" of each participant.

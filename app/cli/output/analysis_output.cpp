@@ -10,7 +10,6 @@
 #include "app/cli/output/terminal.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/cell_words.h"
-#include "app/findings/study/discrimination_results.h"
 #include "app/findings/study/study_tests.h"
 #include "app/words/text_parts.h"
 
@@ -135,8 +134,8 @@ std::string reading_text_of(const AnalysisOutcome& outcome) {
     text += paragraph("  ", question.answer.english());
   }
   for (const NamedTable& table : outcome.tables) {
-    // It has hundreds of lines, and is in --json and trials.tsv.
-    if (table.name == kTracks && outcome.tables.size() > 1) continue;
+    // In --json and in the exports.
+    if (table.lists_trials && outcome.tables.size() > 1) continue;
     const std::string title = table.title.english();
     text += '\n' + title + '\n' + std::string(title.size(), '-') + '\n';
     text += aligned(in_words(reading_table(table)));

@@ -32,6 +32,8 @@ struct NamedTable {
   Phrase title{};      ///< for users
   Table table{};
   Phrase note{};  ///< how to read it, chance level included; may be empty
+  /// A row for each trial, of which a study has hundreds: texts and reports leave the table out.
+  bool lists_trials = false;
 };
 
 /// A question of a kind of protocol, as text, and the answer that the participants' responses give.

@@ -195,9 +195,11 @@ void add_anchors(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   if (!shows_drift) return;
   outcome.tables.push_back(
       {kAnchors, phrase("Analysis", "Responses to anchors"), responses_table(gathered),
-       phrase("Analysis",
-              "Anchors are reference trials at fixed places of every run of a block. No other "
-              "table, finding or test contains their responses.")});
+       phrase(
+           "Analysis",
+           "Anchors are reference trials at fixed places of every run of a block. Only the tables "
+           "of anchors contain their responses; no finding and no test does."),
+       true});
   NamedTable trend{kAnchorTrend,
                    phrase("Analysis", "Change of the responses to anchors"),
                    {{"block", "question", "measure", "persons", "start", "middle", "end", "change",

@@ -605,7 +605,8 @@ void add_discrimination_tables(const GatheredAnswers& gathered,
                      {}},
                     phrase("Analysis",
                            "Trials whose level was chosen by a procedure from the responses, by "
-                           "track and in order of presentation.")};
+                           "track and in order of presentation."),
+                    true};
   NamedTable unsure{
       kUnsure,
       phrase("Analysis", "Responses “cannot tell”"),

@@ -2796,8 +2796,8 @@
         <translation>Antworten auf Anker</translation>
     </message>
     <message>
-        <source>Anchors are reference trials at fixed places of every run of a block. No other table, finding or test contains their responses.</source>
-        <translation>Anker sind Vergleichsdurchgänge an festen Stellen jedes Laufs eines Blocks. Keine andere Tabelle, kein anderes Ergebnis und kein Test enthält ihre Antworten.</translation>
+        <source>Anchors are reference trials at fixed places of every run of a block. Only the tables of anchors contain their responses; no finding and no test does.</source>
+        <translation>Anker sind Vergleichsdurchgänge an festen Stellen jedes Laufs eines Blocks. Nur die Tabellen der Anker enthalten ihre Antworten, kein Ergebnis und kein Test.</translation>
     </message>
     <message>
         <source>Change of the responses to anchors</source>

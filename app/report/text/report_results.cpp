@@ -550,8 +550,8 @@ ReportSection tables_section(const AnalysisOutcome& outcome, std::span<const Fig
   add_figures_of(nullptr);
   for (const NamedTable& named : outcome.tables) {
     add_figures_of(&named);
-    // Every trial is in the exports (trials.tsv), and drawn in figures.
-    if (named.name == kTracks) continue;
+    // Every trial is in the exports, and drawn in figures.
+    if (named.lists_trials) continue;
     // Numbers that a figure shows in its cells are not repeated.
     const bool is_drawn = std::any_of(figures.begin(), figures.end(), [&named](const Figure& one) {
       return one.table == named.name && !one.cells.empty();
