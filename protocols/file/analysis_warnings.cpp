@@ -59,6 +59,7 @@ class AnalysisWarnings final {
   std::vector<Diagnostic> all() {
     if (!discriminations_.empty() || !similarities_.empty() || !ratings_.empty()) {
       trials_ = possible_trials(protocol_);
+      std::erase_if(trials_, [](const Trial& trial) { return trial.anchor.has_value(); });
     }
     warn_of_tests();
     for (const Block* const block : discriminations_) {
@@ -321,7 +322,7 @@ class AnalysisWarnings final {
   std::vector<const Block*> discriminations_{};  ///< main blocks whose responses are analysed
   std::set<std::string, std::less<>> similarities_{};
   std::set<std::string, std::less<>> ratings_{};
-  std::vector<Trial> trials_{};
+  std::vector<Trial> trials_{};  ///< that are analysed: without anchors
   std::vector<Diagnostic> found_{};
 };
 

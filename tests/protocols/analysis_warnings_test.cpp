@@ -80,6 +80,18 @@ TEST(AnalysisWarnings, AreAboutRatingsOfASingleSurface) {
   EXPECT_THAT(warnings_of(file), ElementsAre(HasSubstr("every trial presents the same surface")));
 }
 
+TEST(AnalysisWarnings, AreAboutASingleSurfaceWhateverItsAnchorsPresent) {
+  json file = test::library_file("roughness_of_photographs");
+  json& block = file["blocks"]["ratings"];
+  block.erase("crossed");
+  block.erase("minimum_distance");
+  block["listed"] = json::parse(R"([{"texture": "metal"}])");
+  block["anchor"] = {{"texture", "wood"}};
+  block["anchor_at"] = {"start", "end"};
+  EXPECT_THAT(warnings_of(file),
+              testing::Contains(HasSubstr("every trial presents the same surface")));
+}
+
 TEST(AnalysisWarnings, AreAboutGroupsThatAreNotCompared) {
   const auto grouped = [](const std::string& name) {
     json file = test::library_file(name);
