@@ -126,8 +126,9 @@ void Meaning::check_size() {
       // At most two rows per level; the product is limited long before it could overflow.
       if (iterated.insert(run->for_each).second) rows = std::min(rows * 2 * runs, 2 * kMaximumRows);
     }
-    trials +=
-        runs * (block.procedure ? most_trials_of(protocol_, block) : trial_count(protocol_, block));
+    const std::size_t anchors = block.has_anchors() ? block.anchor_places.size() : 0;
+    trials += runs * (anchors + (block.procedure ? most_trials_of(protocol_, block)
+                                                 : trial_count(protocol_, block)));
     if (trials > kMaximumSessionTrials) {
       return report(
           pointer_to("/flow", i),
