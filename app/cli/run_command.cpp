@@ -174,7 +174,6 @@ void add_run(CLI::App& program, Job& job) {
                       {.requests = &requests,
                        .experimenter_is_there = person.has_value(),
                        .tell = [](const std::string& line) { say("asperity: " + line); }});
-      for (const Phrase& anchors : end.anchors) say("asperity: " + anchors.english());
       if (end.state != SessionState::completed) {
         say("asperity: the session stopped: " + end.reason.english() +
             (end.as_the_protocol_says ? ""
@@ -182,6 +181,8 @@ void add_run(CLI::App& program, Job& job) {
                                         "repeat the command with --resume"));
         return 1;
       }
+      // Not before: who resumes the session is not told whether responses were correct.
+      for (const Phrase& anchors : end.anchors) say("asperity: " + anchors.english());
       say("session complete: " + std::to_string(end.attempts) +
           (end.attempts == 1 ? " attempt" : " attempts") + " in " + fixed(end.duration_s, 0) +
           " s");
