@@ -60,8 +60,7 @@ struct SessionOverview {
 
   /// See the function.
   bool is_blind() const noexcept { return is_running && row.mode == SessionMode::run; }
-  /// Planned trials that a complete session did without: the criterion of their block was reached, or their procedure
-  /// had ended.
+  /// Planned trials that a complete session did without: the criterion of their block was reached or could no longer be.
   int trials_not_needed() const noexcept {
     return row.state == SessionState::completed ? planned_trials - done_trials : 0;
   }

@@ -72,7 +72,7 @@ QString text_of_trials(const SessionOverview& session) {
   if (session.trials_not_needed() > 0) {
     return SessionsPage::
         tr("Trials completed and stored: %1. Further trials in the plan: %2, not needed, because "
-           "the criterion of their block was reached or their procedure had ended.")
+           "the criterion of their block was reached or could no longer be.")
             .arg(session.done_trials)
             .arg(session.trials_not_needed());
   }

@@ -13064,8 +13064,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Durchgänge abgeschlossen und gespeichert: %1 von etwa %2.</translation>
     </message>
     <message>
-        <source>Trials completed and stored: %1. Further trials in the plan: %2, not needed, because the criterion of their block was reached or their procedure had ended.</source>
-        <translation>Abgeschlossene und gespeicherte Durchgänge: %1. Weitere Durchgänge im Plan: %2, nicht benötigt, weil das Kriterium ihres Blocks erreicht oder ihr Verfahren beendet war.</translation>
+        <source>Trials completed and stored: %1. Further trials in the plan: %2, not needed, because the criterion of their block was reached or could no longer be.</source>
+        <translation>Abgeschlossene und gespeicherte Durchgänge: %1. Weitere Durchgänge im Plan: %2, nicht benötigt, weil das Kriterium ihres Blocks erreicht oder nicht mehr erreichbar war.</translation>
     </message>
 </context>
 <context>
