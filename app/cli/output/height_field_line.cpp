@@ -10,7 +10,7 @@
 namespace asperity {
 
 std::string height_field_line(const std::filesystem::path& out, const HeightField& field) {
-  // Three digits of a relief of nanometres, the RMS of which is less than the noise of a scan of micrometres.
+  // Three significant digits below 10 µm: with one decimal, a relief of nanometres would have an RMS of 0.0 µm.
   const double rms_um = field.rms_m() * 1e6;
   constexpr double kCoarse_um = 10.0;
   const int decimals = rms_um > 0.0 && rms_um < kCoarse_um

@@ -259,8 +259,9 @@ ProblemWords crossed_problem_words(CrossedProblem problem, const CrossedModel& m
   return {"", ""};
 }
 
-/// A sentence on a level of a factor with correct or incorrect responses only, whose coefficient has no finite estimate;
-/// empty where there is none.
+/// A sentence on a level of a factor with correct or incorrect responses only; empty where there is none. The likelihood grows
+/// without limit with the linear predictor of that level: at the first one, which has no column, with the intercept while all
+/// coefficients of the factor fall by the same.
 std::string separated_level(const CrossedTable& table) {
   for (const FixedEffect& effect : table.effects) {
     std::vector<HitCount> of_level(effect.levels.size());
@@ -279,9 +280,9 @@ std::string separated_level(const CrossedTable& table) {
       const HitCount& count = of_level[level];
       if (count.trials == 0 || (count.hits > 0 && count.hits < count.trials)) continue;
       return "every response at the level \"" + effect.levels[level] + "\" of " + effect.name +
-             (count.hits == 0 ? " is incorrect" : " is correct") +
-             ", so that its coefficient has no finite estimate: leave out the level, or collect "
-             "more responses at it";
+             (count.hits == 0 ? " is incorrect" : " is correct") + ", so that the effect of " +
+             effect.name +
+             " has no finite estimate: leave out the level, or collect more responses at it";
     }
   }
   return {};

@@ -195,11 +195,9 @@ class TrackFindings final {
       findings_.word("bound.status", answered_.name, std::string("at_") + which,
                      std::to_string(count) + " of " + std::to_string(track_.trials.size()) +
                          " trials are at the " + which +
-                         " level, so that the mean of the reversals "
-                         "is that of the bound, and the threshold may lie " +
-                         where +
-                         ": extend the "
-                         "levels, and run the track again",
+                         " level, so that the mean of the reversals depends on this bound, and the "
+                         "threshold may lie " +
+                         where + ": extend the levels, and run the track again",
                      basis("trials at a bound of the levels"));
     };
     state(at(rule_.staircase.lowest), "lowest", "below it");
