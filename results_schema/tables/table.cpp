@@ -74,6 +74,9 @@ Table read_tsv(std::string_view text, const std::string& file_name) {
   if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
     text.remove_prefix(kByteOrderMark.size());
   }
+  if (has_only_carriage_returns(text)) {
+    throw ResultsError(file_name + kOnlyCarriageReturns, file_name);
+  }
   if (text.empty())
     throw ResultsError(
         file_name + ":1:1: the header line is missing; add a line with the names of the columns",

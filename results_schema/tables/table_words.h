@@ -1,4 +1,4 @@
-// Bytes with a meaning of their own in a table's text. Seen by this folder only.
+// Bytes with a meaning of their own in a table's text. Seen by this folder and its tests only.
 
 #pragma once
 
@@ -10,6 +10,14 @@ namespace asperity {
 inline constexpr std::string_view kMissingCell = "n/a";
 /// How some programs begin a file in UTF-8.
 inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// Whether the lines of a table end as those of old programs, which readers of tables refuse.
+inline bool has_only_carriage_returns(std::string_view text) {
+  return text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos;
+}
+/// The refusal, behind the name of the file.
+inline constexpr const char* kOnlyCarriageReturns =
+    ":1:1: the lines end with carriage returns alone; save the table with line feeds (LF or CRLF)";
 
 /// A character that a reader does not see, or sees as a space, and its name.
 struct UnseenCharacter {

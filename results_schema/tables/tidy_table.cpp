@@ -205,12 +205,7 @@ TidyTable::TidyTable(std::string whole, std::string name)
                            ": a character of this line is not UTF-8; save the table as UTF-8",
                        name_);
   }
-  if (text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos) {
-    throw ResultsError(name_ +
-                           ":1:1: the lines end with carriage returns alone; save the table with "
-                           "line feeds (LF or CRLF)",
-                       name_);
-  }
+  if (has_only_carriage_returns(text)) throw ResultsError(name_ + kOnlyCarriageReturns, name_);
   // Spreadsheets write this line for themselves: it states the separator, which the header shows as well.
   std::uint32_t header = 1;
   if (text.starts_with("sep=") && text.find_first_of("\r\n") == 5) {
@@ -384,7 +379,9 @@ std::vector<std::optional<double>> TidyTable::numbers(std::string_view column) c
                  "unit");
     }
     const std::string of = std::string(column) + " is \"" + std::string(text) + "\", ";
-    if (const auto plain = without_thousands(text); plain && !has_certain_decimal_comma(index)) {
+    const bool may_be_decimal = text.find(',') != std::string_view::npos;
+    if (const auto plain = without_thousands(text);
+        plain && !(may_be_decimal && has_certain_decimal_comma(index))) {
       refuse(row, column, of + "with a thousands separator; write " + *plain);
     }
     if (text.starts_with(kMinusSign)) {

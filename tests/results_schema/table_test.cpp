@@ -74,6 +74,9 @@ TEST(Table, SaysWhereItIsWrong) {
   EXPECT_EQ(refusal_of_tsv("a\tb\ta\n"),
             "file.tsv:1:3: the column name \"a\" occurs twice; rename one of the columns");
   EXPECT_EQ(refusal_of_tsv("a\t\n"), "file.tsv:1:2: the column has no name; give it one");
+  EXPECT_EQ(refusal_of_tsv("a\tb\r1\t2\r"),
+            "file.tsv:1:1: the lines end with carriage returns alone; save the table with line "
+            "feeds (LF or CRLF)");
   EXPECT_EQ(refusal_of_tsv(""),
             "file.tsv:1:1: the header line is missing; add a line with the names of the columns");
 }

@@ -8,7 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "analysis/look_alikes.h"
 #include "results_schema/study.h"
+#include "results_schema/tables/table_words.h"
 #include "tests/support/refusal.h"
 
 namespace asperity {
@@ -120,6 +122,8 @@ TEST(TidyTable, SaysWhatAThousandsSeparatorIs) {
   // The 0,5 of another row, and 0,125 itself, have decimal commas.
   EXPECT_EQ(table_refusal("id\tk\na\t1,000\nb\t0,5\n", numbers),
             "file.csv:2:2: k is \"1,000\", with a decimal comma; write a decimal point");
+  EXPECT_EQ(table_refusal("id\tk\na\t1 000\nb\t0,5\n", numbers),
+            "file.csv:2:2: k is \"1 000\", with a thousands separator; write 1000");
   EXPECT_EQ(table_refusal("id\tk\na\t0,125\n", numbers),
             "file.csv:2:2: k is \"0,125\", with a decimal comma; write a decimal point");
 }
@@ -131,6 +135,16 @@ TEST(TidyTable, ReadsPastSpacesThatAreNotSeenAndNamesThoseOfNames) {
             "file.csv:3:1: id is \"a\u00a0\", with a no-break space (U+00A0) at an end; delete it");
   EXPECT_EQ(table_refusal("id,k\na,\u22121\n", [](const TidyTable& read) { read.numbers("k"); }),
             "file.csv:2:2: k is \"\u22121\", with a minus sign (U+2212); write a hyphen (-)");
+}
+
+// This folder includes no other; what a user reads is the same.
+TEST(TidyTable, NamesCharactersAsOtherReadersDo) {
+  for (const UnseenCharacter& each : kUnseenCharacters) {
+    const auto known = look_alike_at(each.bytes);
+    ASSERT_TRUE(known) << each.name;
+    EXPECT_EQ(each.name, known->name);
+  }
+  EXPECT_EQ(look_alike_at(kMinusSign)->name, "a minus sign (U+2212)");
 }
 
 TEST(TidyTable, SkipsTheLineInWhichASpreadsheetStatesTheSeparator) {
