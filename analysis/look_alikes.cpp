@@ -1,6 +1,8 @@
 #include "analysis/look_alikes.h"
 
+#include <charconv>
 #include <cstddef>
+#include <system_error>
 
 namespace asperity {
 namespace {
@@ -60,6 +62,24 @@ std::optional<LookAlike> first_look_alike(std::string_view text) {
     if (const auto found = look_alike_at(text)) return found;
   }
   return std::nullopt;
+}
+
+std::string number_correction(std::string_view cell) {
+  if (const auto found = first_look_alike(cell)) {
+    const std::string_view remedy = found->remedy == kSpace ? kNothing : found->remedy;
+    return "with " + std::string(found->name) + "; " + std::string(remedy);
+  }
+  if (const std::size_t comma = cell.find(','); comma != std::string_view::npos) {
+    std::string pointed(cell);
+    pointed[comma] = '.';
+    double number = 0.0;
+    const char* const end = pointed.data() + pointed.size();
+    const auto read = std::from_chars(pointed.data(), end, number);
+    if (read.ec == std::errc() && read.ptr == end) {
+      return "with a decimal comma; write a decimal point";
+    }
+  }
+  return "which is not a finite number; correct it";
 }
 
 }  // namespace asperity

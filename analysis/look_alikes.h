@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace asperity {
@@ -20,5 +21,9 @@ std::optional<LookAlike> look_alike_at(std::string_view text);
 
 /// The first one in a text.
 std::optional<LookAlike> first_look_alike(std::string_view text);
+
+/// Why the text of a cell is not a number, and what to do: "with a decimal comma; write a decimal point", "with a no-break
+/// space (U+00A0); delete it", or "which is not a finite number; correct it". It follows the quoted text.
+std::string number_correction(std::string_view cell);
 
 }  // namespace asperity

@@ -9,6 +9,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include "analysis/look_alikes.h"
 #include "device/small_turn.h"
 #include "results_schema/tables/table.h"
 
@@ -36,12 +37,13 @@ class Numbers final {
 
   double at(std::size_t row, std::size_t column) const {
     const Cell& cell = table_.rows[row][column];
-    std::optional<double> number{};
-    if (const std::string* text = std::get_if<std::string>(&cell)) number = number_in(*text);
+    const std::string* const text = std::get_if<std::string>(&cell);
+    const std::optional<double> number = text != nullptr ? number_in(*text) : std::nullopt;
     if (!number || !std::isfinite(*number)) {
-      throw std::runtime_error(file_ + ':' + std::to_string(row + 2) + ": the column " +
-                               table_.columns[column] +
-                               " does not contain a finite number; enter one");
+      throw std::runtime_error(
+          file_ + ':' + std::to_string(row + 2) + ": the column " + table_.columns[column] +
+          (text == nullptr ? " has no number; enter one"
+                           : " has \"" + *text + "\", " + number_correction(*text)));
     }
     return *number;
   }

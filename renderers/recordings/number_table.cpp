@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/look_alikes.h"
 #include "analysis/number_text.h"
 
 namespace asperity {
@@ -35,6 +36,11 @@ NumberTable number_table_in(
   std::size_t line_number = 0;
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (tsv.starts_with(kByteOrderMark)) tsv.remove_prefix(kByteOrderMark.size());
+  if (tsv.find('\n') == std::string_view::npos && tsv.find('\r') != std::string_view::npos) {
+    refuse_table_line(name, 1,
+                      "the lines end with carriage returns alone; save the table with line feeds "
+                      "(LF or CRLF)");
+  }
   do {
     const std::size_t end = std::min(tsv.find('\n'), tsv.size());
     std::string_view line = tsv.substr(0, end);
@@ -62,7 +68,7 @@ NumberTable number_table_in(
           !std::isfinite(row.cells[i])) {
         refuse_table_line(name, line_number,
                           "the column " + table.columns[i] + " has \"" + std::string(cell) +
-                              "\", which is not a finite number; correct it");
+                              "\", " + number_correction(cell));
       }
     }
     table.rows.push_back(std::move(row));

@@ -18,6 +18,17 @@ TEST(LookAlikes, AreNamedWithWhatToWriteInstead) {
   EXPECT_EQ(first_look_alike("ab\xE2\x80\x8B\xC2\xA0")->name, "a zero-width space (U+200B)");
 }
 
+TEST(LookAlikes, AreTheReasonWhyACellIsNotANumber) {
+  EXPECT_EQ(number_correction("0,5"), "with a decimal comma; write a decimal point");
+  EXPECT_EQ(number_correction("1\xC2\xA0"), "with a no-break space (U+00A0); delete it");
+  EXPECT_EQ(number_correction("\xE2\x88\x92"
+                              "1"),
+            "with a minus sign (U+2212); write a hyphen (-) instead");
+  for (const char* const other : {"", "one", "1,2,3", "inf"}) {
+    EXPECT_EQ(number_correction(other), "which is not a finite number; correct it") << other;
+  }
+}
+
 TEST(LookAlikes, AreNotTheLettersOfNames) {
   EXPECT_FALSE(look_alike_at("a\xC2\xA0"));
   EXPECT_FALSE(first_look_alike("Ren\xC3\xA9, \xC3\x96l, \xE6\x9C\xA8"));

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/refusal.h"
+
 namespace asperity {
 namespace {
 
@@ -35,6 +37,23 @@ TEST(PathTable, WarnsOfPositionsInMillimetres) {
   EXPECT_EQ(warning("0\t0.45\t0\t0\n0.001\t0.025\t0\t-0.5\n"),
             "z_m reaches -0.5 m, farther than a hand moves at a device; if the positions are in "
             "millimetres, divide them by 1000");
+}
+
+TEST(PathTable, StatesWhyACellIsNotANumber) {
+  const auto refusal = [](const std::string& cell) {
+    return refusal_of<std::runtime_error>([&] {
+      path_in("time_s\tx_m\ty_m\tz_m\n0\t0\t0\t0\n0.001\t" + cell + "\t0\t0\n", "path.tsv");
+    });
+  };
+  EXPECT_EQ(
+      refusal("0,025"),
+      "path.tsv:3: the column x_m has \"0,025\", with a decimal comma; write a decimal point");
+  EXPECT_EQ(refusal("\u22120.1"),
+            "path.tsv:3: the column x_m has \"\u22120.1\", with a minus sign (U+2212); write a "
+            "hyphen (-) instead");
+  EXPECT_EQ(refusal("left"),
+            "path.tsv:3: the column x_m has \"left\", which is not a finite number; correct it");
+  EXPECT_EQ(refusal("n/a"), "path.tsv:3: the column x_m has no number; enter one");
 }
 
 TEST(PathTable, DerivesTheSameTurnOfAQuaternionThatChangesItsSign) {

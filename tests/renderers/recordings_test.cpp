@@ -96,6 +96,14 @@ TEST(TextureRecording, RefusesATableWithItsLineAndTheCorrection) {
   EXPECT_THAT(refusal_of_table(replaced_once(table, "\n1\t0\t", "\n1\tnan\t")),
               StartsWith("felt.tsv:2: the column time_s has \"nan\", which is not a finite "
                          "number; correct it"));
+  EXPECT_THAT(refusal_of_table(replaced_once(table, "\n1\t0\t", "\n1\t0,5\t")),
+              StartsWith("felt.tsv:2: the column time_s has \"0,5\", with a decimal comma; write a "
+                         "decimal point"));
+  EXPECT_THAT(refusal_of_table(replaced_once(table, "\n1\t0\t", "\n1\t\u00a00\t")),
+              StartsWith("felt.tsv:2: the column time_s has \"\u00a00\", with a no-break space "
+                         "(U+00A0); delete it"));
+  EXPECT_THAT(refusal_of_table("stroke\ttime_s\r1\t0\r"),
+              StartsWith("felt.tsv:1: the lines end with carriage returns alone"));
   EXPECT_THAT(refusal_of_table(replaced_once(table, "\n1\t0\t", "\n1\t")),
               StartsWith("felt.tsv:2: the row has 4 cells"));
   EXPECT_THAT(refusal_of_table(table + "1\t9\t9\t1\t0\n"),
