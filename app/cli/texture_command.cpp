@@ -77,6 +77,12 @@ void warn_of_pages(bool has_further_pages, const std::string& name) {
       "alone");
 }
 
+void warn_of_missing_points(const std::optional<float>& no_data, const std::string& name) {
+  if (!no_data) return;
+  say("asperity: warning: " + name + ": the file states " + number_text(*no_data) +
+      " as the value of missing points, and a photograph has none: they are read as brightness");
+}
+
 /// Warns where the maps of a scan do not agree around the crossover, with the probable reason.
 void warn_of_disagreement(const FusedRelief& relief, const TextureOptions& options) {
   const std::string maps = options.file.string() + " and " + options.normals->string();
@@ -164,7 +170,9 @@ void texture_of_photograph(TextureOptions& options, std::span<const std::byte> b
                            const std::string& sha256) {
   const std::string name = options.file.string();
   // Before advice about options of a file that cannot be read in any way.
-  warn_of_pages(inspect_picture(bytes, name).has_further_pages, name);
+  const PictureFacts facts = inspect_picture(bytes, name);
+  warn_of_pages(facts.has_further_pages, name);
+  warn_of_missing_points(facts.no_data, name);
   refuse_given(options.for_surfaces, name + " is not a measured surface; leave out this option");
   refuse_given(options.for_scans,
                "--normals is missing; give the normal map, or leave out this "

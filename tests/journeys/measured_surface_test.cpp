@@ -1,8 +1,8 @@
 // asperity texture with a measured surface: from the file of an instrument to the force of a model.
 
-#include <iterator>
+#include <cstddef>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -59,31 +59,70 @@ TEST(MeasuredTexture, IsRenderedByAForceModel) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
 }
 
+struct TiffEntry {
+  unsigned tag = 0;
+  unsigned value = 0;
+  unsigned type = 3;  ///< 2: letters, 3: a whole number
+  unsigned count = 1;
+};
+
+std::string tiff_of(const std::vector<TiffEntry>& entries, const std::string& data) {
+  std::string tiff = std::string("II*\0\x08\0\0\0", 8);
+  const auto number = [&tiff](std::size_t value, int bytes) {
+    for (int i = 0; i < bytes; ++i) tiff += static_cast<char>(value >> (8 * i) & 0xFFU);
+  };
+  number(entries.size(), 2);
+  for (const TiffEntry& entry : entries) {
+    number(entry.tag, 2);
+    number(entry.type, 2);
+    number(entry.count, 4);
+    number(entry.value, 4);
+  }
+  number(0, 4);
+  return tiff + data;
+}
+
 // Two by two 16-bit numbers with a sign: no advice about the option of a file that no option makes readable.
 TEST(MeasuredTexture, OfATiffThatIsNotReadIsRefusedOnceWithWhatToSave) {
   const TemporaryFolder place{};
-  std::string tiff = std::string("II*\0\x08\0\0\0", 8);
-  const auto number = [&tiff](unsigned value, int bytes) {
-    for (int i = 0; i < bytes; ++i) tiff += static_cast<char>(value >> (8 * i) & 0xFFU);
-  };
-  const std::pair<unsigned, unsigned> entries[] = {{256, 2}, {257, 2},   {258, 16}, {259, 1},
-                                                   {262, 1}, {273, 134}, {277, 1},  {278, 2},
-                                                   {279, 8}, {339, 2}};
-  number(std::size(entries), 2);
-  for (const auto& [tag, value] : entries) {
-    number(tag, 2);
-    number(3, 2);
-    number(1, 4);
-    number(value, 4);
-  }
-  number(0, 4);
-  write_text(place / "scan.tif", tiff + "abcdefgh");
+  write_text(place / "scan.tif", tiff_of({{256, 2},
+                                          {257, 2},
+                                          {258, 16},
+                                          {259, 1},
+                                          {262, 1},
+                                          {273, 8 + 2 + 12 * 10 + 4},
+                                          {277, 1},
+                                          {278, 2},
+                                          {279, 8},
+                                          {339, 2}},
+                                         "abcdefgh"));
   const Outcome outcome = asperity({"texture", place / "scan.tif", "--width-m", "0.001",
                                     "--height-unit-m", "1e-6", "--out", place / "made.png"});
   EXPECT_NE(outcome.status, 0);
   EXPECT_THAT(outcome.err, HasSubstr("save a photograph with whole numbers of 8 or 16 bits without "
                                      "a sign, and measured heights with 32-bit"));
   EXPECT_THAT(outcome.err, testing::Not(HasSubstr("leave out")));
+}
+
+// GDAL's entry 42113, "0", in a picture of two by two bytes, which is too small as well.
+TEST(MeasuredTexture, OfAPhotographHasNoMissingPointsAndAWarningOfThem) {
+  const TemporaryFolder place{};
+  write_text(place / "photo.tif", tiff_of({{256, 2},
+                                           {257, 2},
+                                           {258, 8},
+                                           {259, 1},
+                                           {262, 1},
+                                           {273, 8 + 2 + 12 * 10 + 4},
+                                           {277, 1},
+                                           {278, 2},
+                                           {279, 4},
+                                           {42113, '0', 2, 2}},
+                                          "abcd"));
+  EXPECT_THAT(
+      asperity({"texture", place / "photo.tif", "--width-m", "0.001", "--out", place / "made.png"})
+          .err,
+      HasSubstr("photo.tif: the file states 0 as the value of missing points, and a "
+                "photograph has none: they are read as brightness\n"));
 }
 
 TEST(MeasuredTexture, OfATiffNeedsItsWidthAndTheUnitOfItsHeights) {
