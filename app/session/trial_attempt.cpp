@@ -282,11 +282,7 @@ bool TrialAttempt::answer_page(std::span<const TrialQuestion> page) {
     reply = *asking.doubted;
     asking.answer_ns = reply.answered_ns.value_or(asking.answer_ns);
   }
-  for (const PlannedPresentation& planned : trial_.presentations) {
-    if (std::find(felt_.begin(), felt_.end(), planned.position) != felt_.end()) continue;
-    throw Interruption{AttemptOutcome::not_compliant,
-                       phrase_of(Reason::not_touched).with(std::to_string(planned.position))};
-  }
+  for (const PlannedPresentation& planned : trial_.presentations) require_touch(planned.position);
   const GivenAnswers* const given = reply.answers();
   if (given == nullptr) return false;
   for (const PlannedPresentation& planned : trial_.presentations) require_visits(planned.position);
@@ -350,12 +346,15 @@ Reply TrialAttempt::ask(Asking& asking) {
   return reply;
 }
 
+void TrialAttempt::require_touch(int position) const {
+  if (std::find(felt_.begin(), felt_.end(), position) != felt_.end()) return;
+  throw Interruption{AttemptOutcome::not_compliant,
+                     phrase_of(Reason::not_touched).with(std::to_string(position))};
+}
+
 void TrialAttempt::require_visits(int position) const {
+  require_touch(position);
   const auto visits = static_cast<int>(std::count(felt_.begin(), felt_.end(), position));
-  if (visits == 0) {
-    throw Interruption{AttemptOutcome::not_compliant,
-                       phrase_of(Reason::not_touched).with(std::to_string(position))};
-  }
   // Side by side, one presentation has all the visits, which `feel` has counted.
   const int required = trial_.arrangement.surfaces == Arrangement::Surfaces::side_by_side
                            ? 1

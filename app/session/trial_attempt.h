@@ -106,6 +106,8 @@ class TrialAttempt final {
   Contact feel(std::size_t index);
   /// The same for a visit that the arrangement prescribes: without a contact the attempt ends.
   void feel_once(std::size_t index);
+  /// Throws Interruption where the surface was not touched.
+  void require_touch(int position) const;
   /// Throws Interruption where the surface was felt less often than the arrangement requires.
   void require_visits(int position) const;
   void let_hand_stroke();
