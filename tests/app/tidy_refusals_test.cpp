@@ -269,8 +269,17 @@ TEST(TidyRefusals, NameTheLevelWhoseResponsesAreAllCorrect) {
       columns + "A,x,4,10,thin\nA,y,7,10,thin\nB,x,5,10,thin\nB,y,9,10,thin\nB,x,3,3,thick\n",
       R"({"random": "subject", "fixed": {"tip": ["thin", "thick"]}})");
   EXPECT_EQ(word_of(findings, "glmm.status"), "separated_level");
-  EXPECT_THAT(sentence_of(findings, "glmm.status"),
-              HasSubstr("every response at the level \"thick\" of tip is correct"));
+  EXPECT_THAT(
+      sentence_of(findings, "glmm.status"),
+      HasSubstr("every response at the level \"thick\" of tip is correct, so that the effect "
+                "of tip has no finite estimate"));
+  // The first level has no coefficient, and the effect no estimate all the same.
+  const auto of_first = findings_of(
+      "glmm", columns + "A,x,0,9,thin\nB,y,0,9,thin\nA,x,4,9,thick\nA,y,7,9,thick\nB,y,2,9,thick\n",
+      R"({"random": "subject", "fixed": {"tip": ["thin", "thick"]}})");
+  EXPECT_EQ(word_of(of_first, "glmm.status"), "separated_level");
+  EXPECT_THAT(sentence_of(of_first, "glmm.status"),
+              HasSubstr("every response at the level \"thin\" of tip is incorrect"));
 }
 
 TEST(TidyRefusals, FitNoFunctionWithMoreParametersThanLevels) {
@@ -316,7 +325,9 @@ TEST(TidyRefusals, NameATrackThatStaysAtABound) {
   };
   // The levels are 2 and then 1, four times.
   EXPECT_EQ(word_of(track("11111"), "bound.status"), "at_lowest");
-  EXPECT_THAT(sentence_of(track("11111"), "bound.status"), HasSubstr("4 of 5 trials"));
+  EXPECT_THAT(sentence_of(track("11111"), "bound.status"),
+              HasSubstr("4 of 5 trials are at the lowest level, so that the mean of the reversals "
+                        "depends on this bound"));
   EXPECT_EQ(word_of(track("10101"), "bound.status"), "(absent)");
 }
 
