@@ -2,6 +2,8 @@
 
 #include "stimuli/meshes/mesh_repair.h"
 
+#include <array>
+#include <cstdint>
 #include <limits>
 
 #include <gmock/gmock.h>
@@ -82,6 +84,36 @@ TEST(MeshRepair, KeepsBothFacesInWhichTwoSolidsTouch) {
   EXPECT_EQ(result.found.duplicate_faces, 0U);
   EXPECT_EQ(result.mesh.triangles.size(), 8U);
   // The area of the triangle is 0.015 m · 0.00866 m, a third of the height 0.01 m, twice.
+  EXPECT_NEAR(volume_m3(result.mesh), 2.0 * 0.015 * 0.00866 * 0.01 / 3.0, 1e-15);
+}
+
+// The triangle is divided into four, of which the middle one has no edge at the border of the wall.
+TEST(MeshRepair, KeepsBothFacesWithinAWallOfTwoSolids) {
+  TriangleMesh mesh{{{0.01, 0, 0},
+                     {-0.005, 0.00866, 0},
+                     {-0.005, -0.00866, 0},
+                     {0.0025, 0.00433, 0},
+                     {-0.005, 0, 0},
+                     {0.0025, -0.00433, 0},
+                     {0, 0, 0.01},
+                     {0, 0, -0.01}},
+                    {}};
+  for (const auto& [a, b, c] : {std::array{0U, 3U, 5U}, {3U, 1U, 4U}, {5U, 4U, 2U}, {3U, 4U, 5U}}) {
+    mesh.triangles.push_back({a, b, c});
+    mesh.triangles.push_back({a, c, b});
+  }
+  constexpr std::array kBorder{0U, 3U, 1U, 4U, 2U, 5U};
+  for (std::size_t i = 0; i < kBorder.size(); ++i) {
+    const std::uint32_t a = kBorder[i];
+    const std::uint32_t b = kBorder[(i + 1) % kBorder.size()];
+    mesh.triangles.push_back({6, a, b});
+    mesh.triangles.push_back({7, b, a});
+  }
+  const RepairedMesh result = repaired(mesh);
+  EXPECT_EQ(result.found.duplicate_faces, 0U);
+  EXPECT_EQ(result.found.holes_filled, 0U);
+  EXPECT_EQ(result.found.parts, 2U);
+  EXPECT_EQ(result.mesh.triangles.size(), 20U);
   EXPECT_NEAR(volume_m3(result.mesh), 2.0 * 0.015 * 0.00866 * 0.01 / 3.0, 1e-15);
 }
 

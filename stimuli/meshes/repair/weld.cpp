@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <string>
 #include <unordered_map>
@@ -89,48 +90,59 @@ void weld(MeshInRepair& repair) {
   }
 }
 
-// Keeps faces that were left out as the backs of others where their edges need them: each edge of two solids that touch in
-// a face has as many faces that run one way as the other, and with one of the two faces alone it has not. A surface whose
-// every face is doubled by its back is balanced without the backs. To be repeated while something changes: a face that is
-// kept changes the balance of its edges.
-bool keep_needed_backs(const std::vector<Triangle>& triangles, const std::vector<char>& is_back,
+/// Keeps faces that were left out as the backs of others where their edges need them: each edge of two solids that touch in
+/// a face has as many faces that run one way as the other, and with one of the two faces alone it has not. A surface whose
+/// every face is doubled by its back is balanced without the backs. A face that is kept changes the balance of its edges, so
+/// that others can be needed in turn.
+void keep_needed_backs(const std::vector<Triangle>& triangles, std::vector<std::uint32_t> backs,
                        std::vector<char>& again) {
+  if (backs.empty()) return;
   // How many faces run from the edge's lower vertex to its higher one, less those that run the other way.
   struct Balance {
-    int of_all = 0;
+    int of_all = 0;  ///< of the kept faces and all backs
     int of_kept = 0;
   };
-  std::unordered_map<std::uint64_t, Balance> balances{};
-  const auto run = [&](const Triangle& t, std::size_t corner) {
-    return t[corner] < t[(corner + 1) % 3] ? 1 : -1;
-  };
-  const auto balance_at = [&](const Triangle& t, std::size_t corner) -> Balance& {
-    return balances[edge_key(t[corner], t[(corner + 1) % 3])];
-  };
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    if (again[i] != 0 && is_back[i] == 0) continue;
+  std::unordered_map<std::uint64_t, Balance> balances{};  // of the edges of backs
+  const auto add = [&](std::uint32_t face, int Balance::*count) {
+    const Triangle& t = triangles[face];
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      Balance& balance = balance_at(triangles[i], corner);
-      balance.of_all += run(triangles[i], corner);
-      if (again[i] == 0) balance.of_kept += run(triangles[i], corner);
+      const std::uint32_t from = t[corner];
+      const std::uint32_t to = t[(corner + 1) % 3];
+      const auto edge = balances.find(edge_key(from, to));
+      if (edge != balances.end()) edge->second.*count += from < to ? 1 : -1;
+    }
+  };
+  for (const std::uint32_t back : backs) {
+    const Triangle& t = triangles[back];
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      balances.try_emplace(edge_key(t[corner], t[(corner + 1) % 3]));
     }
   }
-  bool changed = false;
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    if (is_back[i] == 0 || again[i] == 0) continue;
-    bool is_balanced = true;
-    bool is_needed = false;
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const Balance& balance = balance_at(triangles[i], corner);
-      is_balanced = is_balanced && balance.of_all == 0;
-      is_needed = is_needed || balance.of_kept != 0;
-    }
-    if (is_balanced && is_needed) {
-      again[i] = 0;
-      changed = true;
-    }
+  for (const std::uint32_t back : backs) add(back, &Balance::of_all);
+  for (std::uint32_t face = 0; face < triangles.size(); ++face) {
+    if (again[face] != 0) continue;
+    add(face, &Balance::of_all);
+    add(face, &Balance::of_kept);
   }
-  return changed;
+  const auto is_needed = [&](std::uint32_t back) {
+    const Triangle& t = triangles[back];
+    bool is_unbalanced_without = false;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const Balance& balance = balances.at(edge_key(t[corner], t[(corner + 1) % 3]));
+      if (balance.of_all != 0) return false;
+      is_unbalanced_without = is_unbalanced_without || balance.of_kept != 0;
+    }
+    return is_unbalanced_without;
+  };
+  for (;;) {
+    const auto needed = std::stable_partition(backs.begin(), backs.end(), std::not_fn(is_needed));
+    if (needed == backs.end()) return;
+    for (auto back = needed; back != backs.end(); ++back) {
+      again[*back] = 0;
+      add(*back, &Balance::of_kept);
+    }
+    backs.erase(needed, backs.end());
+  }
 }
 
 /// Whether two faces with the same corners run around them in the same order.
@@ -152,7 +164,7 @@ void leave_out_bad_faces(MeshInRepair& repair) {
   }
   std::sort(corners.begin(), corners.end());
   std::vector<char> again(triangles.size(), 0);
-  std::vector<char> is_back(triangles.size(), 0);
+  std::vector<std::uint32_t> backs{};
   std::size_t first = 0;
   bool has_back = false;
   for (std::size_t i = 1; i < corners.size(); ++i) {
@@ -164,12 +176,11 @@ void leave_out_bad_faces(MeshInRepair& repair) {
     const std::uint32_t face = corners[i].second;
     again[face] = 1;
     if (!has_back && !run_alike(triangles[face], triangles[corners[first].second])) {
-      is_back[face] = 1;
+      backs.push_back(face);
       has_back = true;
     }
   }
-  while (keep_needed_backs(triangles, is_back, again)) {
-  }
+  keep_needed_backs(triangles, std::move(backs), again);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     if (again[i] == 0) triangles[kept++] = triangles[i];
