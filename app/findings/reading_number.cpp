@@ -185,6 +185,13 @@ int decimals_of(double size) {
   return std::clamp(1 - static_cast<int>(std::floor(std::log10(size) + kRounding)), kFewest, kMost);
 }
 
+int decimals_of_height(double size_um, int coarse) {
+  constexpr double kCoarse_um = 10.0;
+  constexpr int kMost = 9;
+  if (!(size_um > 0.0 && size_um < kCoarse_um)) return coarse;
+  return std::min(2 - static_cast<int>(std::floor(std::log10(size_um))), kMost);
+}
+
 std::string reading_bounded(double value, int decimals) {
   std::string text = reading_signed(value, decimals);
   const std::size_t digits = text.find_first_of("0123456789");

@@ -30,6 +30,10 @@ std::string reading_signed(double value, int decimals);
 /// significant digits of it, but at least two and at most five. "0.93 [0.87, 0.99]", "1.0012 [0.9993, 1.0031]".
 int decimals_of(double size);
 
+/// The decimals of heights in µm of this size: below 10 µm as many as show three significant digits, at most nine; from there
+/// `coarse`. A relief of nanometres would be "0.0 µm" otherwise.
+int decimals_of_height(double size_um, int coarse);
+
 /// This many decimals of a number that cannot exceed 1, such as a correlation: without the zero
 /// before the point, in APA style: ".71", "−.10", "1.00".
 std::string reading_bounded(double value, int decimals = 2);

@@ -67,6 +67,15 @@ TEST(ReadingTable, PrintsEachRowOfAMixedColumnWithTheDecimalsOfItsInterval) {
   EXPECT_THAT(shown(table, "effect"), ElementsAre("1.0010", "12.50"));
 }
 
+TEST(ReadingNumber, ShowsThreeDigitsOfAReliefOfNanometres) {
+  EXPECT_EQ(decimals_of_height(0.00141, 1), 5);  // 0.00141 µm
+  EXPECT_EQ(decimals_of_height(1.0, 1), 2);
+  EXPECT_EQ(decimals_of_height(9.99, 0), 2);
+  EXPECT_EQ(decimals_of_height(10.0, 0), 0);
+  EXPECT_EQ(decimals_of_height(1e-9, 1), 9);
+  EXPECT_EQ(decimals_of_height(0.0, 1), 1);
+}
+
 TEST(ReadingNumber, ShowsTwoDigitsOfAnInterval) {
   EXPECT_EQ(decimals_of(0.12), 2);
   EXPECT_EQ(decimals_of(0.0038), 4);

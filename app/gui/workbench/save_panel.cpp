@@ -8,6 +8,7 @@
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLineEdit>
 
+#include "app/findings/reading_number.h"
 #include "app/gui/base/open_study.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
@@ -55,7 +56,10 @@ PhotographTexture whole_texture(const GreyImage& grey, const TextureRecipe& reci
   }
 }
 
-QString in_micrometres(double length_m) { return shown_number(length_m * 1e6, 'f', 0); }
+QString in_micrometres(double height_m) {
+  const double height_um = height_m * 1e6;
+  return shown_number(height_um, 'f', decimals_of_height(height_um, 0));
+}
 
 }  // namespace
 
