@@ -134,7 +134,8 @@ std::unique_ptr<Rig> make_rig(const RunInputs& inputs, const Protocol& protocol,
                               const std::optional<SessionRow>& unfinished,
                               const DriverRegistry& drivers, const std::stop_token& stop) {
   RigSettings settings = rig_settings_for(protocol, inputs.faults, inputs.device);
-  settings.servo.standstill_to_fault_s = inputs.standstill_to_fault_s;
+  settings.servo = inputs.servo;
+  settings.servo.rate_Hz = protocol.rate_Hz;
   const std::int64_t not_before_ns = unfinished ? last_time_ns(study, *unfinished) : 0;
   if (inputs.pacing == RunPacing::real_time) {
     const std::uint64_t seed = unfinished ? std::stoull(unfinished->seed) : inputs.seed;

@@ -45,8 +45,8 @@ struct RunInputs {
   std::string device = "simulated";
   DriverOptions driver_options{};       ///< options of that device's driver
   std::vector<ScriptedFault> faults{};  ///< of the simulated device
-  /// As ServoSettings; a test on a busy machine sets a longer time.
-  double standstill_to_fault_s = ServoSettings{}.standstill_to_fault_s;
+  /// But for its rate, which is the protocol's. A test on a busy machine sets longer times.
+  ServoSettings servo{};
   /// Mirrors the workspace and the strokes left to right, for a left hand.
   bool mirrored = false;
   /// States the levels of the procedure `external`; required by a protocol that has it.

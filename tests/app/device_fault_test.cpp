@@ -95,7 +95,7 @@ TEST_P(DeviceFault, InRealTimeLosesNothingThatIsFinished) {
   inputs.mode = SessionMode::pilot;
   inputs.seed = 5;
   inputs.pacing = RunPacing::real_time;
-  inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
+  inputs.servo = patient_servo();
   ScriptedPerson person(kQuick);
   const double at_s = moment_s(inputs, models);
   inputs.faults = {{.kind = GetParam().kind, .at_s = at_s}};
@@ -173,7 +173,7 @@ TEST(DeviceStall, IsCountedAndDoesNotEndTheSession) {
   inputs.mode = SessionMode::pilot;
   inputs.seed = 5;
   inputs.pacing = RunPacing::real_time;
-  inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
+  inputs.servo = patient_servo();
   const ModelRegistry models = built_in_models();
   ScriptedPerson person(kQuick);
   const double at_s = moment_s(inputs, models);
@@ -216,7 +216,7 @@ TEST(NamedDevice, RunsTheSessionAndIsStoredWithIt) {
   inputs.mode = SessionMode::pilot;
   inputs.seed = 5;
   inputs.pacing = RunPacing::real_time;
-  inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
+  inputs.servo = patient_servo();
   inputs.device = "swinging:42";
   inputs.driver_options.firmware = "some.bin";
   std::string which;
@@ -249,7 +249,7 @@ TEST(NamedDevice, IsNotOpenedForASessionWhileADeviceIsMeasuredForTheStudy) {
   inputs.participant = "standin1";
   inputs.mode = SessionMode::pilot;
   inputs.pacing = RunPacing::real_time;
-  inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
+  inputs.servo = patient_servo();
   inputs.device = "swinging";
   int openings = 0;
   DriverRegistry drivers;
@@ -292,7 +292,7 @@ TEST(RecordedHand, MovesInASessionAsItOnceMovedAndFeelsNothing) {
     inputs.mode = SessionMode::pilot;
     inputs.seed = 5;
     inputs.pacing = RunPacing::real_time;
-    inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
+    inputs.servo = patient_servo();
     inputs.device = device;
     ScriptedPerson person(kQuick);
     SessionRequests requests{};

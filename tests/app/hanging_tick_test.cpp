@@ -25,6 +25,7 @@
 #include "tests/app/small_study.h"
 #include "tests/support/eventually.h"
 #include "tests/support/hanging_push.h"
+#include "tests/support/patient_servo.h"
 #include "tests/support/scripted_device.h"
 #include "tests/support/scripted_person.h"
 #include "tests/support/temporary_folder.h"
@@ -116,8 +117,9 @@ class HangingTick : public testing::Test {
     inputs_.seed = 5;
     inputs_.pacing = RunPacing::real_time;
     inputs_.device = "swinging";
-    // A busy machine may keep the loop from running for a while.
-    inputs_.standstill_to_fault_s = 0.15;
+    // A busy machine may keep the loop from running for a while; a second is allowed in all.
+    inputs_.servo = patient_servo();
+    inputs_.servo.standstill_to_fault_s = 0.4;
     drivers_.add({.id = "swinging",
                   .open = [this](const std::string&, const DriverOptions&) { return device(); }});
     links_.tell = [this](const std::string& line) {
@@ -211,7 +213,8 @@ TEST_F(HangingTick, LosesItsForceIsToldAndStoredAndTheSessionCanBeResumed) {
 
   hang_->is_wanted = false;
   inputs_.resume = true;
-  EXPECT_EQ(run().state, SessionState::completed);
+  const SessionEnd resumed = run();
+  EXPECT_EQ(resumed.state, SessionState::completed) << resumed.reason.english();
   const std::vector<AttemptRow> all = attempts();
   EXPECT_EQ(
       std::count_if(all.begin(), all.end(), [](const AttemptRow& each) { return each.valid; }), 2);
@@ -228,7 +231,8 @@ TEST_F(HangingTick, IsWaitedOutByTheExperimenterWhoCanOnlyEndTheSession) {
   };
   const SessionEnd end = run();
   EXPECT_EQ(end.state, SessionState::stopped);
-  ASSERT_THAT(log_.names(), ElementsAre("hangs with force", "zero", "told", "stored", "informed"));
+  ASSERT_THAT(log_.names(), ElementsAre("hangs with force", "zero", "told", "stored", "informed"))
+      << testing::PrintToString(person_.faults_heard);
   EXPECT_LT(log_.between(0, 4), std::chrono::seconds(1));
   ASSERT_GE(person_.faults_heard.size(), 2U);
   EXPECT_THAT(person_.faults_heard.front(), HasSubstr("end this program and start it again"));

@@ -31,7 +31,7 @@ TEST(RealTime, LosesNoRecordInAMinuteAtOneKilohertz) {
   inputs.seed = 1;
   inputs.is_virtual = true;
   inputs.pacing = RunPacing::real_time;
-  inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
+  inputs.servo = patient_servo();
   const SessionEnd end = run_session(inputs, built_in_models(), nullptr, {}, {});
   EXPECT_EQ(end.state, SessionState::completed);
 

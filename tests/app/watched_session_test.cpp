@@ -1478,7 +1478,7 @@ TEST(WatchedFromAnotherThread, ARealTimeSessionIsSteeredAndEnds) {
   study.add_participant({.label = "p1", .created_utc = "2026-01-01T00:00:00.000Z"});
   StimulusBuilder builder(models, folder.path() / "study");
   RigSettings settings{};
-  settings.servo.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
+  settings.servo = patient_servo();
   RealTimeRig rig(settings, HandHabits{}, Random(1), Scheduling::normal, 0);
   SessionConditions conditions{};
   conditions.pacing = rig.pacing();

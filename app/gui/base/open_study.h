@@ -43,9 +43,9 @@ class OpenStudy final : public QObject {
   /// How pages try a device before a session.
   const DeviceTrial& device_trial() const noexcept { return device_trial_; }
   void set_device_trial(DeviceTrial trial) { device_trial_ = std::move(trial); }
-  /// Of the sessions that begin here (RunInputs); a test on a busy machine sets a longer time.
-  double standstill_to_fault_s() const noexcept { return standstill_to_fault_s_; }
-  void set_standstill_to_fault_s(double time_s) noexcept { standstill_to_fault_s_ = time_s; }
+  /// Of the sessions that begin here (RunInputs); a test on a busy machine sets longer times.
+  const ServoSettings& servo() const noexcept { return servo_; }
+  void set_servo(const ServoSettings& settings) noexcept { servo_ = settings; }
   /// Everybody who shows the study reads it again.
   void announce_change() { emit changed(); }
   /// What a page leaves to the one that is made in its place for another theme or language; empty
@@ -62,7 +62,7 @@ class OpenStudy final : public QObject {
   LoadedModels models_{};
   DriverRegistry drivers_ = built_in_drivers();
   DeviceTrial device_trial_ = try_device;
-  double standstill_to_fault_s_ = ServoSettings{}.standstill_to_fault_s;
+  ServoSettings servo_{};
   std::map<std::string, std::any> left_{};
 };
 

@@ -153,7 +153,7 @@ SessionOrder StartPage::order() const {
   inputs.level_program = program_->program();
   inputs.is_virtual = is_virtual();
   inputs.pacing = is_virtual() && fast_->isChecked() ? RunPacing::stepped : RunPacing::real_time;
-  inputs.standstill_to_fault_s = study_.standstill_to_fault_s();
+  inputs.servo = study_.servo();
   inputs.mirrored = setup_->is_mirrored();
   inputs.device = setup_->device().device();
   inputs.driver_options = driver_options(inputs.device);

@@ -59,7 +59,7 @@ RunInputs inputs_of(const std::filesystem::path& study, const std::string& parti
   inputs.mode = SessionMode::simulate;
   inputs.is_virtual = true;
   inputs.pacing = RunPacing::real_time;
-  inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
+  inputs.servo = patient_servo();
   return inputs;
 }
 

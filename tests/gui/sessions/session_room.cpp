@@ -185,7 +185,7 @@ void SessionRoom::open() {
   window->open_study(folder());
   wait_for("the study", [this] { return window->study() != nullptr; });
   window->study()->set_device_trial(punctual_trial);
-  window->study()->set_standstill_to_fault_s(patient_servo().standstill_to_fault_s);
+  window->study()->set_servo(patient_servo());
 }
 
 bool SessionRoom::is_in(SessionPhase phase) {

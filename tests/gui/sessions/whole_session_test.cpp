@@ -67,7 +67,7 @@ TEST_F(WholeSession, SelectsFromTheWelcomePageToTheExportedTable) {
   QTest::keyClick(&name, Qt::Key_Return);
   wait_for("the study", [&] { return window->study() != nullptr; });
   window->study()->set_device_trial(punctual_trial);
-  window->study()->set_standstill_to_fault_s(patient_servo().standstill_to_fault_s);
+  window->study()->set_servo(patient_servo());
 
   click_row(*window, "protocols_table", "small");
   click(*window, "protocol_start");

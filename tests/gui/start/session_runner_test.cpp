@@ -117,7 +117,7 @@ TEST_F(RunningSession, DoesNotBeginWhenItIsCancelledWhileItIsPrepared) {
 TEST_F(RunningSession, GoesThroughItInRealTime) {
   write_short_protocol(1);
   order.inputs.pacing = RunPacing::real_time;
-  order.inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
+  order.inputs.servo = patient_servo();
   SessionRunner runner;
   Listener listener(runner);
   runner.start(order);
@@ -244,7 +244,7 @@ TEST_F(RunningSession, LetsGoOfAPersonWhoIsInTheMiddleOfATrial) {
   order.inputs.mode = SessionMode::pilot;
   order.inputs.is_virtual = false;
   order.inputs.pacing = RunPacing::real_time;
-  order.inputs.standstill_to_fault_s = patient_servo().standstill_to_fault_s;
+  order.inputs.servo = patient_servo();
   order.inputs.has_consented = true;
   order.inputs.new_person = ParticipantRow{.label = "P001"};
   order.consent_seen_by = "MW";

@@ -68,7 +68,7 @@ class TheStartPage : public testing::Test {
     write_protocol(protocol_with_questions());
     study = std::make_unique<OpenStudy>(folder);
     study->set_device_trial(punctual_trial);
-    study->set_standstill_to_fault_s(patient_servo().standstill_to_fault_s);
+    study->set_servo(patient_servo());
     page = std::make_unique<StartPage>(*study);
     page->resize(1146, 768);
   }

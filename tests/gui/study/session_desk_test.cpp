@@ -35,7 +35,7 @@ class TheSessionDesk : public QuietHome {
   void open_demo() {
     ASSERT_TRUE(window_.open_study(small_demo_study()));
     window_.study()->set_device_trial(punctual_trial);
-    window_.study()->set_standstill_to_fault_s(patient_servo().standstill_to_fault_s);
+    window_.study()->set_servo(patient_servo());
     auto& table = child<StudyTable>(window_, "protocols_table");
     ASSERT_TRUE(eventually([&] { return table.shown_rows() == 3; }));
     table.select(QString::fromStdString(
