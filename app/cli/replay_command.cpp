@@ -53,12 +53,8 @@ int run_replay(const ReplayOptions& options) {
   // A recorded plug-in is needed only if it renders: with its declaration, another model can replace it.
   const ModelRegistry models = with_stored_builds(models_with_builds(options.plugins), study)
                                    .with(plugin_builds_of(attempt));
-  const SessionRow session = study.session(study.session_of(attempt.id));
-  const Plan plan = plan_of(study, session, models);
   StimulusBuilder builder(models, study.folder());
-  const RecordedAttempt recorded = recorded_attempt(
-      study.folder(), session, plan.trials.at(static_cast<std::size_t>(attempt.trial - 1)), attempt,
-      builder);
+  const RecordedAttempt recorded = recorded_attempt(study, attempt, builder);
   if (options.surface < 1 || options.surface > static_cast<int>(recorded.surfaces.size())) {
     throw std::runtime_error("--surface is " + std::to_string(options.surface) +
                              ", and the trial has " + counted(recorded.surfaces.size(), "surface") +

@@ -85,12 +85,8 @@ TextureRecording recording_of_study(const TextureRecordingOptions& options) {
   const Study study = Study::open(*options.study, Access::read_only);
   const ModelRegistry models = models_with(options.plugins);
   const AttemptRow attempt = find_attempt(study, *options.attempt);
-  const SessionRow session = study.session(study.session_of(attempt.id));
-  const Plan plan = plan_of(study, session, models);
   StimulusBuilder builder(models, study.folder());
-  const RecordedAttempt recorded = recorded_attempt(
-      study.folder(), session, plan.trials.at(static_cast<std::size_t>(attempt.trial - 1)), attempt,
-      builder);
+  const RecordedAttempt recorded = recorded_attempt(study, attempt, builder);
   TextureRecording recording =
       strokes_of_hand({.records = recorded.records,
                        .presentation = static_cast<std::uint64_t>(options.surface),

@@ -188,6 +188,15 @@ RecordedAttempt recorded_attempt(const std::filesystem::path& study_folder,
   return recorded;
 }
 
+RecordedAttempt recorded_attempt(const Study& study, const AttemptRow& attempt,
+                                 StimulusBuilder& builder) {
+  const SessionRow session = study.session(study.session_of(attempt.id));
+  const Plan plan = plan_of(study, session, builder.models());
+  return recorded_attempt(study.folder(), session,
+                          plan.trials.at(static_cast<std::size_t>(attempt.trial - 1)), attempt,
+                          builder);
+}
+
 ReplayedSurface replay_surface(const RecordedAttempt& attempt, int position,
                                const ForceModel& model, const RendererInputs& inputs) {
   const auto felt_at = static_cast<std::uint64_t>(position);

@@ -65,6 +65,9 @@ Plan plan_of(const Study& study, const SessionRow& session, const ModelRegistry&
 RecordedAttempt recorded_attempt(const std::filesystem::path& study_folder,
                                  const SessionRow& session, const Trial& trial,
                                  const AttemptRow& attempt, StimulusBuilder& builder);
+/// The same for one attempt of a study, whose session and plan it reads. Errors: also those of plan_of.
+RecordedAttempt recorded_attempt(const Study& study, const AttemptRow& attempt,
+                                 StimulusBuilder& builder);
 
 /// The recorded motion of the hand on one surface, and the forces that it receives there again.
 struct ReplayedSurface {
