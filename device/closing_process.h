@@ -18,7 +18,7 @@ namespace asperity {
 ///     PROGRAM close-device DEVICE --claim CLAIM [--library FILE]
 ///
 /// which opens the device and closes it, as soon as that is possible within 60 s: every driver sets the motors to zero in both.
-/// A device that another program drives by then (DeviceClaim) is left to that program, which has set its motors to zero.
+/// A device whose DeviceClaim another program has for all of this time is left to that program, which has set its motors to zero.
 /// For a device that is reached through a library of its manufacturer, which the second process itself cannot call: it is a
 /// fork of a program with threads (watchdog_process.h). While this process is stopped the device is in use, and nothing
 /// happens.

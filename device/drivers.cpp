@@ -88,45 +88,66 @@ struct ForClosing {
   std::optional<ClosingProcess> process{};
 };
 
-// The claim of a device that is open. Null: the stop came before another process released it.
-std::unique_ptr<DeviceClaim> wait_for_claim(const std::string& claim, const std::string& device,
-                                            const std::stop_token& stop) {
-  constexpr std::chrono::seconds kLongest(5);
+// Whether devices of the driver are opened, even to read their serial numbers, only with its claim.
+bool needs_claim(const Driver& driver, const DriverOptions& options) {
+  return driver.is_closed_by_another_process && !options.closing_program.empty();
+}
+
+std::string driven_by_another(const Driver& driver) {
+  return "another process of this program drives a device of the driver \"" + driver.id +
+         "\": end that process, then ";
+}
+
+// Null where another process has it for all of this time, or the stop comes first.
+std::unique_ptr<DeviceClaim> claim_within(std::chrono::seconds longest, const Driver& driver,
+                                          const std::stop_token& stop) {
   constexpr std::chrono::milliseconds kBetweenTrials(10);
-  const auto latest = std::chrono::steady_clock::now() + kLongest;
+  const auto latest = std::chrono::steady_clock::now() + longest;
   while (!stop.stop_requested()) {
-    if (auto taken = DeviceClaim::take(claim)) return taken;
-    if (std::chrono::steady_clock::now() > latest) {
-      throw std::runtime_error("the device \"" + device +
-                               "\" is in use: another process of this program drives it. End that "
-                               "process, then open the device again");
-    }
+    if (auto taken = DeviceClaim::take(driver.id)) return taken;
+    if (std::chrono::steady_clock::now() > latest) break;
     pause(stop, kBetweenTrials);
   }
   return nullptr;
 }
 
+[[noreturn]] void nothing_was_opened() {
+  throw OpeningStopped(
+      "no device was opened: opening was stopped on request; open the device again to use it");
+}
+
 // Opens a device that another process closes where this program is killed.
 std::unique_ptr<HapticDevice> open_for_closing(const Driver& driver, const std::string& which,
                                                const DriverOptions& options) {
-  std::unique_ptr<HapticDevice> device = driver.open(which, options);
-  const std::string serial = device->capability().serial;
-  const std::string claim = driver.id + ":" + (serial.empty() ? which : serial);
-  // The name that has opened it: a serial number opens only the default one of OpenHaptics' devices.
-  const std::string& same = which.empty() ? serial : which;
-  const std::string name = driver.id + (same.empty() ? "" : ":" + same);
+  // This process has the claim, and the driver states which device is in use.
+  if (!UnitInUse::of(driver.id).empty()) return driver.open(which, options);
   auto closing = std::make_shared<ForClosing>();
-  closing->claim = DeviceClaim::take(claim);
+  closing->claim = claim_within(std::chrono::seconds(5), driver, options.stop);
+  if (options.stop.stop_requested()) nothing_was_opened();
   if (closing->claim == nullptr) {
-    closing->claim = wait_for_claim(claim, name, options.stop);
-    if (closing->claim == nullptr) return device;
-    // Its process may have closed it, which a manufacturer's library need not have refused.
-    device.reset();
-    device = driver.open(which, options);
+    throw std::runtime_error("the device cannot be opened, because " + driven_by_another(driver) +
+                             "open the device again");
   }
-  closing->process.emplace(options.closing_program, name, claim, options.library);
+  std::unique_ptr<HapticDevice> device = driver.open(which, options);
+  // The name that has opened it: a serial number opens only the default one of OpenHaptics' devices.
+  const std::string same = which.empty() ? device->capability().serial : which;
+  closing->process.emplace(options.closing_program, driver.id + (same.empty() ? "" : ":" + same),
+                           driver.id, options.library);
   device->keep(std::move(closing));
   return device;
+}
+
+// A search by another process, which may open devices, ends within a second.
+DriverSurvey survey_with_claim(const Driver& driver, const DriverOptions& options) {
+  std::unique_ptr<DeviceClaim> claim{};
+  if (needs_claim(driver, options) && UnitInUse::of(driver.id).empty()) {
+    claim = claim_within(std::chrono::seconds(1), driver, options.stop);
+    if (claim == nullptr) {
+      return {.hindrance = "No device was searched for, because " + driven_by_another(driver) +
+                           "search again."};
+    }
+  }
+  return driver.find(options);
 }
 
 }  // namespace
@@ -162,17 +183,13 @@ std::unique_ptr<HapticDevice> DriverRegistry::open(const std::string& name,
     throw std::runtime_error("there is no device \"" + id + "\"; choose one of: " + ids);
   }
   std::unique_lock alone = alone_until(options.stop);
-  if (!alone.owns_lock()) {
-    throw OpeningStopped(
-        "no device was opened: opening was stopped on request; open the device again to use it");
-  }
+  if (!alone.owns_lock()) nothing_was_opened();
   DriverOptions told = options;
   told.alone = &alone;
   const std::string which = colon == std::string::npos ? "" : name.substr(colon + 1);
-  const bool needs_closing =
-      driver->is_closed_by_another_process && !options.closing_program.empty();
-  std::unique_ptr<HapticDevice> device =
-      needs_closing ? open_for_closing(*driver, which, told) : driver->open(which, told);
+  std::unique_ptr<HapticDevice> device = needs_claim(*driver, options)
+                                             ? open_for_closing(*driver, which, told)
+                                             : driver->open(which, told);
   if (options.stop.stop_requested()) {
     throw OpeningStopped(
         "the device \"" + name +
@@ -184,7 +201,7 @@ std::unique_ptr<HapticDevice> DriverRegistry::open(const std::string& name,
 DriverSurvey DriverRegistry::survey(const Driver& driver, const DriverOptions& options) const {
   const std::unique_lock alone = alone_until(options.stop);
   DriverSurvey survey{};
-  if (alone.owns_lock()) survey = driver.find(options);
+  if (alone.owns_lock()) survey = survey_with_claim(driver, options);
   // What a driver found by then may be half of what is there, or a service that was not waited for.
   if (options.stop.stop_requested()) {
     throw LookStopped("the search for devices of the driver \"" + driver.id +

@@ -53,7 +53,7 @@ struct DriverOptions {
   /// Drivers with a thread of their own ask for SCHED_FIFO; refused, they go on without.
   bool wants_fifo = true;
   /// This program, which the command close-device makes open and close a device (ClosingProcess). Empty: where the program is
-  /// killed, such a device is left unchanged, and it is opened without a DeviceClaim.
+  /// killed, such a device is left unchanged, and it is opened and searched for without a DeviceClaim.
   std::filesystem::path closing_program{};
   /// What holds the probe of the simulated device; has to outlive it. Null elsewhere.
   VirtualHand* hand = nullptr;
@@ -126,9 +126,11 @@ class DriverRegistry final {
   const Driver* find(std::string_view id) && = delete;
 
   /// What one of its drivers finds.
+  /// Where another process drives a device of the driver (DeviceClaim), that is its hindrance, and the driver does not look.
   /// Errors: LookStopped, also where the stop comes while another thread looks or opens.
   DriverSurvey survey(const Driver& driver, const DriverOptions& options) const;
   /// Opens what `--device` names: ID, or ID:SERIAL, or ID:PLACE.
+  /// Where another process drives a device of the driver (DeviceClaim), it waits up to 5 s before it opens anything.
   /// Errors: std::runtime_error, for an unknown driver with the names of all; as Driver::open does; OpeningStopped
   /// also where the stop comes while another thread looks or opens, or before the driver is done.
   std::unique_ptr<HapticDevice> open(const std::string& name, const DriverOptions& options) const;

@@ -29,10 +29,10 @@ struct CloseDevice {
   DriverOptions drivers{};
 };
 
-/// Null where a program drives the device: one that has had it for as long as the kernel may take to end the killed one.
-std::unique_ptr<DeviceClaim> claim_of_ended_program(const std::string& name) {
-  constexpr std::chrono::seconds kToEnd{1};
-  const auto latest = steady_clock::now() + kToEnd;
+/// Null where another program has it for all of the time: one that drives the device. A program that only tries to open it may
+/// fail, and releases the claim then.
+std::unique_ptr<DeviceClaim> claim_of_ended_program(const std::string& name,
+                                                    steady_clock::time_point latest) {
   for (;;) {
     if (auto claim = DeviceClaim::take(name)) return claim;
     if (steady_clock::now() > latest) return nullptr;
@@ -41,15 +41,15 @@ std::unique_ptr<DeviceClaim> claim_of_ended_program(const std::string& name) {
 }
 
 int close_device(const CloseDevice& job) {
-  const auto claim = claim_of_ended_program(job.claim);
+  const std::chrono::seconds limit{job.seconds};
+  const auto latest = steady_clock::now() + limit;
+  const auto claim = claim_of_ended_program(job.claim, latest);
   if (claim == nullptr) {
     say("asperity: the device " + job.device +
         " was left unchanged: another program drives it now, and has set its force to zero");
     return 0;
   }
   // Until the kernel has released the device of the killed program, it is in use.
-  const std::chrono::seconds limit{job.seconds};
-  const auto latest = steady_clock::now() + limit;
   CallLimit call(job.device);
   const DriverRegistry drivers = built_in_drivers();
   for (;;) {

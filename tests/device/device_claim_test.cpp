@@ -2,6 +2,7 @@
 
 #include "device/device_claim.h"
 
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <memory>
@@ -46,27 +47,68 @@ TEST(DeviceClaim, DistinguishesLongNamesByTheirEnds) {
   EXPECT_NE(other, nullptr);
 }
 
-TEST(Drivers, OpenADeviceAgainThatAnotherProcessHadClaimed) {
-  int opened = 0;
-  DriverRegistry drivers;
-  drivers.add({.id = "library",
-               .is_closed_by_another_process = true,
-               .open = [&opened](const std::string&, const DriverOptions&) {
-                 ++opened;
-                 return std::make_unique<ScriptedDevice>(DeviceCapability{
-                     .name = "library", .serial = own_serial(), .peak_force_N = 1.0});
-               }});
-  const std::string claim = "library:" + own_serial();
-  auto other = DeviceClaim::take(claim);
-  std::jthread later([&other] {
+/// A driver of a manufacturer's library, of which each call counts those while `is_driven_elsewhere`.
+struct LibraryDriver {
+  std::string id = "library" + own_serial();
+  std::atomic<bool> is_driven_elsewhere{true};
+  int calls = 0;
+  int disturbing_calls = 0;
+  DriverRegistry drivers{};
+
+  LibraryDriver() {
+    drivers.add({.id = id,
+                 .is_closed_by_another_process = true,
+                 .find =
+                     [this](const DriverOptions&) {
+                       count();
+                       return DriverSurvey{.attached = {{.model = "one"}}};
+                     },
+                 .open =
+                     [this](const std::string&, const DriverOptions&) {
+                       count();
+                       return std::make_unique<ScriptedDevice>(
+                           DeviceCapability{.name = id, .serial = "7", .peak_force_N = 1.0});
+                     }});
+  }
+
+  void count() {
+    ++calls;
+    if (is_driven_elsewhere) ++disturbing_calls;
+  }
+  DriverSurvey survey() const {
+    return drivers.survey(*drivers.find(id), {.closing_program = "/bin/true"});
+  }
+};
+
+// To read the serial number of a device is to open it, and to close it then would end it for the other process.
+TEST(Drivers, OpenNoDeviceBeforeAnotherProcessHasReleasedItsClaim) {
+  LibraryDriver library;
+  auto other = DeviceClaim::take(library.id);
+  std::jthread later([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    library.is_driven_elsewhere = false;
     other.reset();
   });
-  auto device = drivers.open("library", {.closing_program = "/bin/true"});
-  EXPECT_EQ(opened, 2);
-  EXPECT_EQ(DeviceClaim::take(claim), nullptr) << "this process has it";
+  auto device = library.drivers.open(library.id, {.closing_program = "/bin/true"});
+  EXPECT_EQ(library.calls, 1);
+  EXPECT_EQ(library.disturbing_calls, 0);
+  EXPECT_EQ(DeviceClaim::take(library.id), nullptr) << "this process has it";
   device.reset();
-  EXPECT_NE(DeviceClaim::take(claim), nullptr);
+  EXPECT_NE(DeviceClaim::take(library.id), nullptr);
+}
+
+TEST(Drivers, SearchForNoDeviceWhileAnotherProcessDrivesOne) {
+  LibraryDriver library;
+  auto other = DeviceClaim::take(library.id);
+  const DriverSurvey survey = library.survey();
+  EXPECT_EQ(library.calls, 0);
+  EXPECT_TRUE(survey.attached.empty());
+  EXPECT_NE(survey.hindrance.find("another process of this program drives a device of the driver"),
+            std::string::npos)
+      << survey.hindrance;
+  other.reset();
+  EXPECT_EQ(library.survey().attached.size(), 1U);
+  EXPECT_NE(DeviceClaim::take(library.id), nullptr) << "a search keeps no claim";
 }
 
 }  // namespace

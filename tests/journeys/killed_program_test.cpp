@@ -37,7 +37,7 @@ class DeviceOfALibrary : public testing::Test {
   }
   Invocation closing() const {
     return invocation(
-        {"close-device", "force_dimension:101", "--claim", "force_dimension:101", "--within", "1"});
+        {"close-device", "force_dimension:101", "--claim", "force_dimension", "--within", "1"});
   }
   std::string calls() const { return fs::exists(calls_) ? text_of(calls_) : ""; }
   std::string wire() const { return fs::exists(wire_) ? text_of(wire_) : ""; }
