@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "results_schema/tables/table.h"
 #include "tests/journeys/program.h"
@@ -42,6 +43,9 @@ TEST(CleanStiffnessCommand, HasTheSameBytesWhateverTheJobs) {
   EXPECT_EQ(text_of(place / "one.tsv"), text_of(place / "three.tsv"));
   EXPECT_EQ(text_of(place / "one.tsv.json"), text_of(place / "three.tsv.json"));
   EXPECT_THAT(text_of(place / "one.tsv.json"), HasSubstr("\"asperity.clean_stiffness/1\""));
+  // The arm by default is that of the page, with little damping across the surface.
+  EXPECT_EQ(nlohmann::json::parse(text_of(place / "one.tsv.json")).at("device"),
+            "simulated:falcon,mass_kg=0.1,damping_N_s_per_m=1,normal_damping_N_s_per_m=1");
 
   const Tsv table = tsv(text_of(place / "one.tsv"));
   EXPECT_EQ(table.columns,
