@@ -179,6 +179,9 @@ struct LeastWork {
   double law_J = 0.0;   ///< with those of the law along the path
 };
 
+/// The random paths of docs/models/friction.md, by their seeds from 1 on.
+constexpr std::uint64_t kPaths = 40;
+
 /// On a random path, noise of 3 Hz as in docs/models/friction.md, under 1 N + `change_N`·sin(2π·1.3 Hz·t), not below 0.
 LeastWork least_work(double speed_m_per_s, std::uint64_t seed, double change_N,
                      double smoothing_s = 0.0) {
@@ -210,18 +213,20 @@ LeastWork least_work(double speed_m_per_s, std::uint64_t seed, double change_N,
 
 TEST(ElastoplasticFriction, DoesNotGiveEnergyOnRandomPathsOfAHand) {
   for (const double speed_m_per_s : {0.02, 0.06, 0.2}) {
-    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (std::uint64_t seed = 1; seed <= kPaths; ++seed) {
       EXPECT_GE(least_work(speed_m_per_s, seed, 0.0).held_J, -1e-5) << speed_m_per_s << ' ' << seed;
     }
   }
 }
 
-// The delay of the low-passes of the position gives the hand what the damping of the device must dissipate: 0.0121 mJ at
-// most on these paths.
-TEST(ElastoplasticFriction, GivesLittleEnergyByTheDelayOfItsLowPasses) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    EXPECT_GE(least_work(0.06, seed, 0.0, 2.5e-3).held_J, -1.5e-5) << seed;
+// The delay of the low-passes of the position gives the hand what the damping of the device must dissipate: on the paths of
+// the page the 0.021 mJ that it states.
+TEST(ElastoplasticFriction, GivesByTheDelayOfItsLowPassesWhatThePageStates) {
+  double least_J = 0.0;
+  for (std::uint64_t seed = 1; seed <= kPaths; ++seed) {
+    least_J = std::min(least_J, least_work(0.06, seed, 0.0, 2.5e-3).held_J);
   }
+  EXPECT_NEAR(least_J, -2.1e-5, 0.05e-5);
 }
 
 // With a change of 1.5 N there is no normal force for a quarter of the time. What a held force gives is half a period's.
