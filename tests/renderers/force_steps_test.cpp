@@ -37,7 +37,7 @@ constexpr double kHalfPatch_m = 0.010;
 constexpr double kGap_s = 0.045;
 constexpr double kRounding_N = 1e-6;
 
-enum class Place { fade, wall, no_border, sphere, plug_in };
+enum class Place { fade, wall, no_border, sphere, cylinder, box, plug_in };
 
 const char* text_of(Place place) {
   switch (place) {
@@ -49,6 +49,10 @@ const char* text_of(Place place) {
       return "plane without a border";
     case Place::sphere:
       return "sphere of 40 mm";
+    case Place::cylinder:
+      return "cylinder of 40 mm, lying";
+    case Place::box:
+      return "box of 20 mm";
     case Place::plug_in:
       return "plug-in";
   }
@@ -96,6 +100,28 @@ struct Event {
 };
 
 const std::vector<Place> kBorders{Place::fade, Place::wall};
+const std::vector<Place> kEveryBody{Place::fade, Place::wall, Place::sphere, Place::cylinder,
+                                    Place::box};
+
+/// The body at a place; null on a plane.
+std::shared_ptr<const BodySurface> body_at(Place place) {
+  const auto body = [](TexturedMesh mesh) {
+    return std::make_shared<const BodySurface>(placed(std::move(mesh), BodyRole::surface));
+  };
+  if (place == Place::sphere) return sphere();
+  if (place == Place::cylinder) {
+    static const auto kCylinder =
+        body(turned(body_mesh(CylinderShape{2.0 * kGlobeRadius_m, 2.0 * kGlobeRadius_m}, nullptr),
+                    BodyAxis::y));
+    return kCylinder;
+  }
+  if (place == Place::box) {
+    static const auto kBox =
+        body(body_mesh(BoxShape{{2.0 * kHalfPatch_m, 2.0 * kHalfPatch_m, 0.02}}, nullptr));
+    return kBox;
+  }
+  return nullptr;
+}
 
 double own_N(const Scene& scene, const Measured&) { return scene.measured.own.largest_N; }
 
@@ -120,7 +146,8 @@ std::vector<Event> events_of_touch() {
       {.name = "touch-down in the middle, 50 mm/s",
        .reason = "the force begins at 0, or fades in over 0.1 mm: 1 N",
        .run = down(0.0),
-       .bound = limit},
+       .bound = limit,
+       .places = kEveryBody},
       {.name = "touch-down 2 mm inside the border",
        .reason = "the same",
        .run = down(kHalfPatch_m - 0.002),
@@ -144,6 +171,11 @@ std::vector<Event> events_of_touch() {
            },
        .reference = without_border(across),
        .places = kBorders},
+      {.name = "stroke across an edge, 200 mm/s",
+       .reason = "the force turns within a tick at a sharp edge: 1 N",
+       .run = across,
+       .bound = limit,
+       .places = {Place::box}},
   };
 }
 
@@ -175,19 +207,42 @@ void expect_zero_at_once(Scene& scene, const Surface& surface) {
 }
 
 std::vector<Event> events_in_contact() {
-  const auto misread = [](double deeper_m) {
-    return [deeper_m](Scene& scene, const Surface& surface, Place place) {
+  const auto misread = [](double deeper_m, double duration_s) {
+    return [=](Scene& scene, const Surface& surface, Place place) {
       press(scene, surface, place);
-      scene.misread({0.0, 0.0, -deeper_m});
+      for (int i = 0; i < duration_s * scene.rate_Hz(); ++i) scene.misread({0.0, 0.0, -deeper_m});
       scene.rest(0.005);
     };
+  };
+  constexpr double kOneReading_s = 1e-6;
+  constexpr double kLasting_s = 0.01;
+  const Bound as_without = [](const Scene&, const Measured& without) {
+    return without.open.largest_N;
   };
   return {
       {.name = "one reading 25 mm deeper",
        .reason = "the reading before is held: as without it",
-       .run = misread(0.025),
-       .bound = [](const Scene&, const Measured& without) { return without.open.largest_N; },
-       .reference = misread(0.0)},
+       .run = misread(0.025, kOneReading_s),
+       .bound = as_without,
+       .reference = misread(0.0, kOneReading_s)},
+      {.name = "lasting jump of the readings by 25 mm",
+       .reason = "the reading before is held for 2 ms, then zero in the same tick: as without it",
+       .run =
+           [misread](Scene& scene, const Surface& surface, Place place) {
+             misread(0.025, kLasting_s)(scene, surface, place);
+             EXPECT_EQ(scene.loop().status().fault, Fault::device_lost) << surface.name;
+             EXPECT_EQ(scene.sent_N(), glm::dvec3(0.0)) << surface.name;
+           },
+       .bound = as_without,
+       .reference = misread(0.0, kLasting_s)},
+      {.name = "lasting jump of the readings by 4 mm",
+       .reason = "the limiter alone: up to 5 mm are a possible motion",
+       .run =
+           [](Scene& scene, const Surface& surface, Place place) {
+             press(scene, surface, place);
+             scene.place({0.0, 0.0, surface.contact_m - surface.stalled_m});
+             scene.rest(0.03);
+           }},
       // f = p + s·(a − p) with s = t/T: |Δf| ≤ |Δa| + Δs·|a − p|, and |a − p| ≤ |a|, as 0 is a fall as well (gap_bridge.h).
       {.name = "stall of 45 ms, after which the hand is 4 mm deeper",
        .reason = "the force approaches that of the surface over 45 ms: its change, and force × "
@@ -203,7 +258,8 @@ std::vector<Event> events_in_contact() {
            [](const Scene& scene, const Measured&) {
              return scene.measured.own.largest_N +
                     scene.measured.rendered_N * window_s(scene.rate_Hz()) / kGap_s;
-           }},
+           },
+       .places = kEveryBody},
       {.name = "surface presented around the probe",
        .reason = "no force before the hand has been outside: 0",
        .run =
@@ -221,6 +277,19 @@ std::vector<Event> events_in_contact() {
              press(scene, surface, place);
              scene.present(surface.make(place, 4.0 * kStiffness_N_per_m));
              scene.rest(0.15);
+           },
+       .bound = own_N},
+      {.name = "end of a block in contact, and 0.2 s later the next surface, four times as stiff",
+       .reason =
+           "the first fades out over 50 ms; no force of the next before the hand has been outside",
+       .run =
+           [](Scene& scene, const Surface& surface, Place place) {
+             press(scene, surface, place);
+             scene.loop().withdraw();
+             scene.rest(0.2);
+             EXPECT_EQ(scene.sent_N(), glm::dvec3(0.0)) << surface.name;
+             scene.present(surface.make(place, 4.0 * kStiffness_N_per_m));
+             scene.rest(0.1);
            },
        .bound = own_N},
       {.name = "emergency stop in contact",
@@ -326,9 +395,9 @@ std::unique_ptr<ForceRenderer> renderer_of(const ForceModel& model, Place place,
     inputs.tool = std::make_shared<const TexturedMesh>(body_mesh(SphereShape{0.002}, nullptr));
     inputs.parameters = {{"coupling", std::string("none")}, {"most_halvings", 0.0}};
   }
-  if (place == Place::sphere) {
+  if (const auto body = body_at(place)) {
     inputs.patch = wide_patch();
-    inputs.body = sphere();
+    inputs.body = body;
   }
   return make_renderer(model, place == Place::no_border ? without_border(inputs) : inputs);
 }
@@ -338,7 +407,7 @@ std::vector<Surface> surfaces_of(const ModelRegistry& models, Place place) {
   std::vector<Surface> surfaces{};
   for (const ForceModel& model : models.models()) {
     const bool is_two_bodies = model.declaration.needs_bodies;
-    if (is_two_bodies && place == Place::sphere) continue;
+    if (is_two_bodies && body_at(place) != nullptr) continue;
     Surface surface{.name = model.declaration.id,
                     .make = [&model](Place at, double stiffness_N_per_m) {
                       return renderer_of(model, at, stiffness_N_per_m);
