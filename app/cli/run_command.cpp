@@ -25,6 +25,7 @@
 #include "app/session/session_setup.h"
 #include "app/tasks/plugin_warnings.h"
 #include "app/tasks/protocol_files.h"
+#include "app/tasks/rate_warnings.h"
 #include "app/tasks/run_session.h"
 
 namespace asperity {
@@ -164,7 +165,13 @@ void add_run(CLI::App& program, Job& job) {
         if (!person) return;
         person->read("Ctrl-C ends the program; nothing has been stored.", 0.0, wait);
       };
-      inputs.ready = [&person](const Protocol& protocol) {
+      inputs.ready = [&](const Protocol& protocol) {
+        if (inputs.pacing == RunPacing::real_time) {
+          for (const Diagnostic& warning :
+               warnings_about_rate(protocol, inputs.protocol.string(), models)) {
+            say(warning_text(warning));
+          }
+        }
         if (!person) return;
         tell_what_a_terminal_lacks(protocol);
         if (protocol.shows_pictures_in_grey) person->show_in_grey();

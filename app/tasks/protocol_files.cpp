@@ -25,6 +25,7 @@
 #include "app/tasks/new_study.h"
 #include "app/tasks/plugin_stimuli.h"
 #include "app/tasks/plugin_warnings.h"
+#include "app/tasks/rate_warnings.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
 #include "protocols/file/analysis_warnings.h"
@@ -522,6 +523,9 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
     check.warnings.push_back(std::move(warning));
   }
   for (Diagnostic& warning : warnings_about_analysis(*check.protocol, check.file)) {
+    check.warnings.push_back(std::move(warning));
+  }
+  for (Diagnostic& warning : warnings_about_rate(*check.protocol, check.file, models)) {
     check.warnings.push_back(std::move(warning));
   }
   for (Diagnostic& warning : warnings_about_design(*check.protocol, check.file)) {

@@ -157,6 +157,7 @@ ForceModel elastic_halfspace_model() {
       .needs_height_field = true,
       .amplitude_parameter = "height_scale",
       .replay_tolerance_N = 1e-6,
+      .maximum_rate_Hz = 1000.0,
       .parameters = {}};
   add_tip_parameters(declaration.parameters);
   const auto number = [&declaration](const char* name, const char* unit, double minimum,

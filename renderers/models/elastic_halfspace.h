@@ -27,6 +27,8 @@ namespace asperity {
 /// adhesion, no mass. The contact is frictionless: tangential displacements, which for ν < ½ are coupled to the pressure, are
 /// left out. Texture finer than two cells is lost. The Material's stiffness only determines walls.
 ///
+/// Time of a tick: up to 0.6 ms, so that a servo loop keeps its period up to 1 kHz (maximum_rate_Hz of the declaration).
+///
 /// ForceRenderer::limits counts ticks: `contact`; `unfinished` (the conditions were violated by more than 1/100 of the overlap
 /// after the iterations of the tick), `cell_border` (the contact reached the border of the cells), `large_strain` (a > 0.3 R).
 ForceModel elastic_halfspace_model();

@@ -70,6 +70,8 @@ struct ModelDeclaration {
   /// Largest difference, in newtons per axis, between a live force and its replay with another instruction set or maths
   /// library. On the same machine a replay is exact.
   double replay_tolerance_N = 1e-9;
+  /// The highest rate of the servo loop at which a tick takes less than a period; absent if no rate is known to be too high.
+  std::optional<double> maximum_rate_Hz{};
   std::vector<Parameter> parameters{};
   std::vector<AssetDeclaration> assets{};  ///< all of them are needed
   /// What is wrong with complete values, each of them acceptable, together; empty for a model whose
