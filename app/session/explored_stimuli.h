@@ -31,4 +31,21 @@ struct ExploredStimulus {
 void for_each_stimulus(const Protocol& protocol, const StimuliCourse& course,
                        const std::function<void(const ExploredStimulus&)>& examine);
 
+/// How near a stimulus is to the limit of a warning.
+enum class Nearness {
+  far,   ///< at most half of the limit
+  near,  ///< more than that, or beyond the limit
+};
+
+/// As `for_each_stimulus`, for a warning about a quantity with a limit; of the levels of a varied parameter (level_of) only
+/// those that may be beyond it. Of one stimulus in one exploration the lowest level is examined, the highest, and the one in the
+/// middle of their order; then each half in the same manner, unless both of its ends are far from the limit.
+///
+/// A quantity that only rises or only falls with the level is greatest at an end of each half: none of the levels that are left
+/// out is beyond the limit. This is so where the level multiplies the force of every motion, as a Young's modulus does, or its
+/// texture. A quantity that rises and falls again, as at a resonance, would have to more than double and to fall by half between
+/// two ends to be missed.
+void for_each_stimulus_near_limit(const Protocol& protocol, const StimuliCourse& course,
+                                  const std::function<Nearness(const ExploredStimulus&)>& examine);
+
 }  // namespace asperity

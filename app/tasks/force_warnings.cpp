@@ -9,7 +9,6 @@
 #include <set>
 
 #include "analysis/number_text.h"
-#include "app/session/explored_stimuli.h"
 #include "device/probe_state.h"
 #include "protocols/file/protocol_reader.h"
 
@@ -21,6 +20,7 @@ constexpr std::size_t kPlaces = 16;
 constexpr int kDepths = 200;
 constexpr double kLeastDepth_m = 0.02;
 constexpr double kReached = 0.99;  // within the differences between places of a texture
+constexpr double kFar = 2.0;       // times what is reached: Nearness::far
 
 /// The greatest mean normal force over the places, among all depths.
 double largest_normal_force_N(const PreparedStimulus& stimulus, const Protocol& protocol) {
@@ -51,18 +51,23 @@ double largest_normal_force_N(const PreparedStimulus& stimulus, const Protocol& 
 
 std::vector<Diagnostic> warnings_about_forces(const Protocol& protocol,
                                               const std::string& file_name,
-                                              StimulusBuilder& builder) {
+                                              StimulusBuilder& builder,
+                                              const StimuliCourse& course) {
   std::vector<Diagnostic> warnings{};
   std::set<std::string> reported{};  // one texture stands for the others of a stimulus
-  for_each_stimulus(protocol, {}, [&](const ExploredStimulus& one) {
+  for_each_stimulus_near_limit(protocol, course, [&](const ExploredStimulus& one) {
     const Band& band = one.exploration.normal_force_N;
     const std::optional<double> requested_N = band.target ? band.target : band.minimum;
     const StimulusDescription& stimulus = one.planned.stimulus;
-    if (!requested_N || stimulus.surface || stimulus.tool || !builder.can_make(stimulus)) return;
+    if (!requested_N || stimulus.surface || stimulus.tool || !builder.can_make(stimulus)) {
+      return Nearness::far;
+    }
     const std::string where = one.planned.stimulus_template + '\n' + one.exploration.name;
-    if (reported.contains(where)) return;
+    if (reported.contains(where)) return Nearness::far;
     const double largest_N = largest_normal_force_N(builder.unmatched(stimulus), protocol);
-    if (largest_N >= kReached * *requested_N) return;
+    const Nearness nearness =
+        largest_N >= kFar * kReached * *requested_N ? Nearness::far : Nearness::near;
+    if (largest_N >= kReached * *requested_N) return nearness;
     reported.insert(where);
     warnings.push_back(place_of_stimulus(protocol, file_name, one.planned.stimulus_template));
     warnings.back().message =
@@ -71,6 +76,7 @@ std::vector<Diagnostic> warnings_about_forces(const Protocol& protocol,
         number_text(*requested_N) +
         " N: the force would be constant and without texture; raise the stiffness or the "
         "parameter that limits the depth, or request less force";
+    return nearness;
   });
   return warnings;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/explored_stimuli.h"
 #include "app/session/stimulus_builder.h"
 #include "protocols/design/protocol.h"
 #include "protocols/file/diagnostic.h"
@@ -17,9 +18,11 @@ namespace asperity {
 ///
 /// The force is that on a probe at rest, at the centre and on a circle around it, for depths up to that of the force limit
 /// and at least 2 cm. Bodies are not compared, nor
-/// stimuli whose files are not available (StimulusBuilder::can_make). The files have been checked before.
+/// stimuli whose files are not available (StimulusBuilder::can_make). Of varied levels those near the limit are examined
+/// (for_each_stimulus_near_limit). The files have been checked before.
 std::vector<Diagnostic> warnings_about_forces(const Protocol& protocol,
                                               const std::string& file_name,
-                                              StimulusBuilder& builder);
+                                              StimulusBuilder& builder,
+                                              const StimuliCourse& course = {});
 
 }  // namespace asperity

@@ -28,6 +28,7 @@ constexpr double kSettled = 0.25;   // of a stroke: friction and filters have se
 constexpr double kLongest_s = 0.5;  // of a stroke
 constexpr int kPlaces = 64;         // of a stroke, at which the depth for a force is sought
 constexpr int kTouchDowns = 8;      // along a stroke
+constexpr double kFar = 0.5;        // of the limits: Nearness::far
 
 double greatest(const Band& band, double otherwise) {
   if (band.maximum) return *band.maximum;
@@ -59,12 +60,21 @@ Motion stroke_of(const PreparedStimulus& stimulus, const Protocol& protocol,
   return stroke;
 }
 
-/// Calls `tick` with the number of each tick, the rendered force and whether the limiter changes it.
+/// What a limiter changes of a force.
+struct LimitedBy {
+  bool whole = false;  ///< the limiter of a device
+  bool half = false;   ///< one that permits half of its growth
+};
+
+/// Calls `tick` with the number of each tick, the rendered force and whether limiters change it.
 template <typename Tick>
 void move(ForceRenderer& renderer, const Motion& motion, double limit_N, const Tick& tick) {
   ForceLimits limits{};
   limits.force_N = limit_N;
   ForceLimiter limiter(limits);
+  limits.slew_N *= kFar;
+  limits.slew_N_m *= kFar;
+  ForceLimiter half_limiter(limits);
   ProbeState probe{};
   probe.velocity_m_per_s = motion.velocity_m_per_s;
   for (int i = 0; i < motion.ticks; ++i) {
@@ -73,7 +83,10 @@ void move(ForceRenderer& renderer, const Motion& motion, double limit_N, const T
     probe.position_m = motion.from_m + time_s * motion.velocity_m_per_s;
     if (i == 0) renderer.reset(probe);
     const Wrench wrench = renderer.tick(probe, 1.0 / motion.rate_Hz).wrench;
-    tick(i, wrench, limiter.limit(wrench, 1.0 / motion.rate_Hz).has(LimitReason::slew));
+    const auto changes = [&](ForceLimiter& one) {
+      return one.limit(wrench, 1.0 / motion.rate_Hz).has(LimitReason::slew);
+    };
+    tick(i, wrench, LimitedBy{.whole = changes(limiter), .half = changes(half_limiter)});
   }
 }
 
@@ -81,6 +94,7 @@ void move(ForceRenderer& renderer, const Motion& motion, double limit_N, const T
 struct Slew {
   double mean_normal_force_N = 0.0;
   int limited_ticks = 0;
+  int near_ticks = 0;  ///< limited at half the growth
   int ticks = 0;
 };
 
@@ -89,11 +103,12 @@ Slew slew_of(ForceRenderer& renderer, const Motion& stroke, double depth_m, doub
   pressed.from_m.z -= depth_m;
   Slew slew{};
   const int settled = static_cast<int>(kSettled * stroke.ticks);
-  move(renderer, pressed, limit_N, [&](int i, const Wrench& wrench, bool is_limited) {
+  move(renderer, pressed, limit_N, [&](int i, const Wrench& wrench, const LimitedBy& limited) {
     if (i < settled) return;
     ++slew.ticks;
     slew.mean_normal_force_N += wrench.force_N.z;
-    slew.limited_ticks += is_limited ? 1 : 0;
+    slew.limited_ticks += limited.whole ? 1 : 0;
+    slew.near_ticks += limited.half ? 1 : 0;
   });
   slew.mean_normal_force_N /= std::max(1, slew.ticks);
   return slew;
@@ -118,9 +133,14 @@ Slew slew_at_force(const PreparedStimulus& stimulus, const Motion& stroke, doubl
   return slew_of(*renderer, stroke, deep_m, limit_N);
 }
 
-/// How many of kTouchDowns along the middle of a stroke the limiter changes, down to the depth of a force.
-int limited_touch_downs(const PreparedStimulus& stimulus, const Motion& stroke, double force_N,
-                        double limit_N) {
+/// How many of kTouchDowns along the middle of a stroke a limiter changes, down to the depth of a force.
+struct TouchDowns {
+  int limited = 0;
+  int near = 0;  ///< limited at half the growth
+};
+
+TouchDowns limited_touch_downs(const PreparedStimulus& stimulus, const Motion& stroke,
+                               double force_N, double limit_N) {
   const HandHabits habits{};
   const std::unique_ptr<ForceRenderer> renderer = make_renderer(*stimulus.model, stimulus.inputs);
   const double depth_m = force_N / stimulus.inputs.material.stiffness_N_per_m;
@@ -129,22 +149,30 @@ int limited_touch_downs(const PreparedStimulus& stimulus, const Motion& stroke, 
   down.rate_Hz = stroke.rate_Hz;
   down.ticks = static_cast<int>(
       std::ceil((habits.lift_height_m + depth_m) / habits.approach_speed_m_per_s * stroke.rate_Hz));
-  int limited = 0;
+  TouchDowns touch_downs{};
   for (int place = 0; place < kTouchDowns; ++place) {
     const double time_s = (place + 0.5) / kTouchDowns * stroke.ticks / stroke.rate_Hz;
     down.from_m = stroke.from_m + time_s * stroke.velocity_m_per_s;
     down.from_m.z += habits.lift_height_m;
-    bool is_one = false;
-    move(*renderer, down, limit_N,
-         [&](int, const Wrench&, bool is_limited) { is_one = is_one || is_limited; });
-    limited += is_one ? 1 : 0;
+    LimitedBy one{};
+    move(*renderer, down, limit_N, [&](int, const Wrench&, const LimitedBy& limited) {
+      one.whole = one.whole || limited.whole;
+      one.half = one.half || limited.half;
+    });
+    touch_downs.limited += one.whole ? 1 : 0;
+    touch_downs.near += one.half ? 1 : 0;
   }
-  return limited;
+  return touch_downs;
 }
 
-/// "3 of 900 ticks of strokes at 300 mm/s and 1 N and in 8 of 8 touch-downs at 50 mm/s"; empty if nothing is limited.
-std::string limited_motions(const PreparedStimulus& stimulus, const Protocol& protocol,
-                            const Exploration& exploration) {
+struct LimitedMotions {
+  /// "3 of 900 ticks of strokes at 300 mm/s and 1 N and in 8 of 8 touch-downs at 50 mm/s"; empty if nothing is limited.
+  std::string text{};
+  Nearness nearness = Nearness::far;
+};
+
+LimitedMotions limited_motions(const PreparedStimulus& stimulus, const Protocol& protocol,
+                               const Exploration& exploration) {
   const double speed_m_per_s = greatest(exploration.speed_m_per_s, kSpeed_m_per_s);
   const double force_N =
       std::min(greatest(exploration.normal_force_N, kForce_N), protocol.force_limit_N);
@@ -155,21 +183,23 @@ std::string limited_motions(const PreparedStimulus& stimulus, const Protocol& pr
         stimulus, stroke_of(stimulus, protocol, exploration, speed_m_per_s, direction), force_N,
         protocol.force_limit_N);
     slew.limited_ticks += one.limited_ticks;
+    slew.near_ticks += one.near_ticks;
     slew.ticks += one.ticks;
   }
-  const int touch_downs =
+  const TouchDowns touch_downs =
       limited_touch_downs(stimulus, stroke_of(stimulus, protocol, exploration, speed_m_per_s, 1.0),
                           force_N, protocol.force_limit_N);
-  std::string motions{};
+  LimitedMotions motions{.nearness = slew.near_ticks + touch_downs.near > 0 ? Nearness::near
+                                                                            : Nearness::far};
   if (slew.limited_ticks > 0) {
-    motions = std::to_string(slew.limited_ticks) + " of " + std::to_string(slew.ticks) +
-              " ticks of strokes at " + number_text(1000.0 * speed_m_per_s) + " mm/s and " +
-              number_text(force_N) + " N";
+    motions.text = std::to_string(slew.limited_ticks) + " of " + std::to_string(slew.ticks) +
+                   " ticks of strokes at " + number_text(1000.0 * speed_m_per_s) + " mm/s and " +
+                   number_text(force_N) + " N";
   }
-  if (touch_downs > 0) {
-    motions += (motions.empty() ? "" : " and in ") + std::to_string(touch_downs) + " of " +
-               std::to_string(kTouchDowns) + " touch-downs at " +
-               number_text(1000.0 * HandHabits{}.approach_speed_m_per_s) + " mm/s";
+  if (touch_downs.limited > 0) {
+    motions.text += (motions.text.empty() ? "" : " and in ") + std::to_string(touch_downs.limited) +
+                    " of " + std::to_string(kTouchDowns) + " touch-downs at " +
+                    number_text(1000.0 * HandHabits{}.approach_speed_m_per_s) + " mm/s";
   }
   return motions;
 }
@@ -180,26 +210,27 @@ std::vector<Diagnostic> warnings_about_slew(const Protocol& protocol, const std:
                                             StimulusBuilder& builder, const StimuliCourse& course) {
   std::vector<Diagnostic> warnings{};
   std::set<std::string> reported{};  // one texture stands for the others of a stimulus
-  for_each_stimulus(protocol, course, [&](const ExploredStimulus& one) {
+  for_each_stimulus_near_limit(protocol, course, [&](const ExploredStimulus& one) {
     const StimulusDescription& stimulus = one.planned.stimulus;
-    if (stimulus.surface || stimulus.tool || !builder.can_make(stimulus)) return;
+    if (stimulus.surface || stimulus.tool || !builder.can_make(stimulus)) return Nearness::far;
     const std::string where = one.planned.stimulus_template + '\n' + one.exploration.name;
-    if (reported.contains(where)) return;
-    std::string motions{};
+    if (reported.contains(where)) return Nearness::far;
+    LimitedMotions motions{};
     try {
       motions = limited_motions(builder.prepare(one.planned), protocol, one.exploration);
     } catch (const std::exception&) {  // the session's preparation reports it
-      return;
+      return Nearness::near;
     }
-    if (motions.empty()) return;
+    if (motions.text.empty()) return motions.nearness;
     reported.insert(where);
     warnings.push_back(place_of_stimulus(protocol, file_name, one.planned.stimulus_template));
     warnings.back().message =
         "the force of the stimulus \"" + stimulus.name + "\" (model " + stimulus.model +
-        ") would be limited in " + motions + " in the exploration \"" + one.exploration.name +
+        ") would be limited in " + motions.text + " in the exploration \"" + one.exploration.name +
         "\": within a millisecond it would grow or turn by more than " +
         number_text(ForceLimits{}.slew_N) +
         " N, and another texture would be felt; lower the amplitude, the stiffness or the speed";
+    return motions.nearness;
   });
   return warnings;
 }

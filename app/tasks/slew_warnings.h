@@ -21,7 +21,7 @@ namespace asperity {
 /// or minimum; without a band the force is 1 N and the speed 300 mm/s, that of a fast free stroke. It also comes down on eight
 /// places along the stroke, straight and at the speed of the simulated hand (HandHabits::approach_speed_m_per_s), to the depth at
 /// which the plane alone would give the force. Bodies are not compared, nor stimuli that cannot be rendered or whose files are
-/// not available (StimulusBuilder::can_make).
+/// not available (StimulusBuilder::can_make). Of varied levels those near the limit are examined (for_each_stimulus_near_limit).
 std::vector<Diagnostic> warnings_about_slew(const Protocol& protocol, const std::string& file_name,
                                             StimulusBuilder& builder,
                                             const StimuliCourse& course = {});

@@ -10,6 +10,18 @@
 #include "app/tasks/slew_warnings.h"
 
 namespace asperity {
+namespace {
+
+/// The course of a half: `begin` is 0 or 0.5.
+StimuliCourse half_of(const StimuliCourse& course, double begin) {
+  StimuliCourse half{.stop = course.stop};
+  if (course.progress) {
+    half.progress = [&course, begin](double done) { course.progress(begin + 0.5 * done); };
+  }
+  return half;
+}
+
+}  // namespace
 
 std::vector<Diagnostic> warnings_about_stimuli(const Protocol& protocol,
                                                const std::string& file_name,
@@ -21,9 +33,9 @@ std::vector<Diagnostic> warnings_about_stimuli(const Protocol& protocol,
                     std::make_move_iterator(found.end()));
   };
   add(warnings_about_arrangements(protocol, file_name, builder));
-  add(warnings_about_forces(protocol, file_name, builder));
+  add(warnings_about_forces(protocol, file_name, builder, half_of(course, 0.0)));
   add(warnings_about_bands(protocol, file_name, builder));
-  add(warnings_about_slew(protocol, file_name, builder, course));
+  add(warnings_about_slew(protocol, file_name, builder, half_of(course, 0.5)));
   add(warnings_about_indentation(protocol, file_name, builder));
   add(warnings_about_observer(protocol, file_name, builder));
   return warnings;

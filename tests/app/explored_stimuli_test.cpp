@@ -2,9 +2,12 @@
 
 #include "app/session/explored_stimuli.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stop_token>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -94,6 +97,61 @@ TEST_F(ExploredStimuli, ReportTheirProgressAndStopOnRequest) {
   EXPECT_THAT(progress, ElementsAre(0.0, 0.25, 0.5, 0.75));
   std::stop_source stop{};
   EXPECT_EQ(examined({.stop = stop.get_token()}, &stop).size(), 1U);
+}
+
+/// Nine levels of a wavelength, from 1.1 to 1.9 mm; the standard has 1 mm.
+constexpr const char* kNineLevels = R"({
+  "format": "asperity.protocol/1", "kind": "discrimination", "design": "improved", "name": "levels",
+  "version": "1.0.0", "title": "Levels", "consent": {"version": "1.0", "statement": "I take part."},
+  "stimuli": {"grating": {"model": "sinusoid", "parameters": {"wavelength_m": 0.001}}},
+  "explorations": {"stroke": {"minimum_contact_s": 1, "maximum_contact_s": 6}},
+  "blocks": {"pairs": {
+    "vary": {"parameter": "wavelength_m", "of": "comparison", "relative_to": "standard",
+             "levels_percent": [10, 20, 30, 40, 50, 60, 70, 80, 90]},
+    "presented": [{"role": "standard", "stimulus": "grating"}, {"role": "comparison", "stimulus": "grating"}],
+    "repetitions": 2, "positions": "balanced", "exploration": "stroke",
+    "question": {"name": "coarser", "prompt": "Which is coarser?", "judgement": "performance"}}},
+  "flow": [{"run": "pairs"}]
+})";
+
+class LevelsNearALimit : public ::testing::Test {
+ protected:
+  /// The levels that are examined, in tenths of a millimetre, if those from `first_near` on are near the limit.
+  std::vector<int> examined(int first_near, const StimuliCourse& course = {}) {
+    std::vector<int> levels{};
+    for_each_stimulus_near_limit(protocol_, course, [&](const ExploredStimulus& one) {
+      const double level_m = std::get<double>(one.planned.stimulus.parameters.at("wavelength_m"));
+      const int level = static_cast<int>(std::lround(1e4 * level_m));
+      if (level == 10) return Nearness::far;  // the standard
+      levels.push_back(level);
+      return level >= first_near ? Nearness::near : Nearness::far;
+    });
+    return levels;
+  }
+
+  ModelRegistry models_ = built_in_models();
+  Protocol protocol_ = read_small_protocol(models_, kNineLevels);
+};
+
+TEST_F(LevelsNearALimit, AreTheEndsAndTheMiddleWhereTheseAreFar) {
+  EXPECT_THAT(examined(20), ElementsAre(11, 19, 15));
+}
+
+TEST_F(LevelsNearALimit, AreAllThatCanBeBeyondIt) {
+  EXPECT_THAT(examined(17), ElementsAre(11, 19, 15, 17, 16, 18));
+  EXPECT_EQ(examined(11).size(), 9U);
+}
+
+TEST_F(LevelsNearALimit, ReportTheProgressThroughAllAndStopOnRequest) {
+  std::vector<double> progress{};
+  examined(20, {.progress = [&](double done) { progress.push_back(done); }});
+  ASSERT_EQ(progress.size(), 4U);
+  EXPECT_EQ(progress.front(), 0.0);
+  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+  EXPECT_LT(progress.back(), 1.0);
+  std::stop_source stop{};
+  stop.request_stop();
+  EXPECT_TRUE(examined(11, {.stop = stop.get_token()}).empty());
 }
 
 }  // namespace
