@@ -1,5 +1,6 @@
 // asperity check: every problem of a protocol, and what its plan amounts to.
 
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -7,7 +8,6 @@
 #include <stdexcept>
 #include <stop_token>
 #include <string>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -73,23 +73,24 @@ nlohmann::ordered_json json_of(const std::string& device, const DeviceComparison
   return json;
 }
 
-/// The course of an examination of many stimuli, which may take minutes. Its progress is shown at a terminal only: elsewhere
-/// its lines would stand among the problems.
+/// The course of an examination of many stimuli, which may take minutes. Where standard error is no terminal, its lines stand
+/// among the problems, and only where it does take long.
 class ShownCourse final {
  public:
-  ShownCourse(const std::string& what, const std::stop_token& stop) : course_{.stop = stop} {
-    if (isatty(STDERR_FILENO) != 1) return;
-    progress_.emplace(what);
-    course_.progress = [this](double done) { progress_->show(done); };
-  }
+  ShownCourse(const std::string& what, const std::stop_token& stop)
+      : progress_(what, kBetweenLines), course_{.stop = stop, .progress = [this](double done) {
+                                                  progress_.show(done);
+                                                }} {}
   ShownCourse(const ShownCourse&) = delete;
   ShownCourse& operator=(const ShownCourse&) = delete;
 
   const StimuliCourse& course() const noexcept { return course_; }
 
  private:
-  std::optional<Progress> progress_{};
-  StimuliCourse course_{};
+  static constexpr std::chrono::seconds kBetweenLines{10};
+
+  Progress progress_;
+  StimuliCourse course_;
 };
 
 nlohmann::ordered_json json_of(const std::vector<StimulusDrag>& drags) {

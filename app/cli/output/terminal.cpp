@@ -43,21 +43,33 @@ std::string text_of_cell(const Cell& cell) {
 
 }  // namespace
 
-Progress::Progress(std::string what)
-    : what_(std::move(what)), terminal_(isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(std::string what, std::optional<std::chrono::steady_clock::duration> between)
+    : what_(std::move(what)),
+      between_(between),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      last_line_(std::chrono::steady_clock::now()) {}
 
 Progress::~Progress() {
   if (terminal_ && last_ >= 0) write_error("\r\x1b[K");
 }
 
+bool Progress::is_due(int percent) {
+  if (terminal_) return percent > last_;
+  if (!between_) return percent / 10 > last_ / 10 || last_ < 0;
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_line_ < *between_) return false;
+  last_line_ = now;
+  return true;
+}
+
 void Progress::show(double fraction) {
   const std::lock_guard lock(mutex_);
   const int percent = static_cast<int>(std::floor(100.0 * std::clamp(fraction, 0.0, 1.0)));
-  const int step = terminal_ ? percent : percent / 10 * 10;
-  if (step <= last_) return;
-  last_ = step;
+  if (!is_due(percent)) return;
+  last_ = percent;
   if (!terminal_) {
-    write_error(what_ + ": " + std::to_string(step) + " %\n");
+    const int shown = between_ ? percent : percent / 10 * 10;
+    write_error(what_ + ": " + std::to_string(shown) + " %\n");
     return;
   }
   constexpr int kWidth = 30;

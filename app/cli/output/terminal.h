@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <mutex>
 #include <optional>
@@ -17,12 +18,15 @@
 
 namespace asperity {
 
-/// A bar on a terminal, a plain line every tenth otherwise; on standard error.
+/// A bar on a terminal, plain lines otherwise; on standard error.
 ///
 /// Threads: any.
 class Progress final {
  public:
-  explicit Progress(std::string what);
+  /// A line every tenth; with `between` instead at most one in this time, the first after it: for a command whose other
+  /// messages stand on standard error too, so that a short one has none.
+  explicit Progress(std::string what,
+                    std::optional<std::chrono::steady_clock::duration> between = {});
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -31,9 +35,13 @@ class Progress final {
   void show(double fraction);
 
  private:
+  bool is_due(int percent);
+
   std::string what_{};
+  std::optional<std::chrono::steady_clock::duration> between_{};
   bool terminal_ = false;
-  int last_ = -1;
+  int last_ = -1;  ///< percent
+  std::chrono::steady_clock::time_point last_line_{};
   std::mutex mutex_{};
 };
 
