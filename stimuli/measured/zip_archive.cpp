@@ -34,13 +34,13 @@ ZipArchive::ZipArchive(std::span<const std::byte> bytes, const std::string& name
   zip_source_t* const source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
   if (source != nullptr) archive_.reset(zip_open_from_source(source, ZIP_RDONLY, &error));
   const bool has_no_memory = zip_error_code_zip(&error) == ZIP_ER_MEMORY;
-  const std::string reason = zip_error_strerror(&error);
   if (source != nullptr && archive_ == nullptr) zip_source_free(source);
   zip_error_fini(&error);
   if (has_no_memory) throw std::bad_alloc();
   if (archive_ == nullptr) {
-    refuse("the directory of the zip archive cannot be read (" + reason +
-           "); copy or export the file again");
+    refuse(
+        "the directory of the zip archive cannot be read: the file is incomplete or damaged; copy "
+        "or export it again");
   }
   std::set<std::string> known{};
   for (std::string& path : paths()) {
@@ -95,8 +95,8 @@ std::vector<std::byte> ZipArchive::content(const std::string& path, std::size_t 
       zip_fopen(archive_.get(), path.c_str(), 0), &zip_fclose);
   if (file == nullptr) {
     refuse_memory(zip_get_error(archive_.get()));
-    refuse("the entry " + path + " cannot be opened (" + zip_strerror(archive_.get()) +
-           "); copy or export the file again");
+    refuse("the entry " + path +
+           " cannot be opened: the archive is damaged or encrypted; copy or export the file again");
   }
   std::vector<std::byte> content(stat.size);
   std::size_t done = 0;
