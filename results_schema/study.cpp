@@ -337,8 +337,12 @@ Study Study::create(const std::filesystem::path& folder, const std::string& name
     throw std::invalid_argument("the name of a study must not be empty; give a name");
   if (!std::filesystem::exists(folder)) {
     PartFolder part(folder, kOwnersFolder);
-    fill_new_study(part.content(), name, migrations);
-    part.take_place();
+    try {
+      fill_new_study(part.content(), name, migrations);
+      part.take_place();
+    } catch (const ResultsError& error) {
+      throw part.about_target(error);
+    }
     return open(folder, Access::read_write, migrations);
   }
   if (!std::filesystem::is_directory(folder)) {

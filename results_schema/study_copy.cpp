@@ -201,29 +201,34 @@ void Study::copy_to(const std::filesystem::path& folder) const {
   const std::filesystem::path to =
       std::filesystem::weakly_canonical(std::filesystem::absolute(folder));
   std::optional<PartFolder> part;
-  // Rows of one moment, with files that go with the participant: once more, without them, where data are deleted meanwhile.
-  for (bool is_whole = false; !is_whole;) {
-    part.emplace(to, kOwnersFolder);
-    const std::filesystem::path& content = part->content();
-    const std::int64_t deletions = store_->read([&content](Database& database) {
-      Database copy(content, database_in(content), Database::Mode::create);
-      copy_pages(database, copy);
-      return number_of_deletions(database);
-    });
-    try {
-      copy_files(from, content);
-      is_whole = store_->read(number_of_deletions) == deletions;
-    } catch (const std::exception&) {
-      if (store_->read(number_of_deletions) == deletions) throw;
+  try {
+    // Rows of one moment, with files that go with the participant: once more, without them, where data are deleted meanwhile.
+    for (bool is_whole = false; !is_whole;) {
+      part.emplace(to, kOwnersFolder);
+      const std::filesystem::path& content = part->content();
+      const std::int64_t deletions = store_->read([&content](Database& database) {
+        Database copy(content, database_in(content), Database::Mode::create);
+        copy_pages(database, copy);
+        return number_of_deletions(database);
+      });
+      try {
+        copy_files(from, content);
+        is_whole = store_->read(number_of_deletions) == deletions;
+      } catch (const std::exception&) {
+        if (store_->read(number_of_deletions) == deletions) throw;
+      }
     }
+    {
+      Database copy(part->content(), database_in(part->content()), Database::Mode::read_write);
+      remove_itself_from_outputs(copy, to);
+      complete_deletions_of(copy);
+    }
+    seal_new(part->content());
+    part->take_place();
+  } catch (const ResultsError& error) {
+    if (!part) throw;
+    throw part->about_target(error);
   }
-  {
-    Database copy(part->content(), database_in(part->content()), Database::Mode::read_write);
-    remove_itself_from_outputs(copy, to);
-    complete_deletions_of(copy);
-  }
-  seal_new(part->content());
-  part->take_place();
 }
 
 }  // namespace asperity

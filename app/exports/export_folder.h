@@ -45,6 +45,9 @@ class ExportFolder final {
   /// Writes MANIFEST.tsv, syncs and renames. Returns all files, in the order of names.
   std::vector<ExportedFile> take_place();
 
+  /// See PartFolder.
+  ResultsError about_target(const ResultsError& error) const { return part_.about_target(error); }
+
  private:
   std::filesystem::path target_{};
   PartFolder part_;

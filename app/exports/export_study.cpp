@@ -427,16 +427,21 @@ ExportOutcome export_study(const Study& study, const ModelRegistry& models, cons
     alike = walk.alike_labels();
     publication = walk.publication();
   };
-  read_unless_broken(
-      study, [&] { study.read_at_one_moment(export_one_moment); }, stop);
-  if (stopped) return {};
-  making->write("README.txt",
-                export_readme(options, remark_on(study), outcome.warnings, publication));
-  // README.txt states what is missing, and nothing is here.
-  outcome.warnings.insert(outcome.warnings.end(), alike.begin(), alike.end());
-  making->write("import.R", import_script_for_r());
-  making->write("import.py", import_script_for_python());
-  outcome.files = making->take_place();
+  try {
+    read_unless_broken(
+        study, [&] { study.read_at_one_moment(export_one_moment); }, stop);
+    if (stopped) return {};
+    making->write("README.txt",
+                  export_readme(options, remark_on(study), outcome.warnings, publication));
+    // README.txt states what is missing, and nothing is here.
+    outcome.warnings.insert(outcome.warnings.end(), alike.begin(), alike.end());
+    making->write("import.R", import_script_for_r());
+    making->write("import.py", import_script_for_python());
+    outcome.files = making->take_place();
+  } catch (const ResultsError& error) {
+    if (!making) throw;
+    throw making->about_target(error);
+  }
   return outcome;
 }
 

@@ -249,8 +249,12 @@ void make_study(const std::filesystem::path& folder, const NewStudySettings& set
   };
   if (!std::filesystem::exists(folder)) {
     PartFolder part(folder, kOwnersFolder);
-    make_in(part.content());
-    part.take_place();
+    try {
+      make_in(part.content());
+      part.take_place();
+    } catch (const ResultsError& error) {
+      throw part.about_target(error);
+    }
     return;
   }
   const bool was_empty = std::filesystem::is_directory(folder) && std::filesystem::is_empty(folder);

@@ -1,6 +1,7 @@
 #include "results_schema/files/part_folder.h"
 
 #include <cerrno>
+#include <cstddef>
 #include <cstdio>
 #include <fcntl.h>
 #include <string>
@@ -131,6 +132,18 @@ void PartFolder::take_place(Overwrite overwrite) {
     }
   }
   sync_folder(target_.parent_path());
+}
+
+ResultsError PartFolder::about_target(const ResultsError& error) const {
+  const std::string content = content_.string();
+  const std::string target = target_.string();
+  std::string message = error.what();
+  for (std::size_t at = message.find(content); at != std::string::npos;
+       at = message.find(content, at + target.size())) {
+    message.replace(at, content.size(), target);
+  }
+  const bool is_of_content = message != error.what();
+  return ResultsError(message, is_of_content ? target_ : error.path(), error.code());
 }
 
 /// The lock is removed last, and only if nothing else is left: without it, the next program could not distinguish the rest

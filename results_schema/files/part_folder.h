@@ -6,6 +6,7 @@
 #include <sys/types.h>
 
 #include "results_schema/files/atomic_file.h"
+#include "results_schema/study.h"
 
 namespace asperity {
 
@@ -34,6 +35,10 @@ class PartFolder final {
   /// Renames the folder; what is in it must be synced. With Overwrite::allow a folder of that name is replaced in one
   /// step. On disk when it returns. Errors: ResultsError, also for a name that is taken (and `refuse`).
   void take_place(Overwrite overwrite = Overwrite::refuse);
+
+  /// The same error with the name that the folder would have had in place of that of `content`, which is removed and means
+  /// nothing to a reader.
+  ResultsError about_target(const ResultsError& error) const;
 
  private:
   bool claim();

@@ -57,6 +57,20 @@ TEST(PartFolder, TakesItsPlaceOrLeavesNothing) {
   EXPECT_EQ(read_file(folder / "new/out/a.txt"), "a");
 }
 
+TEST(PartFolder, NamesInAnErrorTheFolderThatIsMade) {
+  const TemporaryFolder folder;
+  const PartFolder part(folder / "out", 0700);
+  const std::filesystem::path of_content = part.content() / "a.txt";
+  const ResultsError about =
+      part.about_target(ResultsError(of_content.string() + " cannot be written", of_content, 28));
+  EXPECT_EQ(about.what(), (folder / "out/a.txt").string() + " cannot be written");
+  EXPECT_EQ(about.path(), folder / "out");
+  EXPECT_EQ(about.code(), 28);
+  const ResultsError of_another = part.about_target(ResultsError("b cannot be read", "b"));
+  EXPECT_STREQ(of_another.what(), "b cannot be read");
+  EXPECT_EQ(of_another.path(), "b");
+}
+
 TEST(PartFolder, RemovesWhatAKilledProgramLeft) {
   const TemporaryFolder folder;
   WaitingChild maker = maker_of(folder / "out");
