@@ -34,8 +34,7 @@ std::string text_of_error_number(int error_number) {
     case ENOSPC:
     case EDQUOT:
     case EFBIG:
-      return "the disk is full. All earlier data are stored safely; free space on the disk, then "
-             "continue";
+      return kDiskIsFull;
     case ENOMEM:
       return kTooLittleMemory;
     case EACCES:

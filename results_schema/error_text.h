@@ -7,6 +7,11 @@
 
 namespace asperity {
 
+/// True also where nothing was stored before.
+inline constexpr const char* kDiskIsFull =
+    "the disk is full; free space on the disk, then try again. Nothing that was stored before is "
+    "lost";
+
 /// What an error number of the operating system means and what to do, as the end of a sentence:
 /// "Permission denied; check the permissions of the file and of its folder".
 std::string text_of_error_number(int error_number);

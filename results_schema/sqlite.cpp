@@ -4,10 +4,32 @@
 
 #include <sqlite3.h>
 
+#include "results_schema/error_text.h"
 #include "results_schema/study.h"
 
 namespace asperity {
 namespace {
+
+/// Whether the sentence of `meaning_of` leaves open what happened: SQLite's words then name the constraint, the table or the
+/// file, which a report of the error needs.
+bool needs_detail(int code) {
+  switch (code & 0xff) {
+    case SQLITE_FULL:
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+    case SQLITE_READONLY:
+    case SQLITE_CORRUPT:
+    case SQLITE_NOTADB:
+    case SQLITE_CANTOPEN:
+    case SQLITE_IOERR:
+    case SQLITE_PERM:
+    case SQLITE_NOMEM:
+    case SQLITE_PROTOCOL:
+      return false;
+    default:
+      return true;
+  }
+}
 
 /// A path as SQLite's URI syntax wants it.
 std::string uri_of(const std::filesystem::path& file, const char* parameters) {
@@ -27,8 +49,7 @@ std::string uri_of(const std::filesystem::path& file, const char* parameters) {
 std::string meaning_of(int code) {
   switch (code & 0xff) {
     case SQLITE_FULL:
-      return "the disk is full. All earlier data are stored safely; free space on the disk, then "
-             "continue";
+      return kDiskIsFull;
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       return "another program has been writing to the study for more than a minute; close it and "
@@ -41,8 +62,8 @@ std::string meaning_of(int code) {
     case SQLITE_CANTOPEN:
       return "study.sqlite cannot be opened; check the permissions of the folder and of its files";
     case SQLITE_IOERR:
-      return "the disk could not be read or written. All earlier data are stored safely; check the "
-             "disk, then continue";
+      return "the disk could not be read or written; check the disk, then try again. Nothing that "
+             "was stored before is lost";
     case SQLITE_PERM:
       return "the system denied access; check the permissions of the folder and of its files";
     case SQLITE_NOMEM:
@@ -111,12 +132,14 @@ void Database::execute(const std::string& sql) {
 std::int64_t Database::last_row_id() const noexcept { return sqlite3_last_insert_rowid(handle_); }
 
 void Database::fail(int code, const std::string& what) const {
-  // What SQLite remembers may be of another call: of one that succeeded it says "not an error".
-  const bool remembers = handle_ != nullptr && sqlite3_errcode(handle_) != SQLITE_OK;
-  const char* detail = remembers ? sqlite3_errmsg(handle_) : sqlite3_errstr(code);
-  throw ResultsError("the study " + folder_.string() + " " + what + ": " + meaning_of(code) +
-                         " (SQLite: " + detail + ")",
-                     folder_, code);
+  std::string message = "the study " + folder_.string() + " " + what + ": " + meaning_of(code);
+  if (needs_detail(code)) {
+    // What SQLite remembers may be of another call: of one that succeeded it says "not an error".
+    const bool remembers = handle_ != nullptr && sqlite3_errcode(handle_) != SQLITE_OK;
+    message += std::string(". Quote in a report of this error: ") +
+               (remembers ? sqlite3_errmsg(handle_) : sqlite3_errstr(code));
+  }
+  throw ResultsError(message, folder_, code);
 }
 
 Statement::Statement(Database& database, std::string_view sql) : database_(database) {

@@ -38,13 +38,19 @@ struct VouchedFile {
   std::int64_t records = 0;  ///< of a recording
 };
 
+/// One finding for all that SQLite complains of: its lines name pages and cells, which say nothing to a reader.
 void check_pages(Database& database, Findings& findings) {
   Statement integrity(database, "PRAGMA integrity_check");
-  while (integrity.step()) {
-    std::string text;
-    integrity.read(text);
-    if (text != "ok") findings.push_back("study.sqlite: " + text);
-  }
+  if (!integrity.step()) return;
+  std::string text;
+  integrity.read(text);
+  if (text == "ok") return;
+  if (text.starts_with("***")) text.erase(0, text.find('\n') + 1);  // "*** in database main ***"
+  findings.push_back(
+      "study.sqlite: the file fails the integrity check of the database, and rows may be changed "
+      "or "
+      "missing; restore the study from a copy. Quote in a report of this error: " +
+      text.substr(0, text.find('\n')));
 }
 
 void check_constraints(Database& database, Findings& findings) {

@@ -457,6 +457,13 @@ TEST(StudyVerify, FindsRowsAgainstTheConstraintsInAStudyThatIsOpenForReading) {
                                    "((valid = 1) = (invalid_reason IS NULL))"));
     EXPECT_THAT(findings, Contains(AllOf(HasSubstr("1 row of presentation violates the rule"),
                                          HasSubstr("seed NOT GLOB '*[^0-9]*'"))));
+    if (access == Access::read_only) continue;
+    EXPECT_THAT(
+        findings,
+        Contains(HasSubstr(
+            "study.sqlite: the file fails the integrity check of the database, and rows may "
+            "be changed or missing; restore the study from a copy. Quote in a report of "
+            "this error: CHECK constraint failed in ")));
   }
 }
 
