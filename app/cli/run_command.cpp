@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <random>
+#include <stdexcept>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -71,6 +72,7 @@ void add_run(CLI::App& program, Job& job) {
     std::optional<std::uint64_t> seed{};
     bool fast = false;
     bool realtime = false;
+    bool allows_similar_label = false;
     std::vector<std::filesystem::path> plugins{};
   };
   auto options = std::make_shared<Options>();
@@ -81,6 +83,11 @@ void add_run(CLI::App& program, Job& job) {
       ->add_option("--participant", options->inputs.participant,
                    "Label: 1 to 32 letters and digits")
       ->required();
+  CLI::Option* similar =
+      command->add_flag("--allow-similar-label", options->allows_similar_label,
+                        "Accept the label of a new participant that differs from another label of "
+                        "the study only in letter case or leading zeros. Without this option it is "
+                        "refused; at a terminal it has to be confirmed");
   command
       ->add_option("--device", options->inputs.device,
                    "Device to run on: a name listed by asperity devices; NAME:SERIAL if several "
@@ -108,7 +115,7 @@ void add_run(CLI::App& program, Job& job) {
           "--late-reason", options->inputs.late_reason,
           "Reason for resuming a session that is older than the protocol's maximum_age_hours")
       ->needs(resume);
-  resume->excludes(group);
+  resume->excludes(group)->excludes(similar);
   CLI::Option* stand_in =
       command->add_flag("--virtual", options->inputs.is_virtual,
                         "Simulate the participant with a virtual hand and a virtual observer");
@@ -159,10 +166,16 @@ void add_run(CLI::App& program, Job& job) {
       inputs.resumed = [](const Phrase& circumstance) {
         say("asperity: warning: " + circumstance.english());
       };
-      inputs.noticed = [&person](const LabelNotice& notice, const Wait& wait) {
+      inputs.noticed = [&](const LabelNotice& notice, const Wait& wait) {
         if (notice.is_planned) return say("asperity: " + notice.text.english());
-        say("asperity: warning: " + notice.text.english() + "; " + notice.command_remedy);
-        if (!person) return;
+        const bool is_similar = !notice.similar_label.empty();
+        const std::string sentence = notice.text.english() + "; " + notice.command_remedy;
+        if (is_similar && !person && !options->allows_similar_label) {
+          throw std::runtime_error(sentence + ". For another participant, use another label, or " +
+                                   "--allow-similar-label. Nothing was stored");
+        }
+        say("asperity: warning: " + sentence);
+        if (!person || (is_similar && options->allows_similar_label)) return;
         person->read("Ctrl-C ends the program; nothing has been stored.", 0.0, wait);
       };
       inputs.ready = [&](const Protocol& protocol) {

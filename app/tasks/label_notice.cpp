@@ -46,7 +46,8 @@ std::optional<LabelNotice> notice_of_new_label(const Study& study, const std::st
                        "leading zeros, is in the study already (%3)")
                     .with(label, person.label, origin_of(person)),
         .remedy = phrase("LabelNotice", "If %1 is meant, use that label.").with(person.label),
-        .command_remedy = "for " + person.label + ", use --participant " + person.label};
+        .command_remedy = "for " + person.label + ", use --participant " + person.label,
+        .similar_label = person.label};
   }
   return {};
 }

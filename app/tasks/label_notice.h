@@ -26,6 +26,7 @@ struct LabelNotice {
   Phrase remedy{};               ///< for windows; empty where this is expected
   std::string command_remedy{};  ///< for the command line
   bool is_planned = false;       ///< the protocol plans a further session
+  std::string similar_label{};  ///< of another participant; empty: the label itself is in the study
 };
 /// For a session that begins; not for one that is resumed. Nothing where the label is new and
 /// unlike all others, or has no session of a protocol of this name, in any version and mode,

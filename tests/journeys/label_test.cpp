@@ -2,6 +2,8 @@
 // leading zeros.
 
 #include <csignal>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,9 +17,13 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-Outcome virtual_run(const SmallStudy& small, const std::string& label) {
-  return asperity({"run", small.selection(), "--study", small.study(), "--participant", label,
-                   "--virtual", "--seed", "9"});
+Outcome virtual_run(const SmallStudy& small, const std::string& label,
+                    const std::vector<std::string>& options = {}) {
+  std::vector<std::string> arguments{"run",         small.selection(), "--study",
+                                     small.study(), "--participant",   label,
+                                     "--virtual",   "--seed",          "9"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return asperity(arguments);
 }
 
 std::vector<std::string> participants_with_sessions(const SmallStudy& small) {
@@ -39,20 +45,35 @@ TEST(Label, WithASessionAlreadyIsStatedToAScriptWhichContinues) {
                         "begins; for another participant, use another --participant\n"));
 }
 
-TEST(Label, ThatDiffersInLetterCaseIsStatedToAScriptWhichContinues) {
+TEST(Label, ThatDiffersInLetterCaseOrLeadingZerosIsRefusedToAScript) {
   const SmallStudy small(1);
   ASSERT_EQ(virtual_run(small, "standin1").status, 0);
-  const Outcome other = virtual_run(small, "StandIn1");
+  for (const char* label : {"StandIn1", "standin01"}) {
+    const Outcome other = virtual_run(small, label);
+    EXPECT_EQ(other.status, 1);
+    EXPECT_THAT(
+        other.err,
+        HasSubstr("asperity: " + std::string(label) +
+                  " is a new participant; standin1, whose label differs only in letter case or "
+                  "leading zeros, is in the study already (virtual participant); for standin1, use "
+                  "--participant standin1. For another participant, use another label, or "
+                  "--allow-similar-label. Nothing was stored\n"));
+  }
+  EXPECT_EQ(participants_with_sessions(small), std::vector<std::string>{"standin1"});
+}
+
+TEST(Label, ThatIsSimilarIsAcceptedOnRequest) {
+  const SmallStudy small(1);
+  ASSERT_EQ(virtual_run(small, "standin1").status, 0);
+  const Outcome other = virtual_run(small, "StandIn1", {"--allow-similar-label"});
   EXPECT_EQ(other.status, 0) << other.err;
   EXPECT_THAT(other.err,
-              HasSubstr("asperity: warning: StandIn1 is a new participant; standin1, "
-                        "whose label differs only in letter case or leading zeros, is in the study "
-                        "already (virtual participant); for standin1, use "
-                        "--participant standin1\n"));
+              HasSubstr("asperity: warning: StandIn1 is a new participant; standin1, whose label "
+                        "differs only in letter case or leading zeros, is in the study already "));
   // Both are there now, so that neither is a slip.
-  EXPECT_THAT(virtual_run(small, "standin1").err, Not(HasSubstr("letter case")));
-  EXPECT_THAT(virtual_run(small, "standin01").err,
-              HasSubstr("asperity: warning: standin01 is a new participant; "));
+  const Outcome again = virtual_run(small, "standin1");
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_THAT(again.err, Not(HasSubstr("letter case")));
 }
 
 /// A person at a terminal, up to the first prompt.
