@@ -142,7 +142,10 @@ class Study final {
   /// next program that opens the study for writing, or by a second call; until then no participant can have the label.
   /// Errors: ResultsError for a label that is not there, a session of theirs that is running, an empty `decided_by`, a
   /// file that cannot be removed, another program that reads for so long that the database's log cannot be emptied.
-  Withdrawal withdraw(const std::string& label, const WithdrawalRow& withdrawal);
+  ///
+  /// `waits` is called once before a deletion waits for another program that reads the study.
+  Withdrawal withdraw(const std::string& label, const WithdrawalRow& withdrawal,
+                      const std::function<void()>& waits = {});
   std::vector<WithdrawalRow> withdrawals() const;  ///< in the order of withdrawing
 
   /// The row of this content, added if it is new. Returns its id. `source_sha256` is that of

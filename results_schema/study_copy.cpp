@@ -139,7 +139,7 @@ void copy_files(const std::filesystem::path& from, const std::filesystem::path& 
 /// A copy of a study whose deletion is under way has the label and free pages.
 void complete_deletions_of(Database& copy) {
   for (const UnfinishedDeletion& deletion : unfinished_deletions(copy)) {
-    complete_deletion(copy, deletion, std::chrono::milliseconds{0});
+    complete_deletion(copy, deletion, {});
   }
 }
 

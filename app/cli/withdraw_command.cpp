@@ -121,9 +121,14 @@ void add_withdraw(CLI::App& program, Job& job) {
         return 1;
       }
       const Withdrawal done = study.withdraw(
-          options->label, {.data = options->deletes ? WithdrawnData::deleted : WithdrawnData::kept,
-                           .reason = options->reason,
-                           .decided_by = options->by.empty() ? name_of_user() : options->by});
+          options->label,
+          {.data = options->deletes ? WithdrawnData::deleted : WithdrawnData::kept,
+           .reason = options->reason,
+           .decided_by = options->by.empty() ? name_of_user() : options->by},
+          [] {
+            say("asperity: another program is reading the study, and the deletion waits for it, up "
+                "to 30 s; close the study there");
+          });
       std::cout << options->label << " has withdrawn: " << held(done.row)
                 << (options->deletes ? " deleted" : " kept and excluded from every analysis")
                 << '\n';

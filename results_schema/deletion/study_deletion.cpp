@@ -173,7 +173,7 @@ class WithoutWaiting final {
 };
 
 /// Moves the content of the log into the file itself. False: another program still reads from the log.
-bool empty_log(Database& database, std::chrono::milliseconds patience) {
+bool empty_log(Database& database, const Patience& patience) {
   constexpr std::chrono::milliseconds kPause{100};
   const WithoutWaiting without_waiting(database);
   for (std::chrono::milliseconds waited{0};; waited += kPause) {
@@ -182,7 +182,8 @@ bool empty_log(Database& database, std::chrono::milliseconds patience) {
     if (checkpoint.step()) checkpoint.read(busy);
     checkpoint.run();
     if (busy == 0) return true;
-    if (waited >= patience) return false;
+    if (waited >= patience.longest) return false;
+    if (waited == waited.zero() && patience.begins) patience.begins();
     std::this_thread::sleep_for(kPause);
   }
 }
@@ -190,7 +191,7 @@ bool empty_log(Database& database, std::chrono::milliseconds patience) {
 /// The log that is left to others is not worth a longer wait.
 constexpr std::chrono::milliseconds kPatienceAtEnd{1000};
 
-void refuse_busy_log(Database& database, std::chrono::milliseconds patience) {
+void refuse_busy_log(Database& database, const Patience& patience) {
   if (empty_log(database, patience)) return;
   refuse_deletion(database.folder(),
                   "is being read by another program, so that its log study.sqlite-wal cannot be "
@@ -298,7 +299,7 @@ DeletedRows delete_rows(Database& database, const std::string& label, Withdrawal
 }
 
 void complete_deletion(Database& database, const UnfinishedDeletion& deletion,
-                       std::chrono::milliseconds patience) {
+                       const Patience& patience) {
   const std::filesystem::path& study = database.folder();
   refuse_linked_folders(study);
   remove_trees(files_of_label(study, deletion.label));
@@ -312,7 +313,7 @@ void complete_deletion(Database& database, const UnfinishedDeletion& deletion,
   blank_label(database, deletion);
   // Where a program that reads keeps it from being emptied, the deletion is final all the same: the last program that closes
   // the study empties it, or the next one that opens it for writing.
-  empty_log(database, std::min(patience, kPatienceAtEnd));
+  empty_log(database, {.longest = std::min(patience.longest, kPatienceAtEnd)});
 }
 
 std::vector<std::filesystem::path> files_of_label(const std::filesystem::path& study,

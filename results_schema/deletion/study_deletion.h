@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -42,10 +43,16 @@ struct DeletedRows {
 /// not exist, where a recording is not in the participant's folder, and where a folder of the study is a symbolic link.
 DeletedRows delete_rows(Database& database, const std::string& label, WithdrawalRow& row);
 
-/// The other steps. Waits for readers of the log no longer than `patience`. Errors: ResultsError; what was done stays done.
+/// How a deletion waits for programs that read the log, such as an export.
+struct Patience {
+  std::chrono::milliseconds longest{0};
+  std::function<void()> begins{};  ///< called before the first wait; may be empty
+};
+
+/// The other steps. Waits for readers of the log with `patience`, at two of the steps. Errors: ResultsError; what was done stays done.
 /// The caller holds the lock `kDeletionLock`.
 void complete_deletion(Database& database, const UnfinishedDeletion& deletion,
-                       std::chrono::milliseconds patience);
+                       const Patience& patience);
 
 /// Names no participant: a program that is killed leaves its file.
 inline constexpr const char* kDeletionLock = "withdrawal";

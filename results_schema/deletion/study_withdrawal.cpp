@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <exception>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -33,7 +34,7 @@ StoredWords reason_of_exclusion(WithdrawalReason reason) {
 }
 
 /// How long a deletion waits for programs that read the study, such as an export of it.
-constexpr std::chrono::seconds kPatience{30};
+constexpr std::chrono::seconds kLongestWait{30};
 
 [[noreturn]] void refuse_withdrawal(const std::filesystem::path& folder, const std::string& why) {
   throw ResultsError("the study " + folder.string() + " " + why, folder);
@@ -110,10 +111,15 @@ WithdrawalRow withdrawal_of(Database& database, std::int64_t id) {
   return statement.bind(id).step() ? read_withdrawal(statement) : WithdrawalRow{};
 }
 
-/// Errors: ResultsError that states what is done and what to do.
-void complete(Database& database, const UnfinishedDeletion& deletion) {
+/// `waits` is called at most once. Errors: ResultsError that states what is done and what to do.
+void complete(Database& database, const UnfinishedDeletion& deletion,
+              const std::function<void()>& waits) {
+  bool is_waiting = false;
+  const auto wait_once = [&] {
+    if (!std::exchange(is_waiting, true) && waits) waits();
+  };
   try {
-    complete_deletion(database, deletion, kPatience);
+    complete_deletion(database, deletion, {.longest = kLongestWait, .begins = wait_once});
   } catch (const std::exception& error) {
     const auto* const of_store = dynamic_cast<const ResultsError*>(&error);
     throw ResultsError("the rows of participant " + deletion.label +
@@ -139,7 +145,7 @@ void Study::Store::complete_deletions() noexcept {
     for (const UnfinishedDeletion& deletion : unfinished_deletions(*database)) {
       try {
         std::vector<OutputRow> outputs = outputs_in(*database);
-        complete_deletion(*database, deletion, std::chrono::milliseconds{0});
+        complete_deletion(*database, deletion, {});
         completed_deletions.push_back({deletion, std::move(outputs)});
       } catch (const std::exception&) {  // one that cannot be completed does not stop the others
       }
@@ -171,7 +177,8 @@ WithdrawalRow Study::counts_of_participant(const std::string& label) const {
   });
 }
 
-Withdrawal Study::withdraw(const std::string& label, const WithdrawalRow& withdrawal) {
+Withdrawal Study::withdraw(const std::string& label, const WithdrawalRow& withdrawal,
+                           const std::function<void()>& waits) {
   Database& database = store_->writable();
   if (withdrawal.decided_by.empty()) {
     refuse_withdrawal(store_->folder,
@@ -189,7 +196,7 @@ Withdrawal Study::withdraw(const std::string& label, const WithdrawalRow& withdr
             std::any_of(unfinished.begin(), unfinished.end(), [&](const UnfinishedDeletion& other) {
               return other.withdrawal == interrupted->deletion.withdrawal;
             });
-        if (is_unfinished) complete(database, interrupted->deletion);
+        if (is_unfinished) complete(database, interrupted->deletion, waits);
       }
       return {.row = withdrawal_of(database, interrupted->deletion.withdrawal),
               .outputs = interrupted->outputs};
@@ -208,7 +215,7 @@ Withdrawal Study::withdraw(const std::string& label, const WithdrawalRow& withdr
     const DeletedRows deleted = delete_rows(database, label, done.row);
     done.outputs = deleted.outputs;
     session.reset();  // removes its file; the rules of the schema keep the label from being used
-    complete(database, deleted.deletion);
+    complete(database, deleted.deletion, waits);
     return done;
   }
   if (participant(label)->withdrawn) {

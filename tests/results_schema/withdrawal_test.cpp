@@ -301,6 +301,23 @@ TEST_F(WithdrawalFromAStudy, BlanksThePathsOfOutputsThatNameTheParticipant) {
               testing::ElementsAre("", "", "/out/Wanda71", "/out/LWanda7", "", "/out/tables"));
 }
 
+TEST_F(WithdrawalFromAStudy, ReportsOnceThatItWaitsForAProgramThatReads) {
+  Study study = open();
+  sqlite3* reader = nullptr;
+  ASSERT_EQ(sqlite3_open((path_ / "study.sqlite").c_str(), &reader), SQLITE_OK);
+  ASSERT_EQ(
+      sqlite3_exec(reader, "BEGIN; SELECT count(*) FROM participant", nullptr, nullptr, nullptr),
+      SQLITE_OK);
+  int waits = 0;
+  study.withdraw("Wanda7", kDeletion, [&] {
+    ++waits;
+    sqlite3_exec(reader, "COMMIT", nullptr, nullptr, nullptr);
+  });
+  EXPECT_EQ(waits, 1);
+  sqlite3_close(reader);
+  EXPECT_THAT(files_with("Wanda7"), testing::IsEmpty());
+}
+
 /// A connection that begins to read just before the label is blanked, and reads until it is destroyed.
 class ReaderOfTheLabel final {
  public:
