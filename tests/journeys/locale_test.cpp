@@ -2,7 +2,9 @@
 
 #include <clocale>
 #include <cstdlib>
+#include <regex>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/journeys/program.h"
@@ -10,6 +12,8 @@
 
 namespace asperity::test {
 namespace {
+
+using testing::HasSubstr;
 
 std::map<std::string, std::string> journey(const SmallStudy& small, const std::string& name,
                                            const std::map<std::string, std::string>& environment) {
@@ -33,7 +37,10 @@ std::map<std::string, std::string> journey(const SmallStudy& small, const std::s
       {"texture", "study/stimuli/walnut_photo.png", "--out", "study/stimuli/slate.png", "--width-m",
        "0.02", "--preview", "study/stimuli/slate_photo.png"},
       {"check", "selection.json", "--study", "study"},
+      {"check", "selection.json", "--study", "study", "--device", "simulated:falcon"},
       {"simulate", "selection.json", "--study", "study", "--participants", "2", "--seed", "6"},
+      {"simulate", "selection.json", "--study", "study", "--participants", "2", "--seed", "6",
+       "--resume"},
       {"analyze", "study"},
       {"analyze", "study", "--json"},
       {"export", "study", "--out", "tables"},
@@ -68,6 +75,7 @@ std::map<std::string, std::string> journey(const SmallStudy& small, const std::s
        "9"},
       {"copy", "study", "copied"},
       {"withdraw", "study", "iris", "--by", "me"},
+      {"withdraw", "study", "virtual0002", "--delete", "--confirm", "virtual0002", "--by", "me"},
       {"export", "study", "--out", "tables_after"}};
   fs::create_directory(folder / "made");
   std::map<std::string, std::string> results{};
@@ -110,8 +118,31 @@ TEST(Locale, ChangesNoByte) {
   }
 }
 
+// What is measured differs each time, but not its decimal point.
+TEST(Locale, ChangesNoDecimalPointOfAMeasurement) {
+  const std::map<std::string, std::string> german{{"LC_ALL", "de_DE.UTF-8"},
+                                                  {"LOCPATH", ASPERITY_LOCALE_FOLDER}};
+  Invocation device_test{};
+  device_test.arguments = {"device-test", "simulated"};
+  device_test.environment = german;
+  Program device(device_test);
+  Invocation bench{};
+  bench.arguments = {"bench", "--scene", "plane", "--ticks", "20", "--seconds", "1"};
+  bench.environment = german;
+  const Outcome times = run(bench);
+  const Outcome profile = device.finish();
+  EXPECT_EQ(times.status, 0) << times.err;
+  EXPECT_EQ(profile.status, 0) << profile.err;
+  EXPECT_THAT(times.out, HasSubstr("Quoted p50 0.76 \u00b5s, p99 0.91 \u00b5s"));
+  EXPECT_THAT(profile.out, HasSubstr("When 5.0 N was requested at a limit of 0.5 N, at most 0.500 "
+                                     "N was sent."));
+  for (const std::string& out : {times.out, profile.out}) {
+    EXPECT_FALSE(std::regex_search(out, std::regex("[0-9],[0-9]"))) << out;
+  }
+}
+
 TEST(Locale, IsTheOneThatWasAskedFor) {
-  // The journey above would prove nothing where a locale is not found.
+  // The tests above would prove nothing where a locale is not found.
   ::setenv("LOCPATH", ASPERITY_LOCALE_FOLDER, 1);
   for (const char* const locale : kLocales)
     EXPECT_NE(std::setlocale(LC_ALL, locale), nullptr) << locale;
