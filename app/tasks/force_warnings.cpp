@@ -22,15 +22,20 @@ constexpr double kLeastDepth_m = 0.02;
 constexpr double kReached = 0.99;  // within the differences between places of a texture
 constexpr double kFar = 2.0;       // times what is reached: Nearness::far
 
-/// The greatest mean normal force over the places, among all depths.
-double largest_normal_force_N(const PreparedStimulus& stimulus, const Protocol& protocol) {
+/// The greatest mean normal force over the places, among all depths; or a lower bound of it that is at least `enough_N`: a surface
+/// that is touched at rest pushes, so that further places only add to the sum.
+double largest_normal_force_N(const PreparedStimulus& stimulus, const Protocol& protocol,
+                              double enough_N) {
   const SurfacePatch& patch = stimulus.inputs.patch;
   const double deepest_m =
       std::max(kLeastDepth_m, protocol.force_limit_N / stimulus.inputs.material.stiffness_N_per_m);
   const double radius_m = 0.25 * std::min(patch.extent_m.x, patch.extent_m.y);
   std::vector<double> sums_N(kDepths, 0.0);
+  const auto largest_N = [&sums_N] {
+    return *std::max_element(sums_N.begin(), sums_N.end()) / static_cast<double>(kPlaces);
+  };
   const std::unique_ptr<ForceRenderer> renderer = make_renderer(*stimulus.model, stimulus.inputs);
-  for (std::size_t place = 0; place < kPlaces; ++place) {
+  for (std::size_t place = 0; place < kPlaces && largest_N() < enough_N; ++place) {
     const double angle_rad = 2.0 * std::numbers::pi * static_cast<double>(place) / kPlaces;
     ProbeState probe{};
     probe.position_m = patch.centre_m +
@@ -44,7 +49,7 @@ double largest_normal_force_N(const PreparedStimulus& stimulus, const Protocol& 
           renderer->tick(probe, 1.0 / protocol.rate_Hz).wrench.force_N.z;
     }
   }
-  return *std::max_element(sums_N.begin(), sums_N.end()) / static_cast<double>(kPlaces);
+  return largest_N();
 }
 
 }  // namespace
@@ -64,9 +69,9 @@ std::vector<Diagnostic> warnings_about_forces(const Protocol& protocol,
     }
     const std::string where = one.planned.stimulus_template + '\n' + one.exploration.name;
     if (reported.contains(where)) return Nearness::far;
-    const double largest_N = largest_normal_force_N(builder.unmatched(stimulus), protocol);
-    const Nearness nearness =
-        largest_N >= kFar * kReached * *requested_N ? Nearness::far : Nearness::near;
+    const double far_N = kFar * kReached * *requested_N;
+    const double largest_N = largest_normal_force_N(builder.unmatched(stimulus), protocol, far_N);
+    const Nearness nearness = largest_N >= far_N ? Nearness::far : Nearness::near;
     if (largest_N >= kReached * *requested_N) return nearness;
     reported.insert(where);
     warnings.push_back(place_of_stimulus(protocol, file_name, one.planned.stimulus_template));
