@@ -41,7 +41,10 @@ std::vector<ExploredStimulus> explored_stimuli(const Protocol& protocol,
     const Exploration& exploration = exploration_of(protocol, trial);
     for (const PlannedPresentation& planned : trial.presentations) {
       if (!listed.insert(stimulus_key(planned.stimulus) + '\n' + exploration.name).second) continue;
-      stimuli.push_back({.trial = trial, .planned = planned, .exploration = exploration});
+      stimuli.push_back({.trial = trial,
+                         .planned = planned,
+                         .exploration = exploration,
+                         .index = stimuli.size()});
     }
   }
   return stimuli;

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <stop_token>
 
@@ -21,6 +22,7 @@ struct ExploredStimulus {
   const Trial& trial;  ///< the first that presents it
   const PlannedPresentation& planned;
   const Exploration& exploration;
+  std::size_t index = 0;  ///< in the order of the trials
 };
 
 /// Calls `examine` for every stimulus that a session of the protocol can present (possible_trials), once for each of its

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -34,6 +36,13 @@ void add(std::vector<RehearsalWarning> more, std::vector<RehearsalWarning>& warn
   }
 }
 
+/// Whether the level is that of the texture: none at a level of 0 and too little at the next one, it is not monotone.
+bool varies_amplitude(const std::optional<WarnedLevel>& level, const PlannedPresentation& planned,
+                      const StimulusBuilder& builder) {
+  const ForceModel* const model = builder.models().find(planned.stimulus.model);
+  return level && model != nullptr && model->declaration.amplitude_parameter == level->parameter;
+}
+
 }  // namespace
 
 std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
@@ -49,14 +58,18 @@ std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
     add(position_step_warnings(protocol, builder, *step_m), warnings);
   }
   StimulusRehearsal rehearsal(protocol, profile, builder);
-  std::vector<RehearsalWarning> of_stimuli{};
-  for_each_stimulus(protocol, course, [&](const ExploredStimulus& one) {
-    std::vector<RehearsalWarning> found = rehearsal.compare(one.planned, one.exploration);
+  std::map<std::size_t, std::vector<RehearsalWarning>> found_of{};  // in the order of the trials
+  for_each_stimulus_near_limit(protocol, course, [&](const ExploredStimulus& one) {
+    const std::optional<WarnedLevel> level = level_of(protocol, one.trial, one.planned);
+    std::vector<RehearsalWarning>& found = found_of[one.index];
+    found = rehearsal.compare(one.planned, one.exploration);
     for (RehearsalWarning& warning : found) {
-      if (!warning.stimulus.empty()) warning.level = level_of(protocol, one.trial, one.planned);
+      if (!warning.stimulus.empty()) warning.level = level;
     }
-    add(std::move(found), of_stimuli);
+    return varies_amplitude(level, one.planned, builder) ? Nearness::near : rehearsal.nearness();
   });
+  std::vector<RehearsalWarning> of_stimuli{};
+  for (auto& [index, found] : found_of) add(std::move(found), of_stimuli);
   add(one_for_alike(std::move(of_stimuli), protocol), warnings);
   return warnings;
 }

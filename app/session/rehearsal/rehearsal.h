@@ -44,6 +44,9 @@ namespace asperity {
 ///
 /// Two bodies are compared as one relief (bodies_as_relief.h).
 ///
+/// Of the levels of a varied parameter, unless it is the amplitude of the texture, those near a limit are compared
+/// (for_each_stimulus_near_limit).
+///
 /// Errors: std::bad_alloc; a stimulus that cannot be rendered is a warning.
 std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
                                                  const DeviceProfile& profile,

@@ -27,6 +27,8 @@ constexpr double kContactMayBeLost = 0.05;
 constexpr double kSomeDamping_N_s_per_m = 1e-3;
 /// A force below this is what the arithmetic leaves of a stimulus without texture.
 constexpr double kNoForce_N = 1e-9;
+/// Of a limit: Nearness::far.
+constexpr double kFar = 0.5;
 
 std::string in_um(double value_m) { return in_three_digits(1e6 * value_m); }
 
@@ -41,6 +43,7 @@ std::vector<RehearsalWarning> StimulusRehearsal::compare(const PlannedPresentati
   const StimulusDescription& stimulus = planned.stimulus;
   name_ = stimulus.name;
   pointer_ = pointer_to("/stimuli", planned.stimulus_template);
+  nearness_ = Nearness::far;
   check_workspace(stimulus.patch);
   try {
     if (stimulus.surface && stimulus.tool) {
@@ -58,6 +61,7 @@ std::vector<RehearsalWarning> StimulusRehearsal::compare(const PlannedPresentati
 }
 
 void StimulusRehearsal::warn(RehearsalWarning warning) {
+  nearness_ = Nearness::near;
   warning.stimulus = name_;
   warning.pointer = pointer_;
   warnings_.push_back(std::move(warning));
@@ -132,6 +136,8 @@ void StimulusRehearsal::check_force(double texture_force_N) {
   if (texture_force_N < kNoForce_N) return;
   const std::optional<double> friction_N = profile_.value("friction_N");
   const std::optional<double> resolution_N = profile_.value("force_resolution_N");
+  note_if_near(kFar * texture_force_N <
+               std::max(friction_N.value_or(0.0), resolution_N.value_or(0.0)));
   if (friction_N && texture_force_N < *friction_N) {
     warn(
         {.id = "friction",
@@ -157,6 +163,7 @@ void StimulusRehearsal::check_force(double texture_force_N) {
 
 void StimulusRehearsal::check_waves(const TextureWaves& waves, double speed_m_per_s) {
   const std::optional<double> resolution_m = profile_.value("position_resolution_m");
+  note_if_near(resolution_m && waves.amplitude_m && kFar * *waves.amplitude_m < *resolution_m);
   if (resolution_m && waves.amplitude_m && *waves.amplitude_m > 0.0 &&
       *waves.amplitude_m < *resolution_m) {
     warn({.id = "position_resolution",
@@ -170,6 +177,7 @@ void StimulusRehearsal::check_waves(const TextureWaves& waves, double speed_m_pe
                   .with(name_, in_um(*waves.amplitude_m), in_um(*resolution_m))});
   }
   if (!waves.wavelength_m) return;
+  note_if_near(resolution_m && kFar * *waves.wavelength_m < 2.0 * *resolution_m);
   if (resolution_m && *waves.wavelength_m < 2.0 * *resolution_m) {
     warn({.id = "wavelength",
           .asked = *waves.wavelength_m,
@@ -185,6 +193,7 @@ void StimulusRehearsal::check_waves(const TextureWaves& waves, double speed_m_pe
     bandwidth_Hz = std::min(bandwidth_Hz, *resonance_Hz);
   }
   const double frequency_Hz = speed_m_per_s / *waves.wavelength_m;
+  note_if_near(frequency_Hz > kFar * bandwidth_Hz);
   if (frequency_Hz > bandwidth_Hz) {
     warn({.id = "bandwidth",
           .asked = frequency_Hz,
@@ -212,6 +221,7 @@ void StimulusRehearsal::check_coupling(const VirtualCoupling& coupling) {
   const double asked_N_s_per_m =
       passive_damping_N_s_per_m(coupling.stiffness_N_per_m, coupling.damping_N_s_per_m, period_s());
   const double device_N_s_per_m = passive_damping_N_s_per_m(*holds, 0.0, period_s());
+  note_if_near(asked_N_s_per_m > kFar * device_N_s_per_m);
   if (asked_N_s_per_m <= device_N_s_per_m) return;
   warn(
       {.id = "coupling",
@@ -243,6 +253,7 @@ void StimulusRehearsal::check_stiffness(const std::optional<FeltStiffness>& felt
   }
   const double stiffest_N_per_m =
       equivalent_spring_N_per_m(felt->stiffness_N_per_m, damper_N_s_per_m, period_s());
+  note_if_near(stiffest_N_per_m > kFar * holds_N_per_m);
   if (stiffest_N_per_m <= holds_N_per_m) return;
   const Phrase text =
       felt->force_N >= protocol_.force_limit_N
@@ -284,6 +295,7 @@ void StimulusRehearsal::check_contact(const PreparedStimulus& stimulus, const Ha
   const double lost =
       share_out_of_contact(*stimulus.model, stimulus.inputs,
                            {.hand = held, .habits = habits, .rate_Hz = protocol_.rate_Hz});
+  note_if_near(lost > kFar * kContactMayBeLost);
   if (lost <= kContactMayBeLost) return;
   warn({.id = "contact",
         .asked = lost,

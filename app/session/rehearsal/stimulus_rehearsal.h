@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/profiles/device_profile.h"
+#include "app/session/explored_stimuli.h"
 #include "app/session/rehearsal/rehearsal_warning.h"
 #include "app/session/stimulus_builder.h"
 #include "device/virtual_hand.h"
@@ -29,9 +30,14 @@ class StimulusRehearsal final {
   /// Errors: std::bad_alloc.
   std::vector<RehearsalWarning> compare(const PlannedPresentation& planned,
                                         const Exploration& exploration);
+  /// Of the stimulus that was compared last, of all its quantities the nearest.
+  Nearness nearness() const noexcept { return nearness_; }
 
  private:
   void warn(RehearsalWarning warning);
+  void note_if_near(bool is_near) {
+    if (is_near) nearness_ = Nearness::near;
+  }
   double period_s() const { return 1.0 / protocol_.rate_Hz; }
   std::optional<double> holds_N_per_m() const;
 
@@ -55,6 +61,7 @@ class StimulusRehearsal final {
   std::string name_{};     ///< of the stimulus that is compared
   std::string pointer_{};  ///< to it
   std::vector<RehearsalWarning> warnings_{};
+  Nearness nearness_ = Nearness::far;
 };
 
 }  // namespace asperity
