@@ -13,13 +13,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/session/rehearsal/rehearsal.h"
 #include "renderers/built_in_models.h"
 #include "tests/app/small_study.h"
 
 namespace asperity {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::Pair;
 
 /// Two gratings, which one block presents twice in strokes, and another one also to a hand that presses.
@@ -152,6 +155,32 @@ TEST_F(LevelsNearALimit, ReportTheProgressThroughAllAndStopOnRequest) {
   std::stop_source stop{};
   stop.request_stop();
   EXPECT_TRUE(examined(11, {.stop = stop.get_token()}).empty());
+}
+
+// At 100 mm/s the levels have 52.6 to 90.9 Hz and the standard has 100 Hz.
+TEST_F(LevelsNearALimit, AreComparedWithADevice) {
+  protocol_.explorations.at("stroke").speed_m_per_s.maximum = 0.1;
+  std::size_t compared = 0;
+  const auto bandwidth_warnings = [&](double resonance_Hz) {
+    const DeviceProfile device{
+        .rate_Hz = 1000.0,
+        .workspace_minimum_m = glm::dvec3(-1.0),
+        .workspace_maximum_m = glm::dvec3(1.0),
+        .items = {
+            {.name = "resonance_Hz", .status = DeviceItem::Status::pass, .value = resonance_Hz}}};
+    StimulusBuilder builder(models_, {});
+    compared = 0;
+    std::vector<std::string> texts{};
+    for (const RehearsalWarning& warning : rehearse_on_device(
+             protocol_, device, builder, {.progress = [&](double) { ++compared; }})) {
+      if (warning.id == "bandwidth") texts.push_back(warning.text.english());
+    }
+    return texts;
+  };
+  EXPECT_TRUE(bandwidth_warnings(200.0).empty());
+  EXPECT_EQ(compared, 4U) << "all are below 100 Hz";
+  EXPECT_THAT(bandwidth_warnings(70.0), Contains(HasSubstr("4 levels of wavelength_m (0.0011, ")));
+  EXPECT_EQ(compared, 10U);
 }
 
 }  // namespace
