@@ -54,6 +54,8 @@ const std::vector<RemarkWords>& all_remarks() {
        phrase("DeviceTest",
               "Without a heartbeat from the program, the force faded to 0 N (timeout in a session: "
               "%1 s).")},
+      {DeviceRemark::did_not_act, "device_test_did_not_act",
+       phrase("DeviceTest", "This is required, and it did not happen: %1")},
       {DeviceRemark::did_not_follow, "device_test_did_not_follow",
        phrase("DeviceTest", "the handle did not follow a force of %1 N")},
       {DeviceRemark::did_not_move, "device_test_did_not_move",

@@ -27,6 +27,7 @@ enum class DeviceRemark {
   stopped,
   no_number,
   silent,
+  did_not_act,
   did_not_follow,
   did_not_move,
   swings_in_sweeps,

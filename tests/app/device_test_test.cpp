@@ -569,6 +569,10 @@ TEST(DeviceTest, SaysThatALoopOf1000HzDoesNotRunOnADeviceThatAnswersAt200) {
   EXPECT_NE(rate.status, DeviceItem::Status::pass);
   EXPECT_NE(rate.text.english().find("missed"), std::string::npos) << rate.text.english();
   EXPECT_TRUE(profile.has_failed()) << "it does not do what safety asks for at that rate";
+  EXPECT_EQ(item(profile, "zero_without_heartbeat")
+                .text.english()
+                .find("This is required, and it did not happen: Without a heartbeat"),
+            0U);
 }
 
 TEST(DeviceProfile, IsReadAsItWasWritten) {

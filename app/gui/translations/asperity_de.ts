@@ -4638,6 +4638,10 @@
         <translation>Ohne Lebenszeichen des Programms ging die Kraft auf 0 N zurück (Wartezeit in einer Sitzung: %1 s).</translation>
     </message>
     <message>
+        <source>This is required, and it did not happen: %1</source>
+        <translation>Das ist erforderlich und trat nicht ein: %1</translation>
+    </message>
+    <message>
         <source>the handle did not follow a force of %1 N</source>
         <translation>der Griff folgte einer Kraft von %1 N nicht</translation>
     </message>
