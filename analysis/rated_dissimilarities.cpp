@@ -202,6 +202,33 @@ std::size_t different_disparities(const WeightedDissimilarities& given, const Co
   return different;
 }
 
+std::vector<Eigen::Index> collapsed_items(const WeightedDissimilarities& given,
+                                          const Configuration& map) {
+  constexpr double kSame = 0.01;
+  constexpr std::size_t kFewest = 3;
+  const std::vector<ShepardPoint> pairs = shepard_diagram(given, map.points, ScalingLevel::ordinal);
+  double farthest = 0.0;
+  double greatest = 0.0;
+  for (const ShepardPoint& pair : pairs) {
+    farthest = std::max(farthest, pair.distance);
+    greatest = std::max(greatest, pair.dissimilarity);
+  }
+  std::vector<std::vector<Eigen::Index>> near(static_cast<std::size_t>(map.points.rows()));
+  for (std::size_t item = 0; item < near.size(); ++item)
+    near[item].push_back(static_cast<Eigen::Index>(item));
+  for (const ShepardPoint& pair : pairs) {
+    if (pair.distance > kSame * farthest || pair.dissimilarity <= kSame * greatest) continue;
+    near[static_cast<std::size_t>(pair.first)].push_back(pair.second);
+    near[static_cast<std::size_t>(pair.second)].push_back(pair.first);
+  }
+  std::vector<Eigen::Index> most{};
+  for (std::vector<Eigen::Index>& items : near) {
+    if (items.size() >= kFewest && items.size() > most.size()) most = std::move(items);
+  }
+  std::sort(most.begin(), most.end());
+  return most;
+}
+
 std::optional<DimensionChoice> dimensions_by_cross_validation(std::span<const RatedPairs> raters,
                                                               std::span<const Configuration> maps,
                                                               ScalingLevel level) {

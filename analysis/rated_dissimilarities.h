@@ -84,6 +84,13 @@ std::size_t different_disparities(const WeightedDissimilarities& given, const Co
 /// At most so many different disparities are those of a degenerate configuration.
 constexpr std::size_t kDisparitiesOfDegenerate = 3;
 
+/// The items on one point of a non-metric configuration, in ascending order: the most that lie within 1 % of the largest distance of
+/// one of them; empty for fewer than three. Non-metric scaling can collapse a part of the items whose dissimilarities are below those to
+/// all others: its stress then does not depend on the dissimilarities within that part. Pairs whose dissimilarity is at most 1 % of the
+/// largest one lie rightly on one point and do not count.
+std::vector<Eigen::Index> collapsed_items(const WeightedDissimilarities& given,
+                                          const Configuration& map);
+
 /// How much an item's position would vary with other raters: raters are drawn with replacement, their mean is scaled from the
 /// configuration of all raters, and the result is brought onto that configuration (procrustes). The region is the ellipse of the
 /// first two dimensions that contains the given fraction of a normal distribution with the covariance of these positions.

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "analysis/individual_differences.h"
@@ -51,6 +52,22 @@ TEST(RatedDissimilarities, RestoreTheConfigurationAndItsDimensions) {
   }
 }
 
+// Items 0 to 2 on one point, and item 3 at a distance.
+TEST(RatedDissimilarities, CollapseItemsThatDifferAndNotThoseThatAreAlike) {
+  Configuration map{.points = Eigen::MatrixXd::Zero(4, 2)};
+  map.points(3, 0) = 1.0;
+  map.points(2, 1) = 0.009;
+  WeightedDissimilarities given{.values = Dissimilarities::Constant(4, 4, 80.0),
+                                .weights = Eigen::MatrixXd::Ones(4, 4)};
+  given.values.topLeftCorner(3, 3).setConstant(5.0);
+  EXPECT_THAT(collapsed_items(given, map), testing::ElementsAre(0, 1, 2));
+  map.points(2, 1) = 0.02;
+  EXPECT_THAT(collapsed_items(given, map), testing::IsEmpty()) << "two are no part of the items";
+  map.points(2, 1) = 0.0;
+  given.values.topLeftCorner(3, 3).setConstant(0.8);  // of 80
+  EXPECT_THAT(collapsed_items(given, map), testing::IsEmpty()) << "they were judged alike";
+}
+
 TEST(RatedDissimilarities, HaveAStressBelowThatOfPermutedOnes) {
   const Eigen::MatrixXd plane = drawn_plane(kItems, Random(21));
   const ChanceQuestion question{.permutations = 19, .random_starts = 1};
@@ -72,8 +89,8 @@ TEST(RatedDissimilarities, HaveAStressBelowThatOfPermutedOnes) {
 TEST(RatedDissimilarities, HaveSmallerRegionsWithLessNoise) {
   const Eigen::MatrixXd plane = drawn_plane(kItems, Random(31));
   const auto mean_major = [&](double noise) {
-    const std::vector<RatedPairs> raters = judged_by(
-        {.weight_log_sd = 0.0, .power_log_sd = 0.0, .noise = noise}, plane, Random(32));
+    const std::vector<RatedPairs> raters =
+        judged_by({.weight_log_sd = 0.0, .power_log_sd = 0.0, .noise = noise}, plane, Random(32));
     const Configuration map = scaled(mean_of_raters(raters), {.random_starts = 3});
     double sum = 0.0;
     const auto regions = bootstrap_regions(raters, map, ScalingLevel::ordinal, {.draws = 60});

@@ -13,6 +13,7 @@
 #include "app/findings/found_numbers.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/estimate_sentences.h"
+#include "app/findings/tidy/tidy_families.h"
 #include "tests/app/analysed_study.h"
 
 namespace asperity {
@@ -237,16 +238,48 @@ TEST(RatedDissimilarities, HaveTheMetricConfigurationWhereTheNonMetricOneIsDegen
             "ordinal");
 }
 
-TEST(RatedDissimilarities, WarnWhereAPartOfTheItemsLiesOnOnePoint) {
+// Three items or more whose dissimilarities are below those to all others: non-metric scaling puts them on one point.
+TEST(RatedDissimilarities, HaveTheMetricConfigurationWhereAPartOfTheItemsLiesOnOnePoint) {
   const AnalysisOutcome& cluster = outcome_of_ratings({.items = 10, .one_cluster = true});
-  EXPECT_THAT(remarks_of(cluster), Not(HasSubstr("non-metric configuration is degenerate")));
+  const FoundNumbers found(cluster.findings);
+  EXPECT_GT(found.value("ordinal.disparities").value(), 3.0) << "these alone do not show it";
+  EXPECT_EQ(found.find("configuration.level")->word, "ratio");
   EXPECT_THAT(remarks_of(cluster),
-              HasSubstr("The configuration is partly degenerate: 5 items lie on one point (brick, "
-                        "cork, felt, metal and oak), and their mean dissimilarities are 2"));
-  EXPECT_THAT(answer_about_configuration(cluster), HasSubstr("not evidence of a good fit"));
+              HasSubstr("The non-metric configuration is degenerate: 5 items lie on one point "
+                        "(brick, cork, felt, metal and oak), and their mean dissimilarities, on "
+                        "which its stress does not depend, are 2"));
+  EXPECT_THAT(answer_about_configuration(cluster), HasSubstr("Metric scaling, because"));
   const std::string paper = estimate_sentence(cluster).text;
-  EXPECT_THAT(paper, HasSubstr("5 items lie on one point"));
+  EXPECT_THAT(paper, HasSubstr("Metric scaling, because"));
   EXPECT_THAT(paper, testing::ContainsRegex("^The configuration in [2-5] dimensions had a "));
+}
+
+/// One participant and eight items in four clusters of two. All dissimilarities within clusters are below all between them, and neither
+/// have an order that a configuration could show.
+std::string four_clusters() {
+  std::string table = "subject,first,second,dissimilarity\n";
+  int pair = 0;
+  for (int i = 0; i < 8; ++i) {
+    for (int j = i + 1; j < 8; ++j) {
+      const int draw = ++pair * 37 % 41;
+      const int dissimilarity = i / 2 == j / 2 ? 5 + draw % 20 : 50 + draw;
+      table += "s,i" + std::to_string(i) + ",i" + std::to_string(j) + ',' +
+               std::to_string(dissimilarity) + '\n';
+    }
+  }
+  return table;
+}
+
+// Four points with one distance from each other exist in three dimensions and not in the plane.
+TEST(RatedDissimilarities, AreJudgedDegenerateInTheDimensionsThatAreReported) {
+  const auto level_in = [](const char* options) {
+    TidyInput input{.options = FamilyOptions::of_json(options, "options")};
+    input.tables.emplace_back(four_clusters(), "t.csv");
+    const std::vector<Finding> findings = tidy_family("similarity").findings(input);
+    return FoundNumbers(findings).find("configuration.level")->word;
+  };
+  EXPECT_EQ(level_in(R"({"dimensions": 2})"), "ordinal");
+  EXPECT_EQ(level_in(R"({"dimensions": 3})"), "ratio");
 }
 
 // The items are permuted, not responses.

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "analysis/number_text.h"
+#include "analysis/rated_dissimilarities.h"
 #include "app/findings/reading_number.h"
 #include "app/findings/study/estimate_sentences.h"
 #include "app/findings/tidy/finding_list.h"
@@ -16,69 +16,31 @@ namespace asperity {
 
 namespace {
 
-/// Items on one point of the configuration, and the range of their mean dissimilarities.
-struct CoincidingItems {
-  /// Those of the largest such point; empty where fewer than three coincide.
-  std::vector<std::string> items{};
-  double least = 0.0;
-  double greatest = 0.0;
-};
-
-/// Non-metric scaling can also collapse a part of the items, if their dissimilarities are below those to all others: the
-/// stress is then low whatever the sizes of the dissimilarities within that part.
-CoincidingItems coinciding_items(const FoundNumbers& found) {
-  constexpr double kSame = 0.01;  // of the largest distance
-  constexpr std::size_t kFewest = 3;
-  double largest = 0.0;
-  std::set<std::string> names{};
-  for (const Finding* const one : found.all("distance")) {
-    largest = std::max(largest, one->value.value_or(0.0));
-    for (const std::string& name : parts_of(one->key, '|')) names.insert(name);
-  }
-  const auto coincide = [&](const std::string& one, const std::string& other) {
-    auto distance = found.value("distance", both(one, other));
-    if (!distance) distance = found.value("distance", both(other, one));
-    return distance && *distance <= kSame * largest;
-  };
-  CoincidingItems most{};
-  for (const std::string& name : names) {
-    std::vector<std::string> own{name};
-    std::copy_if(names.begin(), names.end(), std::back_inserter(own),
-                 [&](const std::string& other) { return other != name && coincide(name, other); });
-    if (own.size() >= kFewest && own.size() > most.items.size()) most.items = std::move(own);
-  }
-  bool is_first = true;
-  for (std::size_t i = 0; i < most.items.size(); ++i) {
-    for (std::size_t j = i + 1; j < most.items.size(); ++j) {
-      auto mean = found.value("dissimilarity", both(most.items[i], most.items[j]));
-      if (!mean) mean = found.value("dissimilarity", both(most.items[j], most.items[i]));
-      if (!mean) continue;
-      most.least = is_first ? *mean : std::min(most.least, *mean);
-      most.greatest = is_first ? *mean : std::max(most.greatest, *mean);
-      is_first = false;
-    }
-  }
-  return most;
-}
-
 std::optional<Phrase> remark_on_degenerate_solution(const FoundNumbers& found) {
-  if (is_metric(found)) {
+  if (!is_metric(found)) return std::nullopt;
+  const double disparities = found.value("ordinal.disparities").value_or(0.0);
+  if (disparities <= static_cast<double>(kDisparitiesOfDegenerate)) {
     return phrase(
                "Analysis",
                "The non-metric configuration is degenerate (different disparities: %1): it shows "
                "which items form clusters, and neither their distances nor the number of "
                "dimensions. The configuration of metric scaling is reported instead.")
-        .with(fixed(found.value("ordinal.disparities").value_or(0.0), 0));
+        .with(fixed(disparities, 0));
   }
-  const CoincidingItems same = coinciding_items(found);
-  if (same.items.empty()) return std::nullopt;
+  std::vector<std::string> items{};
+  for (const Finding* const one : found.all("ordinal.collapsed")) items.push_back(one->key);
+  std::vector<double> means{};
+  for (const std::string& one : items) {
+    for (const std::string& other : items) {
+      if (const auto mean = found.value("dissimilarity", both(one, other))) means.push_back(*mean);
+    }
+  }
+  const auto [least, greatest] = std::minmax_element(means.begin(), means.end());
   return phrase("Analysis",
-                "The configuration is partly degenerate: %1 items lie on one point (%2), and their "
-                "mean dissimilarities are %3 to %4. The stress does not depend on these "
-                "dissimilarities. Compare them with those of identical pairs, and use the "
-                "dendrogram and the stress of metric scaling.")
-      .with(std::to_string(same.items.size()), listed(same.items), fixed(same.least, 1),
-            fixed(same.greatest, 1));
+                "The non-metric configuration is degenerate: %1 items lie on one point (%2), and "
+                "their mean dissimilarities, on which its stress does not depend, are %3 to %4. "
+                "The configuration of metric scaling is reported instead.")
+      .with(std::to_string(items.size()), listed(items), fixed(*least, 1), fixed(*greatest, 1));
 }
 
 /// The configuration has at least two dimensions.
@@ -136,18 +98,6 @@ Phrase qualification_of_stress(const FoundNumbers& found) {
     return phrase("Analysis",
                   "Metric scaling, because the non-metric configuration is degenerate.");
   }
-  if (const std::size_t same = coinciding_items(found).items.size(); same > 0) {
-    const std::optional<double> metric =
-        found.value("stress.ratio", std::to_string(dimensions_in(found)));
-    const Phrase collapsed =
-        phrase("Analysis",
-               "The configuration is partly degenerate: %1 items lie on one point, so that a "
-               "low stress is not evidence of a good fit.")
-            .with(std::to_string(same));
-    if (!metric) return collapsed;
-    return phrase("Analysis", "%1 The stress-1 of metric scaling is %2.")
-        .with(collapsed, stress_text(*metric));
-  }
   if (!has_one_chosen_dimension(found)) return {};
   return phrase("Analysis", "Cross-validation chose one dimension; at least two are shown.");
 }
@@ -164,9 +114,7 @@ EstimateSentence configuration_sentence(const AnalysisOutcome& outcome) {
   if (dimensions == 0 || !stress) return {};
   std::string text = "The configuration in " + std::to_string(dimensions) +
                      " dimensions had a stress-1 of " + stress_text(*stress);
-  if (metric && coinciding_items(found).items.empty()) {  // otherwise the next sentence states it
-    text += " (metric scaling: " + stress_text(*metric) + ')';
-  }
+  if (metric) text += " (metric scaling: " + stress_text(*metric) + ')';
   text += '.';
   const Phrase qualification = qualification_of_stress(found);
   if (!qualification.empty()) text += ' ' + qualification.english();

@@ -26,8 +26,8 @@ std::optional<double> stress_of_configuration(const FoundNumbers& found);
 /// "0.084"
 std::string stress_text(double stress);
 
-/// Whether it is metric, because the non-metric one is degenerate, or degenerate in a part of the items; has too many dimensions
-/// for its items; or has one more than cross-validation chose.
+/// Whether it is metric, because the non-metric one is degenerate; has too many dimensions for its items; or has one more than
+/// cross-validation chose.
 std::vector<Phrase> remarks_on_configuration(const FoundNumbers& found);
 
 /// The same after an answer that states the stress; empty without a reason.

@@ -130,7 +130,7 @@ class SimilarityFindings {
     }
     dendrogram();
     stresses();
-    choose_dimensions();
+    choose_level_and_dimensions();
     configuration();
     chance();
     weights_of_raters();
@@ -277,28 +277,47 @@ class SimilarityFindings {
       list_.number("stress.ratio", axis_name(r - 1), metric_maps_.back().stress_1,
                    basis("Kruskal's stress-1 of metric (ratio) scaling (SMACOF)"));
     }
-    // The plane is the smallest configuration that is shown.
-    const std::size_t different = different_disparities(mean_, maps_[maps_.size() > 1 ? 1 : 0]);
+  }
+
+  /// Whether the non-metric configuration that would be reported is degenerate. A perfect solution in the plane is one in every larger
+  /// number of dimensions, so that the sizes of the dissimilarities do not determine that either.
+  bool is_degenerate() {
+    const std::size_t different =
+        std::min(different_disparities(mean_, maps_[1]), different_disparities(mean_, map()));
     list_.count("ordinal.disparities", "", different,
-                basis("different disparities of the non-metric configuration in two dimensions"));
-    if (different <= kDisparitiesOfDegenerate) {
-      level_ = ScalingLevel::ratio;
-      maps_ = metric_maps_;
+                basis("different disparities of the non-metric configuration in the reported "
+                      "number of dimensions, or in two if these are fewer"));
+    const std::vector<Eigen::Index> collapsed = collapsed_items(mean_, map());
+    for (const Eigen::Index i : collapsed) {
+      list_.truth("ordinal.collapsed", item(i), true,
+                  basis("items on one point of the non-metric configuration"));
     }
-    list_.word("configuration.level", "", level_ == ScalingLevel::ratio ? "ratio" : "ordinal", "ok",
-               basis("metric (ratio) scaling where the non-metric configuration is degenerate"));
+    return different <= kDisparitiesOfDegenerate || !collapsed.empty();
   }
 
   /// As many as the options state, or as cross-validation chooses; at least two, so that there is a plane to show.
-  void choose_dimensions() {
+  Eigen::Index shown_by(const std::optional<DimensionChoice>& choice) const {
+    if (wanted_) return static_cast<Eigen::Index>(*wanted_);
+    return std::max<Eigen::Index>(2, choice ? choice->chosen : 2);
+  }
+
+  void choose_level_and_dimensions() {
     const auto most = static_cast<double>(maps_.size());
     if (wanted_ && !(*wanted_ >= 2.0 && *wanted_ <= most && *wanted_ == std::floor(*wanted_))) {
       throw std::runtime_error("the option \"dimensions\" must be a whole number from 2 to " +
                                std::to_string(maps_.size()) + " for " +
                                std::to_string(judged_.items.size()) + " items; correct it");
     }
-    const std::optional<DimensionChoice> choice =
-        dimensions_by_cross_validation(raters_, maps_, level_);
+    std::optional<DimensionChoice> choice = dimensions_by_cross_validation(raters_, maps_, level_);
+    dimensions_ = shown_by(choice);
+    if (is_degenerate()) {
+      level_ = ScalingLevel::ratio;
+      maps_ = metric_maps_;
+      choice = dimensions_by_cross_validation(raters_, maps_, level_);
+      dimensions_ = shown_by(choice);
+    }
+    list_.word("configuration.level", "", level_ == ScalingLevel::ratio ? "ratio" : "ordinal", "ok",
+               basis("metric (ratio) scaling where the non-metric configuration is degenerate"));
     const Basis cross = basis(
         "leave-one-participant-out cross-validation: root mean square error of the prediction");
     if (choice) {
@@ -318,8 +337,6 @@ class SimilarityFindings {
                  "participants",
                  cross);
     }
-    const Eigen::Index chosen = choice ? choice->chosen : 2;
-    dimensions_ = wanted_ ? static_cast<Eigen::Index>(*wanted_) : std::max<Eigen::Index>(2, chosen);
     list_.count(
         "dimensions", "", static_cast<std::uint64_t>(dimensions_),
         basis(wanted_ ? "dimensions of the configuration, as stated"

@@ -2540,8 +2540,8 @@
         <translation>%1 Nach dieser Entscheidungsregel ist d′ nicht negativ, und allein durch Zufall ist es bei einigen Versuchspersonen größer als 0: Mittelwerte kleiner d′ sind zu hoch. Versuchspersonen mit d′ = 0: %2.</translation>
     </message>
     <message>
-        <source>The configuration is partly degenerate: %1 items lie on one point (%2), and their mean dissimilarities are %3 to %4. The stress does not depend on these dissimilarities. Compare them with those of identical pairs, and use the dendrogram and the stress of metric scaling.</source>
-        <translation>Die Konfiguration ist teilweise degeneriert: %1 Items liegen auf einem Punkt (%2), und ihre mittleren Unähnlichkeiten sind %3 bis %4. Der Stress hängt von diesen Unähnlichkeiten nicht ab. Mit denen identischer Paare vergleichen und das Dendrogramm und den Stress der metrischen Skalierung heranziehen.</translation>
+        <source>The non-metric configuration is degenerate: %1 items lie on one point (%2), and their mean dissimilarities, on which its stress does not depend, are %3 to %4. The configuration of metric scaling is reported instead.</source>
+        <translation>Die nichtmetrische Konfiguration ist degeneriert: %1 Items liegen auf einem Punkt (%2), und ihre mittleren Unähnlichkeiten, von denen ihr Stress nicht abhängt, sind %3 bis %4. Stattdessen wird die Konfiguration der metrischen Skalierung berichtet.</translation>
     </message>
     <message>
         <source>95 % CI with responses “cannot tell”: bootstrap percentiles, the three outcomes of each level being resampled %1 times and split again. There is no CI of the slope where that of more than 2.5 % of the resampled functions is at the bound of the fit, which would be its limit.</source>
@@ -2550,14 +2550,6 @@
     <message>
         <source>The JND, which follows from the slope, then has no CI either.</source>
         <translation>Die JND, die aus der Steigung folgt, hat dann ebenfalls kein KI.</translation>
-    </message>
-    <message>
-        <source>The configuration is partly degenerate: %1 items lie on one point, so that a low stress is not evidence of a good fit.</source>
-        <translation>Die Konfiguration ist teilweise degeneriert: %1 Items liegen auf einem Punkt, sodass ein niedriger Stress kein Beleg für eine gute Anpassung ist.</translation>
-    </message>
-    <message>
-        <source>%1 The stress-1 of metric scaling is %2.</source>
-        <translation>%1 Der Stress-1 der metrischen Skalierung beträgt %2.</translation>
     </message>
     <message>
         <source>%1 Left out of %2 thresholds: %3.</source>
