@@ -19,6 +19,7 @@
 #include "app/words/coded_phrases.h"
 #include "app/words/reason.h"
 #include "protocols/plan/shown_options.h"
+#include "renderers/servo/contact.h"
 
 namespace asperity {
 
@@ -46,6 +47,16 @@ std::optional<std::int64_t> first_contact_ns(const std::vector<PresentationRow>&
       first_ns = std::min(first_ns.value_or(*surface.contact_ns), *surface.contact_ns);
   }
   return first_ns;
+}
+
+/// Empty where the exploration complied with the protocol.
+Phrase failed_measures(std::span<const ComplianceRow> rows) {
+  Phrase failures{};
+  for (const ComplianceRow& row : rows) {
+    if (row.passed.value_or(true)) continue;
+    failures = with_comma(failures, failed_measure(row.quantity, row.position));
+  }
+  return failures;
 }
 
 }  // namespace
@@ -270,6 +281,9 @@ bool TrialAttempt::answer_page(std::span<const TrialQuestion> page) {
       doubt(asking, reply);
       continue;
     }
+    if (has_required_visits()) {
+      records_before_revisit_.push_back(course_.recorder().records().size());
+    }
     course_.enter(SessionPhase::fore);
     course_.put_mask(true, waiting_);
     if (trial_.arrangement.interval && !felt_.empty()) wait_between_surfaces();
@@ -352,18 +366,32 @@ void TrialAttempt::require_touch(int position) const {
                      phrase_of(Reason::not_touched).with(std::to_string(position))};
 }
 
+int TrialAttempt::required_visits() const noexcept {
+  // Side by side, one presentation has all the visits, which `feel` has counted.
+  return trial_.arrangement.surfaces == Arrangement::Surfaces::side_by_side
+             ? 1
+             : trial_.arrangement.minimum_visits;
+}
+
+int TrialAttempt::visits_to(int position) const {
+  return static_cast<int>(std::count(felt_.begin(), felt_.end(), position));
+}
+
+bool TrialAttempt::has_required_visits() const {
+  return std::all_of(trial_.presentations.begin(), trial_.presentations.end(),
+                     [this](const PlannedPresentation& planned) {
+                       return visits_to(planned.position) >= std::max(1, required_visits());
+                     });
+}
+
 void TrialAttempt::require_visits(int position) const {
   require_touch(position);
-  const auto visits = static_cast<int>(std::count(felt_.begin(), felt_.end(), position));
-  // Side by side, one presentation has all the visits, which `feel` has counted.
-  const int required = trial_.arrangement.surfaces == Arrangement::Surfaces::side_by_side
-                           ? 1
-                           : trial_.arrangement.minimum_visits;
-  if (visits >= required) return;
-  throw Interruption{
-      AttemptOutcome::not_compliant,
-      phrase_of(Reason::visited_too_rarely)
-          .with(std::to_string(position), std::to_string(visits), std::to_string(required))};
+  const int visits = visits_to(position);
+  if (visits >= required_visits()) return;
+  throw Interruption{AttemptOutcome::not_compliant,
+                     phrase_of(Reason::visited_too_rarely)
+                         .with(std::to_string(position), std::to_string(visits),
+                               std::to_string(required_visits()))};
 }
 
 void TrialAttempt::feel_once(std::size_t index) {
@@ -563,16 +591,13 @@ void TrialAttempt::measure(const std::vector<TickRecord>& records) {
       presentation.limits.push_back(
           {std::string(limit.name), static_cast<std::int64_t>(limit.ticks)});
     }
-    if (presentation.onset_ns) {
-      for (ComplianceRow& compliance :
-           compliance_of(records, id, rate_Hz, exploration_,
-                         judged_force_of(course_.rig().capability()), trial_.arrangement.strokes)) {
-        compliance.position = planned.position;
-        row_.compliance.push_back(std::move(compliance));
-      }
-    }
     row_.presentations.push_back(std::move(presentation));
   }
+  row_.compliance = compliance_in(records);
+  explored_before_revisit_ = std::any_of(
+      records_before_revisit_.begin(), records_before_revisit_.end(), [&](std::size_t number) {
+        return failed_measures(compliance_in(std::span(records).first(number))).empty();
+      });
   if (const auto& model = instability_.hanging_model()) {
     course_.report_to_experimenter(
         "The force model " + *model +
@@ -580,6 +605,24 @@ void TrialAttempt::measure(const std::vector<TickRecord>& records) {
         "stored without its texture force and its perceived instability; please report this to "
         "the author of the model.");
   }
+}
+
+std::vector<ComplianceRow> TrialAttempt::compliance_in(std::span<const TickRecord> records) const {
+  std::vector<ComplianceRow> all{};
+  for (const PlannedPresentation& planned : trial_.presentations) {
+    const auto id = static_cast<std::uint64_t>(planned.position);
+    const bool is_presented =
+        std::any_of(records.begin(), records.end(),
+                    [id](const TickRecord& record) { return is_rendered(record, id); });
+    if (!is_presented) continue;
+    for (ComplianceRow& compliance :
+         compliance_of(records, id, course_.protocol().rate_Hz, exploration_,
+                       judged_force_of(course_.rig().capability()), trial_.arrangement.strokes)) {
+      compliance.position = planned.position;
+      all.push_back(std::move(compliance));
+    }
+  }
+  return all;
 }
 
 void TrialAttempt::store_answers() {
@@ -634,15 +677,11 @@ void TrialAttempt::judge() {
     flags = phrase_of(Reason::force_limited).with(std::to_string(servo.saturated_ticks));
   }
   if (judge_buzz(flags)) return;
-  Phrase failures{};
-  for (const ComplianceRow& compliance : row_.compliance) {
-    if (compliance.passed.value_or(true)) continue;
-    failures = with_comma(failures, failed_measure(compliance.quantity, compliance.position));
-  }
-  if (!failures.empty()) {
+  if (const Phrase failures = failed_measures(row_.compliance); !failures.empty()) {
     const Phrase not_explored = phrase_of(Reason::not_explored_as_asked).with(failures);
     const bool ask_again = exploration_.on_failure != Exploration::OnFailure::flag &&
-                           order_.explored_wrongly < exploration_.maximum_repeats;
+                           order_.explored_wrongly < exploration_.maximum_repeats &&
+                           !explored_before_revisit_;
     if (ask_again) {
       row_.outcome = AttemptOutcome::not_compliant;
       row_.valid = false;

@@ -56,6 +56,8 @@ struct AttemptOrder {
 /// in all cases the cue `next` sounds and the scene shows it until the hand has lifted. Surfaces side by side are felt in
 /// one presentation, which ends when each of them was visited and felt for long enough.
 ///
+/// An exploration that complied when the page was asked is not repeated for what feeling again added to it: the attempt is flagged.
+///
 /// Phases: fore → contact (with the first touch) → fore before the next surface → … → response, and
 /// fore and contact again where a surface is felt again.
 ///
@@ -110,6 +112,9 @@ class TrialAttempt final {
   void require_touch(int position) const;
   /// Throws Interruption where the surface was felt less often than the arrangement requires.
   void require_visits(int position) const;
+  bool has_required_visits() const;
+  int required_visits() const noexcept;  ///< to each surface
+  int visits_to(int position) const;
   void let_hand_stroke();
   void explore(int position);
   void explore_patches();
@@ -125,6 +130,8 @@ class TrialAttempt final {
   JudgedSurface judged_surface(std::size_t index) const;
   /// Flags the attempt because of a vibration, or makes it invalid (true).
   bool judge_buzz(Phrase& flags);
+  /// Force, speed, contact time and strokes of each surface that was presented in these records.
+  std::vector<ComplianceRow> compliance_in(std::span<const TickRecord> records) const;
   void take_surface_away();
   /// The question requires sight: it has pictures to choose from or to compare with.
   bool has_to_be_seen() const;
@@ -147,6 +154,9 @@ class TrialAttempt final {
   std::set<int> cut_short_{};     ///< positions of visits that ended before their exposure
   std::uint64_t intervals_ = 0;   ///< between surfaces so far
   std::vector<int> felt_{};       ///< the position of every visit, in the order of feeling
+  /// The number of records of the attempt at each wish to feel again after the required visits.
+  std::vector<std::size_t> records_before_revisit_{};
+  bool explored_before_revisit_ = false;  ///< as instructed, at one of them
   std::vector<Answered> answered_{};
   std::optional<Interruption> interruption_{};
   std::optional<TickProgress> hanging_tick_{};  ///< one that the interruption left under way

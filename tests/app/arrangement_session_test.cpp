@@ -335,6 +335,45 @@ TEST_F(ArrangedSession, KeepsAnAttemptWhoseSurfaceIsNotTouchedWhenFeltAgain) {
   expect_verified();
 }
 
+/// A protocol whose exploration is repeated where it does not comply with `bands`.
+std::string repeated_outside(const std::string& bands, const std::string& arrangement) {
+  std::string text = arranged(arrangement);
+  const std::string length = R"("stroke_length_m": {"target": 0.04})";
+  text.replace(text.find(length), length.size(),
+               bands + R"(, "on_failure": "repeat_now", "maximum_repeats": 1)");
+  return text;
+}
+
+/// Each visit has two strokes, and a surface at most three: it complies when the question is asked, and not once it is felt again.
+TEST_F(ArrangedSession, KeepsAnAttemptWhoseSurfaceIsFeltAgainOutsideTheBands) {
+  begin(repeated_outside(R"("stroke_length_m": {"target": 0.04}, "strokes": {"maximum": 3})",
+                         R"({"visits": {"minimum": 1}, "exposure": {"strokes": 2}})"));
+  links_ = {};
+  person_.at_question = [](int question, const Trial&) {
+    return question == 1 ? feels_again(1) : chooses(0);
+  };
+  EXPECT_EQ(run().state, SessionState::completed);
+  const std::vector<AttemptRow> attempts = this->attempts();
+  ASSERT_EQ(attempts.size(), 2U) << "nothing is repeated";
+  EXPECT_EQ(attempts[0].outcome, AttemptOutcome::answered);
+  EXPECT_TRUE(attempts[0].valid);
+  EXPECT_THAT(codes_of(attempts[0].flag_reason.value()), HasSubstr("exploration_not_compliant"));
+  EXPECT_FALSE(attempts[1].flagged);
+  expect_verified();
+}
+
+TEST_F(ArrangedSession, RepeatsAnAttemptThatDidNotComplyBeforeASurfaceWasFeltAgain) {
+  begin(repeated_outside(R"("stroke_length_m": {"minimum": 0.03, "maximum": 0.05})",
+                         R"({"visits": {"minimum": 1}})"));
+  links_ = {};
+  person_.at_question = [](int question, const Trial&) {
+    return question == 1 ? feels_again(1) : chooses(0);
+  };
+  rig_->at_prepare = [](HandHabits& habits) { habits.stroke_length_m = 0.01; };
+  EXPECT_EQ(run().state, SessionState::completed);
+  EXPECT_EQ(attempts().at(0).outcome, AttemptOutcome::not_compliant);
+}
+
 /// A prescribed second visit without contact: the surface was touched, but not often enough.
 TEST_F(ArrangedSession, StatesThatASurfaceWasVisitedTooRarelyWhereItWasTouchedOnce) {
   begin(arranged(R"({"visits": {"minimum": 2, "maximum": 2}})"));
