@@ -8095,10 +8095,6 @@
         <translation>Zeile %1: %2.</translation>
     </message>
     <message>
-        <source>%1 Further warnings: %2.</source>
-        <translation>%1 Weitere Warnungen: %2.</translation>
-    </message>
-    <message>
         <source>The Protocols page lists all warnings.</source>
         <translation>Die Seite „Protokolle“ nennt alle Warnungen.</translation>
     </message>

@@ -50,11 +50,11 @@ std::optional<SessionCheck> protocol_warnings_check(const CheckInputs& inputs,
   sort_by_line(warnings);
   SessionCheck check{};
   check.state = State::look;
-  const Phrase first = phrase("SessionChecks", "Line %1: %2.")
-                           .with(std::to_string(warnings.front().line), warnings.front().message);
-  check.text = warnings.size() == 1 ? first
-                                    : phrase("SessionChecks", "%1 Further warnings: %2.")
-                                          .with(first, std::to_string(warnings.size() - 1));
+  for (const Diagnostic& warning : warnings) {
+    const Phrase line =
+        phrase("SessionChecks", "Line %1: %2.").with(std::to_string(warning.line), warning.message);
+    check.text = check.text.empty() ? line : Phrase("%1 %2").with(check.text, line);
+  }
   check.remedy = phrase("SessionChecks", "The Protocols page lists all warnings.");
   return check;
 }

@@ -15,8 +15,8 @@ namespace asperity {
 
 SessionCheck protocol_check(const CheckInputs& inputs, const Protocol& protocol);
 
-/// What `check` warns of (ProtocolCheck::warnings, warnings_about_sessions): `look` with the first warning and the number of
-/// others; nothing where there is none.
+/// What `check` warns of (ProtocolCheck::warnings, warnings_about_sessions): `look` with all of them;
+/// nothing where there is none.
 std::optional<SessionCheck> protocol_warnings_check(const CheckInputs& inputs,
                                                     const Protocol& protocol,
                                                     const ModelRegistry& models);
