@@ -292,7 +292,7 @@ TEST(RatedDissimilarities, AreNotPooledInTheTestOfAProperty) {
 
 TEST(RatedDissimilarities, StateWhyThereIsNoConfiguration) {
   const AnalysisOutcome& few = outcome_of_ratings({.items = 3});
-  EXPECT_EQ(answer_about_configuration(few), "Not tested: too few items or participants.");
+  EXPECT_EQ(answer_about_configuration(few), "Not tested: too few items.");
   const AnalysisOutcome& unrelated = outcome_of_ratings({.only_first_pair = true});
   EXPECT_EQ(answer_about_configuration(unrelated),
             "Not tested: the rated pairs do not connect all items.");

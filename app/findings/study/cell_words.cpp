@@ -186,6 +186,7 @@ const CellWords& words_of_reasons() {
       {"no_participant_variance",
        phrase("CellWords", "the variance between participants is estimated as 0")},
       {"no_residual_variance", phrase("CellWords", "there is no error variance")},
+      {"too_few_items", phrase("CellWords", "too few items")},
       {"too_few_participants", phrase("CellWords", "too few participants")},
       {"too_few_rows", phrase("CellWords", "too few measurements")},
       {"cannot be tested with one participant",

@@ -98,10 +98,15 @@ class SimilarityFindings {
                 {.n = raters_.size(), .method = "participants who judged a pair of items"});
     reliability();
     identical_pairs();
-    if (m < kFewestItems || raters_.empty()) {
-      list_.word("stress.ordinal", "", "too_few",
-                 "a configuration requires at least four items and one participant: add items or "
-                 "participants",
+    if (m < kFewestItems) {
+      list_.word("stress.ordinal", "", "too_few_items",
+                 "a configuration requires at least four items: add items",
+                 basis("non-metric multidimensional scaling"));
+      return list_.take();
+    }
+    if (raters_.empty()) {
+      list_.word("stress.ordinal", "", "too_few_participants",
+                 "no participant judged a pair of different items: add participants",
                  basis("non-metric multidimensional scaling"));
       return list_.take();
     }
@@ -332,7 +337,7 @@ class SimilarityFindings {
       list_.count("cv.chosen", "", static_cast<std::uint64_t>(choice->chosen),
                   basis("fewest dimensions within one standard error of the smallest error"));
     } else {
-      list_.word("cv.chosen", "", "too_few",
+      list_.word("cv.chosen", "", "too_few_participants",
                  "cross-validation requires three participants whose pairs connect all items: add "
                  "participants",
                  cross);
@@ -370,7 +375,7 @@ class SimilarityFindings {
     const Basis of_region =
         basis("bootstrap over participants, configurations aligned by Procrustes rotation");
     if (!regions) {
-      list_.word("region.major", "", "too_few",
+      list_.word("region.major", "", "too_few_participants",
                  "ellipses require three participants whose pairs connect all items: add "
                  "participants",
                  of_region);
@@ -414,7 +419,7 @@ class SimilarityFindings {
     const Basis model{.n = complete.size(),
                       .method = "INDSCAL of the participants who judged every pair"};
     if (complete.size() < 2) {
-      list_.word("indscal.fit.mean", "", "too_few",
+      list_.word("indscal.fit.mean", "", "too_few_participants",
                  "weights of participants require two participants who judged every pair: add "
                  "participants",
                  model);

@@ -4559,6 +4559,10 @@
         <source>end</source>
         <translation>Ende</translation>
     </message>
+    <message>
+        <source>too few items</source>
+        <translation>zu wenige Items</translation>
+    </message>
 </context>
 <context>
     <name>DeviceSurvey</name>
