@@ -78,6 +78,13 @@ TEST(RatingSentences, StateAgreementReliabilityAndComponents) {
   EXPECT_THAT(text,
               HasSubstr("For the construct “coarseness”, Cronbach’s α " +
                         with_interval_text(*found.find("cronbach.alpha", "coarseness")) + '.'));
+  EXPECT_THAT(text, Not(HasSubstr("α is negative")));
+  AnalysisOutcome opposite = outcome;
+  for (Finding& finding : opposite.findings) {
+    if (finding.quantity == "cronbach.alpha") finding.value = -0.4;
+  }
+  EXPECT_THAT(rating_estimates_sentence(opposite).text,
+              HasSubstr("]. α is negative because the answers on its scales covary negatively"));
   EXPECT_THAT(text, HasSubstr("The first principal component had " +
                               reading_percent(found.value("proportion", "C1").value()) +
                               " of the variance"));

@@ -67,6 +67,9 @@ std::string construct_text(const AnalysisOutcome& outcome) {
   for (const Finding* const one : numbers_among(outcome, kConstructAnalysis, "cronbach.alpha")) {
     text +=
         " For the construct “" + one->key + "”, Cronbach’s α " + estimate_with_interval(*one) + '.';
+    if (one->value.value_or(0.0) < 0.0) {
+      text += " α is negative because the answers on its scales covary negatively on average.";
+    }
   }
   return text;
 }
