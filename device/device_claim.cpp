@@ -13,6 +13,8 @@
 #include <system_error>
 #include <unistd.h>
 
+#include "device/pause.h"
+
 namespace asperity {
 namespace {
 
@@ -43,6 +45,18 @@ std::unique_ptr<DeviceClaim> DeviceClaim::take(const std::string& name) {
   std::unique_ptr<DeviceClaim> claim(new DeviceClaim(socket));
   if (::bind(socket, reinterpret_cast<const sockaddr*>(&address), length) == 0) return claim;
   if (errno != EADDRINUSE) refuse("bind", errno);
+  return nullptr;
+}
+
+std::unique_ptr<DeviceClaim> DeviceClaim::take_until(std::chrono::steady_clock::time_point latest,
+                                                     const std::string& name,
+                                                     const std::stop_token& stop) {
+  constexpr std::chrono::milliseconds kBetweenTrials(10);
+  while (!stop.stop_requested()) {
+    if (auto taken = take(name)) return taken;
+    if (std::chrono::steady_clock::now() > latest) break;
+    pause(stop, kBetweenTrials);
+  }
   return nullptr;
 }
 

@@ -2,7 +2,9 @@
 
 #pragma once
 
+#include <chrono>
 #include <memory>
+#include <stop_token>
 #include <string>
 
 namespace asperity {
@@ -19,6 +21,10 @@ class DeviceClaim final {
   /// `name` is the id of the driver. Null where a process has it, this one included.
   /// Errors: std::runtime_error where the system has no sockets left.
   static std::unique_ptr<DeviceClaim> take(const std::string& name);
+  /// The same, tried again and again. Null where a process has it until `latest`, or the stop comes first.
+  static std::unique_ptr<DeviceClaim> take_until(std::chrono::steady_clock::time_point latest,
+                                                 const std::string& name,
+                                                 const std::stop_token& stop = {});
   ~DeviceClaim();
   DeviceClaim(const DeviceClaim&) = delete;
   DeviceClaim& operator=(const DeviceClaim&) = delete;

@@ -98,17 +98,9 @@ std::string driven_by_another(const Driver& driver) {
          "\": end that process, then ";
 }
 
-// Null where another process has it for all of this time, or the stop comes first.
 std::unique_ptr<DeviceClaim> claim_within(std::chrono::seconds longest, const Driver& driver,
                                           const std::stop_token& stop) {
-  constexpr std::chrono::milliseconds kBetweenTrials(10);
-  const auto latest = std::chrono::steady_clock::now() + longest;
-  while (!stop.stop_requested()) {
-    if (auto taken = DeviceClaim::take(driver.id)) return taken;
-    if (std::chrono::steady_clock::now() > latest) break;
-    pause(stop, kBetweenTrials);
-  }
-  return nullptr;
+  return DeviceClaim::take_until(std::chrono::steady_clock::now() + longest, driver.id, stop);
 }
 
 [[noreturn]] void nothing_was_opened() {

@@ -29,21 +29,11 @@ struct CloseDevice {
   DriverOptions drivers{};
 };
 
-/// Null where another program has it for all of the time: one that drives the device. A program that only tries to open it may
-/// fail, and releases the claim then.
-std::unique_ptr<DeviceClaim> claim_of_ended_program(const std::string& name,
-                                                    steady_clock::time_point latest) {
-  for (;;) {
-    if (auto claim = DeviceClaim::take(name)) return claim;
-    if (steady_clock::now() > latest) return nullptr;
-    std::this_thread::sleep_for(kBetweenTrials);
-  }
-}
-
 int close_device(const CloseDevice& job) {
   const std::chrono::seconds limit{job.seconds};
   const auto latest = steady_clock::now() + limit;
-  const auto claim = claim_of_ended_program(job.claim, latest);
+  // A program that only tries to open the device may fail, and releases the claim then.
+  const auto claim = DeviceClaim::take_until(latest, job.claim);
   if (claim == nullptr) {
     say("asperity: the device " + job.device +
         " was left unchanged: another program drives it now, and has set its force to zero");
