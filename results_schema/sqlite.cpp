@@ -10,27 +10,6 @@
 namespace asperity {
 namespace {
 
-/// Whether the sentence of `meaning_of` leaves open what happened: SQLite's words then name the constraint, the table or the
-/// file, which a report of the error needs.
-bool needs_detail(int code) {
-  switch (code & 0xff) {
-    case SQLITE_FULL:
-    case SQLITE_BUSY:
-    case SQLITE_LOCKED:
-    case SQLITE_READONLY:
-    case SQLITE_CORRUPT:
-    case SQLITE_NOTADB:
-    case SQLITE_CANTOPEN:
-    case SQLITE_IOERR:
-    case SQLITE_PERM:
-    case SQLITE_NOMEM:
-    case SQLITE_PROTOCOL:
-      return false;
-    default:
-      return true;
-  }
-}
-
 /// A path as SQLite's URI syntax wants it.
 std::string uri_of(const std::filesystem::path& file, const char* parameters) {
   constexpr const char* kDigits = "0123456789ABCDEF";
@@ -46,7 +25,8 @@ std::string uri_of(const std::filesystem::path& file, const char* parameters) {
   return uri + parameters;
 }
 
-std::string meaning_of(int code) {
+/// Empty where the code leaves open what happened.
+std::string known_meaning_of(int code) {
   switch (code & 0xff) {
     case SQLITE_FULL:
       return kDiskIsFull;
@@ -71,10 +51,8 @@ std::string meaning_of(int code) {
     case SQLITE_PROTOCOL:
       return "the log next to study.sqlite does not match its index; close the programs that use "
              "the study, then open it again with write access to its folder";
-    case SQLITE_CONSTRAINT:
-      return "the row violates a constraint of the table; run asperity verify on the study";
     default:
-      return "the database reported an error; run asperity verify on the study";
+      return {};
   }
 }
 
@@ -132,14 +110,17 @@ void Database::execute(const std::string& sql) {
 std::int64_t Database::last_row_id() const noexcept { return sqlite3_last_insert_rowid(handle_); }
 
 void Database::fail(int code, const std::string& what) const {
-  std::string message = "the study " + folder_.string() + " " + what + ": " + meaning_of(code);
-  if (needs_detail(code)) {
-    // What SQLite remembers may be of another call: of one that succeeded it says "not an error".
+  std::string meaning = known_meaning_of(code);
+  if (meaning.empty()) {
+    // SQLite's words name the constraint, the table or the file, which a report of the error needs. What it remembers may be
+    // of another call: of one that succeeded it says "not an error".
     const bool remembers = handle_ != nullptr && sqlite3_errcode(handle_) != SQLITE_OK;
-    message += std::string(". Quote in a report of this error: ") +
-               (remembers ? sqlite3_errmsg(handle_) : sqlite3_errstr(code));
+    meaning = (code & 0xff) == SQLITE_CONSTRAINT ? "the row violates a constraint of the table"
+                                                 : "the database reported an error";
+    meaning += "; run asperity verify on the study. Quote in a report of this error: ";
+    meaning += remembers ? sqlite3_errmsg(handle_) : sqlite3_errstr(code);
   }
-  throw ResultsError(message, folder_, code);
+  throw ResultsError("the study " + folder_.string() + " " + what + ": " + meaning, folder_, code);
 }
 
 Statement::Statement(Database& database, std::string_view sql) : database_(database) {
