@@ -47,9 +47,8 @@ void check_pages(Database& database, Findings& findings) {
   if (text == "ok") return;
   if (text.starts_with("***")) text.erase(0, text.find('\n') + 1);  // "*** in database main ***"
   findings.push_back(
-      "study.sqlite: the file fails the integrity check of the database, and rows may be changed "
-      "or "
-      "missing; restore the study from a copy. Quote in a report of this error: " +
+      "study.sqlite: the file fails the integrity check of the database, and rows may be "
+      "changed or missing; restore the study from a copy. Quote in a report of this error: " +
       text.substr(0, text.find('\n')));
 }
 
