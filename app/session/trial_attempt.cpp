@@ -594,10 +594,12 @@ void TrialAttempt::measure(const std::vector<TickRecord>& records) {
     row_.presentations.push_back(std::move(presentation));
   }
   row_.compliance = compliance_in(records);
-  explored_before_revisit_ = std::any_of(
-      records_before_revisit_.begin(), records_before_revisit_.end(), [&](std::size_t number) {
-        return failed_measures(compliance_in(std::span(records).first(number))).empty();
-      });
+  const auto complied_with = [&](std::size_t number) {
+    return failed_measures(compliance_in(std::span(records).first(number))).empty();
+  };
+  explored_before_revisit_ =
+      !failed_measures(row_.compliance).empty() &&
+      std::any_of(records_before_revisit_.begin(), records_before_revisit_.end(), complied_with);
   if (const auto& model = instability_.hanging_model()) {
     course_.report_to_experimenter(
         "The force model " + *model +

@@ -156,7 +156,7 @@ class TrialAttempt final {
   std::vector<int> felt_{};       ///< the position of every visit, in the order of feeling
   /// The number of records of the attempt at each wish to feel again after the required visits.
   std::vector<std::size_t> records_before_revisit_{};
-  bool explored_before_revisit_ = false;  ///< as instructed, at one of them
+  bool explored_before_revisit_ = false;  ///< as instructed, at one of them, and not in all records
   std::vector<Answered> answered_{};
   std::optional<Interruption> interruption_{};
   std::optional<TickProgress> hanging_tick_{};  ///< one that the interruption left under way
