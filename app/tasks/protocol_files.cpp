@@ -1,9 +1,11 @@
 #include "app/tasks/protocol_files.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <set>
 #include <span>
@@ -519,17 +521,12 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
   }
   const Plan example = example_plan(*check.protocol, {1, 0});
   check.cost = cost_of(*check.protocol, example);
-  for (Diagnostic& warning : warnings_about_plan(*check.protocol, check.file, example)) {
-    check.warnings.push_back(std::move(warning));
-  }
-  for (Diagnostic& warning : warnings_about_analysis(*check.protocol, check.file)) {
-    check.warnings.push_back(std::move(warning));
-  }
-  for (Diagnostic& warning : warnings_about_rate(*check.protocol, check.file, models)) {
-    check.warnings.push_back(std::move(warning));
-  }
-  for (Diagnostic& warning : warnings_about_design(*check.protocol, check.file)) {
-    check.warnings.push_back(std::move(warning));
+  for (std::vector<Diagnostic>& warnings :
+       std::array{warnings_about_plan(*check.protocol, check.file, example),
+                  warnings_about_analysis(*check.protocol, check.file),
+                  warnings_about_rate(*check.protocol, check.file, models),
+                  warnings_about_design(*check.protocol, check.file)}) {
+    std::move(warnings.begin(), warnings.end(), std::back_inserter(check.warnings));
   }
   for (const auto& [name, block] : check.protocol->blocks) {
     if (block.phase != Phase::main) continue;
