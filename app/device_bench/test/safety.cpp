@@ -8,7 +8,6 @@
 #include "analysis/number_text.h"
 #include "app/device_bench/test/device_test_parts.h"
 #include "app/words/device_remarks.h"
-#include "app/words/reason.h"
 
 namespace asperity {
 namespace {
@@ -22,9 +21,8 @@ glm::dvec3 sideways_N(double force_N) { return {force_N, 0.0, 0.0}; }
 void judge_safeguard(DeviceTestRun& run, const std::string& name, const StageRecord& record,
                      Fault expected, bool has_acted, const Phrase& text) {
   if (record.fault == Fault::standstill) {
-    const Phrase why = phrase_of(DeviceRemark::took_force_away).with(phrase_of(record.fault));
     run.profile().items.push_back(
-        {.name = name, .text = phrase_of(DeviceRemark::not_measured).with(why)});
+        {.name = name, .text = phrase_of(DeviceRemark::not_measured).with(blocker_of(record, {}))});
     return;
   }
   const bool is_met = record.fault == expected && has_acted;
