@@ -88,7 +88,7 @@ std::vector<TickRecord> records_of_two_surfaces() {
   return records;
 }
 
-// Whoever answers a question must not wait for a model.
+// A participant who has answered a question must not wait for a model.
 TEST(AttemptInstability, LeavesAReplayThatDoesNotReturnAndNamesItsModel) {
   const auto hang = std::make_shared<Hang>();
   const auto idle = std::make_shared<Hang>();
