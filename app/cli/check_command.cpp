@@ -24,13 +24,9 @@
 #include "app/device_bench/device_choice.h"
 #include "app/plugins/plugin_files.h"
 #include "app/session/rig/clock.h"
-#include "app/tasks/compute_warnings.h"
 #include "app/tasks/drag_of_stimuli.h"
-#include "app/tasks/plugin_stimuli.h"
-#include "app/tasks/plugin_warnings.h"
 #include "app/tasks/protocol_files.h"
-#include "app/tasks/stimulus_warnings.h"
-#include "app/tasks/texture_warnings.h"
+#include "app/tasks/stimulus_examination.h"
 #include "app/words/shell_word.h"
 #include "device/drivers.h"
 #include "protocols/file/json_document.h"
@@ -39,7 +35,6 @@
 #include "protocols/plan/groups.h"
 #include "protocols/plan/plan.h"
 #include "results_schema/error_text.h"
-#include "results_schema/study.h"
 #include "results_schema/study_sharing.h"
 
 namespace asperity {
@@ -104,12 +99,11 @@ nlohmann::ordered_json json_of(const std::vector<StimulusDrag>& drags) {
   return json;
 }
 
-nlohmann::ordered_json json_of(const ProtocolCheck& check, const std::vector<Diagnostic>& warnings,
-                               const std::vector<StimulusDrag>& drags) {
+nlohmann::ordered_json json_of(const ProtocolCheck& check, const std::vector<StimulusDrag>& drags) {
   nlohmann::ordered_json json{{"file", check.file},
                               {"valid", check.diagnostics.empty()},
                               {"diagnostics", json_of(check.diagnostics)},
-                              {"warnings", json_of(warnings)}};
+                              {"warnings", json_of(check.warnings)}};
   if (check.protocol) {
     json["name"] = check.protocol->name;
     json["version"] = check.protocol->version;
@@ -172,58 +166,18 @@ void say_in_order(const std::vector<Diagnostic>& problems,
   say_warnings_before(nullptr);
 }
 
-/// What of the stimuli whose files are available may not be meant. Returns their drag.
-std::vector<StimulusDrag> examined(const ProtocolCheck& check, StimulusBuilder& builder,
-                                   const std::stop_token& stop, std::vector<Diagnostic>& warnings) {
+/// Adds what the stimuli whose files are available show, and returns their drag; none where a session would fail.
+std::vector<StimulusDrag> examined(ProtocolCheck& check, const std::filesystem::path& study,
+                                   const ModelRegistry& models, const std::stop_token& stop) {
+  StimulusBuilder builder(models, study);
   {
     const ShownCourse shown("examining the stimuli of " + check.protocol->name, stop);
-    for (Diagnostic& warning :
-         warnings_about_stimuli(*check.protocol, check.file, builder, shown.course())) {
-      warnings.push_back(std::move(warning));
-    }
+    add_examination(check,
+                    examine_stimuli(*check.protocol, check.file, study, builder, shown.course()));
   }
+  if (!check.diagnostics.empty()) return {};
   const ShownCourse shown("measuring the drag of " + check.protocol->name, stop);
   return drag_of_stimuli(*check.protocol, builder, shown.course());
-}
-
-/// The problems of a rehearsal, and what of the study's files and stimuli may not be meant. Returns the stimuli's drag.
-std::vector<StimulusDrag> check_with_study(ProtocolCheck& check, const std::filesystem::path& study,
-                                           const ModelRegistry& models, const std::stop_token& stop,
-                                           std::vector<Diagnostic>& warnings) {
-  if (Study::exists(study)) {
-    try {
-      const Study own = Study::open(study, Access::read_only);
-      for (Diagnostic& warning :
-           warnings_about_sessions(*check.protocol, check.file, own, models)) {
-        warnings.push_back(std::move(warning));
-      }
-    } catch (const std::exception& error) {  // the protocol can be checked all the same
-      say("asperity: warning: whether the study has sessions with another text of this version, or "
-          "with another build of a plug-in, could not be determined: " +
-          message_of(error));
-    }
-  }
-  StimulusBuilder builder(models, study);
-  check.diagnostics = problems_of_plugin_stimuli(*check.protocol, check.file, builder);
-  if (!check.diagnostics.empty()) return {};
-  RehearsedStimuli rehearsed = rehearse_with_warnings(*check.protocol, check.file, builder);
-  check.diagnostics = std::move(rehearsed.problems);
-  for (Diagnostic& warning : warnings_about_textures(*check.protocol, check.file, study)) {
-    warnings.push_back(std::move(warning));
-  }
-  for (Diagnostic& warning : rehearsed.warnings) warnings.push_back(std::move(warning));
-  if (!check.diagnostics.empty()) return {};
-  return examined(check, builder, stop, warnings);
-}
-
-/// The problems of plug-ins, and what of the stimuli that need no file may not be meant. Returns the drag of these stimuli.
-std::vector<StimulusDrag> check_without_study(ProtocolCheck& check, const ModelRegistry& models,
-                                              const std::stop_token& stop,
-                                              std::vector<Diagnostic>& warnings) {
-  StimulusBuilder without_files(models, {});
-  check.diagnostics = problems_of_plugin_stimuli(*check.protocol, check.file, without_files);
-  if (!check.diagnostics.empty()) return {};
-  return examined(check, without_files, stop, warnings);
 }
 
 }  // namespace
@@ -278,18 +232,17 @@ void add_check(CLI::App& program, Job& job) {
       const std::stop_token stop = interrupt.token();
       for (const std::string& file : options->files) {
         ProtocolCheck check = check_protocol(file, models, options->study, options->device);
-        std::vector<Diagnostic> warnings = check.warnings;
-        if (check.protocol) {
-          for (Diagnostic& warning : warnings_about_compute(*check.protocol, check.file)) {
-            warnings.push_back(std::move(warning));
-          }
-        }
         std::vector<StimulusDrag> drags{};
         try {
-          if (options->study && check.protocol && check.diagnostics.empty()) {
-            drags = check_with_study(check, *options->study, models, stop, warnings);
-          } else if (check.protocol && check.diagnostics.empty()) {
-            drags = check_without_study(check, models, stop, warnings);
+          if (check.is_valid()) {
+            const std::filesystem::path study = options->study.value_or("");
+            if (options->study) {
+              for (Diagnostic& warning :
+                   warnings_about_sessions(*check.protocol, check.file, study, models)) {
+                check.warnings.push_back(std::move(warning));
+              }
+            }
+            drags = examined(check, study, models, stop);
           }
         } catch (const std::exception& error) {  // the other files are checked all the same
           check.diagnostics.push_back({check.file, 1, 1, "", message_of(error)});
@@ -303,7 +256,8 @@ void add_check(CLI::App& program, Job& job) {
           const ShownCourse shown("comparing " + check.protocol->name + " with the device", stop);
           comparison = compare_with(*device, *check.protocol, check.file, options->study, now_utc,
                                     models, shown.course());
-          warnings.insert(warnings.end(), comparison.warnings.begin(), comparison.warnings.end());
+          check.warnings.insert(check.warnings.end(), comparison.warnings.begin(),
+                                comparison.warnings.end());
           if (!comparison.refusal.empty()) {
             check.diagnostics.push_back(JsonDocument(check.protocol->source, check.file)
                                             .at_key("/device", comparison.refusal));
@@ -316,10 +270,10 @@ void add_check(CLI::App& program, Job& job) {
         }
         acceptable = acceptable && check.diagnostics.empty();
         sort_by_line(check.diagnostics);
-        sort_by_line(warnings);
-        say_in_order(check.diagnostics, warnings);
+        sort_by_line(check.warnings);
+        say_in_order(check.diagnostics, check.warnings);
         if (options->json) {
-          json["protocols"].push_back(json_of(check, warnings, drags));
+          json["protocols"].push_back(json_of(check, drags));
           if (options->device) {
             json["protocols"].back()["device"] =
                 json_of(*options->device, comparison,

@@ -379,7 +379,8 @@ namespace {
 
 /// `beyond_s` of contact are checked for warnings.
 RehearsedStimuli rehearsed_stimuli(const Protocol& protocol, const std::string& file_name,
-                                   StimulusBuilder& builder, double beyond_s) {
+                                   StimulusBuilder& builder, double beyond_s,
+                                   const std::stop_token& stop) {
   std::set<std::string> made{};
   std::set<std::string> untouched{};
   std::set<std::string> said{};
@@ -388,6 +389,7 @@ RehearsedStimuli rehearsed_stimuli(const Protocol& protocol, const std::string& 
     for (const PlannedPresentation& planned : trial.presentations) {
       const StimulusDescription& stimulus = planned.stimulus;
       if (!stimulus.surface) continue;
+      if (stop.stop_requested()) return found;
       const Exploration& exploration = exploration_of(protocol, trial);
       if (!made.insert(name_of_making(stimulus) + ' ' + exploration.name).second) continue;
       const auto add = [&](std::vector<Diagnostic>& list, std::string message) {
@@ -427,13 +429,13 @@ RehearsedStimuli rehearsed_stimuli(const Protocol& protocol, const std::string& 
 
 std::vector<Diagnostic> rehearse(const Protocol& protocol, const std::string& file_name,
                                  StimulusBuilder& builder) {
-  return rehearsed_stimuli(protocol, file_name, builder, 0.0).problems;
+  return rehearsed_stimuli(protocol, file_name, builder, 0.0, {}).problems;
 }
 
 RehearsedStimuli rehearse_with_warnings(const Protocol& protocol, const std::string& file_name,
-                                        StimulusBuilder& builder) {
+                                        StimulusBuilder& builder, const std::stop_token& stop) {
   constexpr double kWatched_s = 0.02;
-  return rehearsed_stimuli(protocol, file_name, builder, kWatched_s);
+  return rehearsed_stimuli(protocol, file_name, builder, kWatched_s, stop);
 }
 
 namespace {
@@ -574,7 +576,8 @@ std::optional<Diagnostic> warning_about_version(const Protocol& protocol,
       .at_key("/version", "the study has " + sessions + " of " + protocol.name + ' ' +
                               use->version +
                               " with another text of the protocol; their responses would be "
-                              "analysed together with new ones; raise \"version\"");
+                              "analysed together with new ones, and only protocol_sha256 in the "
+                              "tables of an export would distinguish them; raise \"version\"");
 }
 
 std::vector<Diagnostic> warnings_about_sessions(const Protocol& protocol,
@@ -586,6 +589,23 @@ std::vector<Diagnostic> warnings_about_sessions(const Protocol& protocol,
     warnings.insert(warnings.begin(), std::move(*warning));
   }
   return warnings;
+}
+
+std::vector<Diagnostic> warnings_about_sessions(const Protocol& protocol,
+                                                const std::string& file_name,
+                                                const std::filesystem::path& study,
+                                                const ModelRegistry& models) {
+  try {
+    if (!Study::exists(study)) return {};
+    return warnings_about_sessions(protocol, file_name, Study::open(study, Access::read_only),
+                                   models);
+  } catch (const std::exception& error) {
+    return {JsonDocument(protocol.source, file_name)
+                .at_key("/version",
+                        "whether the study has sessions with another text of this version, or with "
+                        "another build of a plug-in, could not be determined: " +
+                            message_of(error))};
+  }
 }
 
 std::vector<Phrase> complaints_about_device(const Protocol& protocol,

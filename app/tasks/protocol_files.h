@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -47,13 +48,13 @@ std::vector<Diagnostic> rehearse(const Protocol& protocol, const std::string& fi
 /// the hand touches, a warning for each assumption that is violated in at least half of the
 /// contact, with the texture and, for `fine_detail`, both numbers. The stroke continues for 20 ms
 /// after the first contact: violations in other places or under a pressing hand are not
-/// reported.
+/// reported. When a `stop` is requested, the remaining stimuli are left out.
 struct RehearsedStimuli {
   std::vector<Diagnostic> problems{};
   std::vector<Diagnostic> warnings{};
 };
 RehearsedStimuli rehearse_with_warnings(const Protocol& protocol, const std::string& file_name,
-                                        StimulusBuilder& builder);
+                                        StimulusBuilder& builder, const std::stop_token& stop = {});
 
 /// Every problem of one file, and a summary of its plan when there is none.
 struct ProtocolCheck {
@@ -65,6 +66,8 @@ struct ProtocolCheck {
   PlanCost cost{};
   /// The design of each main block that has one in words (`design_of`), by the name of the block.
   std::map<std::string, std::string> designs{};
+
+  bool is_valid() const noexcept { return protocol && diagnostics.empty(); }
 };
 
 /// Never throws because of the file's content. With a study, the files that the protocol names are
@@ -92,7 +95,8 @@ struct VersionUse {
 std::optional<VersionUse> other_text_of_version(const Study& study, const std::string& text,
                                                 SessionsOf counted = SessionsOf::people);
 /// The warning that such sessions, those of virtual participants included, are analysed together with
-/// new ones, at the key "version". Errors as for `other_text_of_version`.
+/// new ones, at the key "version": analyses select sessions by name and version, and only the SHA-256 of the
+/// protocol distinguishes them. Errors as for `other_text_of_version`.
 std::optional<Diagnostic> warning_about_version(const Protocol& protocol,
                                                 const std::string& file_name, const Study& study);
 
@@ -100,6 +104,12 @@ std::optional<Diagnostic> warning_about_version(const Protocol& protocol,
 /// with another build of a plug-in. Errors: ResultsError as for Study.
 std::vector<Diagnostic> warnings_about_sessions(const Protocol& protocol,
                                                 const std::string& file_name, const Study& study,
+                                                const ModelRegistry& models);
+/// The same for the study in a folder; none where there is no study. If it cannot be read, a warning at the key "version"
+/// states this: the protocol can be checked all the same.
+std::vector<Diagnostic> warnings_about_sessions(const Protocol& protocol,
+                                                const std::string& file_name,
+                                                const std::filesystem::path& study,
                                                 const ModelRegistry& models);
 
 /// The requirements of a protocol that a device does not meet, a sentence each.

@@ -1,5 +1,7 @@
 #include "app/tasks/stimulus_warnings.h"
 
+#include <array>
+#include <functional>
 #include <iterator>
 
 #include "app/tasks/arrangement_warnings.h"
@@ -27,17 +29,21 @@ std::vector<Diagnostic> warnings_about_stimuli(const Protocol& protocol,
                                                const std::string& file_name,
                                                StimulusBuilder& builder,
                                                const StimuliCourse& course) {
+  using Part = std::function<std::vector<Diagnostic>()>;
+  const std::array<Part, 6> parts{
+      [&] { return warnings_about_arrangements(protocol, file_name, builder); },
+      [&] { return warnings_about_forces(protocol, file_name, builder, half_of(course, 0.0)); },
+      [&] { return warnings_about_bands(protocol, file_name, builder); },
+      [&] { return warnings_about_slew(protocol, file_name, builder, half_of(course, 0.5)); },
+      [&] { return warnings_about_indentation(protocol, file_name, builder); },
+      [&] { return warnings_about_observer(protocol, file_name, builder); }};
   std::vector<Diagnostic> warnings{};
-  const auto add = [&warnings](std::vector<Diagnostic> found) {
+  for (const Part& part : parts) {
+    if (course.stop.stop_requested()) break;
+    std::vector<Diagnostic> found = part();
     warnings.insert(warnings.end(), std::make_move_iterator(found.begin()),
                     std::make_move_iterator(found.end()));
-  };
-  add(warnings_about_arrangements(protocol, file_name, builder));
-  add(warnings_about_forces(protocol, file_name, builder, half_of(course, 0.0)));
-  add(warnings_about_bands(protocol, file_name, builder));
-  add(warnings_about_slew(protocol, file_name, builder, half_of(course, 0.5)));
-  add(warnings_about_indentation(protocol, file_name, builder));
-  add(warnings_about_observer(protocol, file_name, builder));
+  }
   return warnings;
 }
 

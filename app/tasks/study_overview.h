@@ -84,7 +84,7 @@ struct ProtocolOverview {
   /// one.
   std::optional<SessionRow> last_session{};
 
-  bool is_valid() const noexcept { return check.protocol && check.diagnostics.empty(); }
+  bool is_valid() const noexcept { return check.is_valid(); }
   /// The protocol's name, or the file's where the protocol cannot be read.
   std::string name() const;
 };

@@ -9,6 +9,7 @@
 #include "app/study_files/textured_mesh_files.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/simulation.h"
+#include "app/tasks/stimulus_examination.h"
 #include "app/tasks/verify_study.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
@@ -21,9 +22,12 @@
 namespace asperity {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
+using testing::Field;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 /// One trial: a texture on a plane, on a sphere and on a mesh.
 constexpr const char* kProtocolOfShapes = R"({
@@ -108,6 +112,26 @@ TEST_F(PointsOnBodies, WhoseBodyLiesNowhereUnderTheHandAreRefusedBeforeASession)
               HasSubstr("no part of the surface \"stone\" (stimuli/stone.mesh) lies under the path "
                         "of the hand"));
   EXPECT_THAT(found[0].message, HasSubstr("the strokes extend beyond the surface"));
+}
+
+// The plane cannot exert 2 N; this is not examined where a session would fail anyway.
+TEST_F(PointsOnBodies, AreExaminedNoFurtherWhereTheHandWouldMissThem) {
+  replace_in_protocol(R"("speed_m_per_s": {"target": 0.04})",
+                      R"("speed_m_per_s": {"target": 0.04}, "normal_force_N": {"target": 2})");
+  const auto examined = [this] {
+    StimulusBuilder builder(models_, study_);
+    return examine_stimuli(load_protocol(protocol_, models_, study_), protocol_.string(), study_,
+                           builder);
+  };
+  const auto says = Contains(Field(&Diagnostic::message, HasSubstr("exerts at most 1.50 N")));
+  StimulusExamination found = examined();
+  EXPECT_THAT(found.problems, IsEmpty());
+  EXPECT_THAT(found.warnings, says);
+  save_stone(study_, 0.004);
+  found = examined();
+  ASSERT_EQ(found.problems.size(), 1U);
+  EXPECT_EQ(found.problems[0].pointer, "/bodies/stone");
+  EXPECT_THAT(found.warnings, Not(says));
 }
 
 TEST_F(PointsOnBodies, HaveTheMeshOfTheirBodyAndTheirOwnTexture) {
