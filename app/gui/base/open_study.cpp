@@ -8,7 +8,8 @@ OpenStudy::OpenStudy(const std::filesystem::path& folder, LoadedModels models, Q
     : QObject(parent),
       study_(Study::open(folder, Access::read_only)),
       can_be_written_(Study::can_be_written(folder)),
-      models_(std::move(models)) {}
+      models_(std::move(models)),
+      examiner_(study_.folder(), models_.models) {}
 
 }  // namespace asperity
 

@@ -13,6 +13,7 @@
 
 #include "app/device_bench/tried_device.h"
 #include "app/gui/base/loaded_models.h"
+#include "app/gui/base/stimulus_examiner.h"
 #include "device/drivers.h"
 #include "renderers/force/force_model.h"
 #include "results_schema/study.h"
@@ -46,6 +47,8 @@ class OpenStudy final : public QObject {
   /// Of the sessions that begin here (RunInputs); a test on a busy machine sets longer times.
   const ServoSettings& servo() const noexcept { return servo_; }
   void set_servo(const ServoSettings& settings) noexcept { servo_ = settings; }
+  /// Examines the stimuli of protocols for all pages.
+  StimulusExaminer& examiner() noexcept { return examiner_; }
   /// Everybody who shows the study reads it again.
   void announce_change() { emit changed(); }
   /// What a page leaves to the one that is made in its place for another theme or language; empty
@@ -63,6 +66,7 @@ class OpenStudy final : public QObject {
   DriverRegistry drivers_ = built_in_drivers();
   DeviceTrial device_trial_ = try_device;
   ServoSettings servo_{};
+  StimulusExaminer examiner_;
   std::map<std::string, std::any> left_{};
 };
 
