@@ -144,6 +144,16 @@ void StudyTable::fill(const std::vector<Row>& rows) {
   emit row_selected(selected_key());
 }
 
+void StudyTable::replace_cell(const QString& key, int column, QStandardItem* cell) {
+  for (int row = 0; row < rows_->rowCount(); ++row) {
+    if (rows_->item(row)->data(kRowKey).toString() != key) continue;
+    rows_->setItem(row, column, cell);
+    widen_columns();
+    return;
+  }
+  delete cell;  // of a row that is no longer there
+}
+
 // Other languages have longer words than the widths were chosen for. Never narrower: somebody may have
 // drawn a column wider.
 void StudyTable::widen_columns() {

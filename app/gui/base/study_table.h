@@ -43,6 +43,8 @@ class StudyTable final : public QTableView {
 
   /// Shows these rows; what was selected stays so where it is still there.
   void fill(const std::vector<Row>& rows);
+  /// Shows another cell in a row that stays where it is. Not the first, which holds the key.
+  void replace_cell(const QString& key, int column, QStandardItem* cell);
   /// Only rows that hold every word.
   void set_filter(const QString& words);
   void select(const QString& key);

@@ -26,6 +26,8 @@ namespace asperity {
 
 namespace {
 
+constexpr int kStateColumn = 5;
+
 QString count_text(int count, const QString& one, const QString& many) {
   return count == 1 ? one : many.arg(count);
 }
@@ -125,6 +127,10 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
   QPushButton* add = make_button(tr("Create from template"), ButtonRole::plain, this);
   add->setObjectName("protocols_new");
   add_templates(add);
+  examining_ = make_text({}, this, true);
+  examining_->setObjectName("protocols_examining");
+  examining_->setWordWrap(false);
+  head().addWidget(examining_);
   if (!study.can_be_written()) head().addWidget(make_text(tr("Read-only"), this, true));
   head().addWidget(add);
   auto* empty = new EmptyState(
@@ -169,6 +175,8 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
 
   connect(table_, &StudyTable::row_selected, this, &ProtocolsPage::show_selected);
   connect(table_, &StudyTable::row_opened, this, [this] { start_->animateClick(); });
+  connect(&study.examiner(), &StimulusExaminer::held_changed, this,
+          &ProtocolsPage::show_whether_examined);
   watcher_ = new QFileSystemWatcher(this);
   connect(watcher_, &QFileSystemWatcher::directoryChanged, this, &ProtocolsPage::refresh);
   connect(watcher_, &QFileSystemWatcher::fileChanged, this, &ProtocolsPage::refresh);
@@ -196,6 +204,16 @@ void ProtocolsPage::share_height() {
 bool ProtocolsPage::eventFilter(QObject* watched, QEvent* event) {
   if (watched == splitter_ && event->type() == QEvent::Resize) share_height();
   return StudyPage::eventFilter(watched, event);
+}
+
+void ProtocolsPage::showEvent(QShowEvent* event) {
+  StudyPage::showEvent(event);
+  examine_stimuli();
+}
+
+void ProtocolsPage::hideEvent(QHideEvent* event) {
+  study().examiner().withdraw(this);
+  StudyPage::hideEvent(event);
 }
 
 QWidget* ProtocolsPage::make_detail() {
@@ -338,7 +356,14 @@ void ProtocolsPage::show_interrupted(const std::vector<InterruptedSession>& sess
 }
 
 void ProtocolsPage::show_protocols(const std::vector<ProtocolOverview>& protocols) {
-  protocols_ = protocols;
+  read_ = protocols;
+  std::erase_if(examined_, [this](const auto& one) {
+    return std::none_of(read_.begin(), read_.end(), [&one](const ProtocolOverview& overview) {
+      return overview.is_valid() && overview.check.protocol->source == one.first;
+    });
+  });
+  protocols_.clear();
+  for (const ProtocolOverview& overview : read_) protocols_.push_back(with_examination(overview));
   watch_files();
   std::vector<StudyTable::Row> rows{};
   for (const ProtocolOverview& overview : protocols_) rows.push_back(protocol_row(overview));
@@ -346,6 +371,55 @@ void ProtocolsPage::show_protocols(const std::vector<ProtocolOverview>& protocol
   show_empty(protocols_.empty());
   if (!select_next_.isEmpty()) table_->select(std::exchange(select_next_, {}));
   if (table_->selected_key().isEmpty()) table_->selectRow(0);
+  examine_stimuli();
+}
+
+ProtocolOverview ProtocolsPage::with_examination(const ProtocolOverview& overview) const {
+  ProtocolOverview examined = overview;
+  if (!overview.is_valid()) return examined;
+  const auto found = examined_.find(overview.check.protocol->source);
+  if (found != examined_.end()) add_examination(examined.check, *found->second);
+  return examined;
+}
+
+void ProtocolsPage::examine_stimuli() {
+  std::vector<std::shared_ptr<const Protocol>> protocols{};
+  for (const ProtocolOverview& overview : read_) {
+    if (isVisible() && overview.is_valid()) {
+      protocols.push_back(std::make_shared<const Protocol>(*overview.check.protocol));
+    }
+  }
+  study().examiner().request(
+      this, std::move(protocols),
+      [this](const Protocol& protocol, const StimulusExaminer::Result& result) {
+        take_examination(protocol.source, result);
+      });
+  show_whether_examined();
+}
+
+/// Rows stay where they are: the list may be in use.
+void ProtocolsPage::take_examination(const std::string& source,
+                                     const StimulusExaminer::Result& result) {
+  if (std::exchange(examined_[source], result) == result) return;
+  for (std::size_t i = 0; i < read_.size(); ++i) {
+    if (!read_[i].is_valid() || read_[i].check.protocol->source != source) continue;
+    protocols_[i] = with_examination(read_[i]);
+    table_->replace_cell(text(read_[i].check.file), kStateColumn, validity_cell(protocols_[i]));
+    if (selected() == &protocols_[i]) show_selected();
+  }
+  show_whether_examined();
+}
+
+void ProtocolsPage::show_whether_examined() {
+  const auto valid = std::count_if(read_.begin(), read_.end(),
+                                   [](const auto& overview) { return overview.is_valid(); });
+  const auto examined = std::count_if(read_.begin(), read_.end(), [this](const auto& overview) {
+    return overview.is_valid() && examined_.contains(overview.check.protocol->source);
+  });
+  examining_->setVisible(examined < valid);
+  examining_->setText(study().examiner().is_held()
+                          ? tr("The stimuli are examined when the session has ended.")
+                          : tr("Examining the stimuli: %1 of %2").arg(examined).arg(valid));
 }
 
 const ProtocolOverview* ProtocolsPage::selected() const {

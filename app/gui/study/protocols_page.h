@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -34,6 +36,8 @@ class ProtocolsPage final : public StudyPage {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
  private:
   enum Below { what_it_asks, problems, plan };
@@ -44,17 +48,25 @@ class ProtocolsPage final : public StudyPage {
   void add_from_template(const std::string& name, const std::string& language);
   void show_protocols(const std::vector<ProtocolOverview>& protocols);
   void show_interrupted(const std::vector<InterruptedSession>& sessions);
+  void examine_stimuli();
+  void take_examination(const std::string& source, const StimulusExaminer::Result& result);
+  void show_whether_examined();
+  ProtocolOverview with_examination(const ProtocolOverview& overview) const;
   void show_selected();
   void show_below(Below below);
   const ProtocolOverview* selected() const;
   void watch_files();
 
-  std::vector<ProtocolOverview> protocols_{};
+  std::vector<ProtocolOverview> read_{};       ///< as read from the study
+  std::vector<ProtocolOverview> protocols_{};  ///< the same with the examinations of their stimuli
+  /// By the text of a protocol; the last ones, until the examiner confirms or replaces them.
+  std::map<std::string, StimulusExaminer::Result> examined_{};
   QFileSystemWatcher* watcher_ = nullptr;
   BackgroundTask write_task_{};
   QString select_next_{};  ///< a file that was made just now
   /// What was reported of an interrupted session: its id, whether it can be resumed, its progress.
   std::tuple<std::int64_t, bool, int> reported_{};
+  QLabel* examining_ = nullptr;
   Banner* interrupted_ = nullptr;
   StudyTable* table_ = nullptr;
   QSplitter* splitter_ = nullptr;  ///< the table above, one of its protocols below

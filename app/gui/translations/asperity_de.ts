@@ -12087,6 +12087,14 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>Block %1: %2.</source>
         <translation>Block %1: %2.</translation>
     </message>
+    <message>
+        <source>The stimuli are examined when the session has ended.</source>
+        <translation>Die Reize werden nach dem Ende der Sitzung untersucht.</translation>
+    </message>
+    <message>
+        <source>Examining the stimuli: %1 of %2</source>
+        <translation>Untersuchung der Reize: %1 von %2</translation>
+    </message>
 </context>
 <context>
     <name>asperity::QuestionForm</name>

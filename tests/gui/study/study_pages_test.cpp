@@ -35,6 +35,7 @@
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"
 #include "tests/gui/study/quiet_home.h"
+#include "tests/gui/support/gated_examination.h"
 #include "tests/gui/support/screenshot.h"
 #include "tests/support/temporary_folder.h"
 
@@ -222,6 +223,82 @@ TEST_F(StudyPages, ShowTheWarningsAboutAValidProtocol) {
   EXPECT_TRUE(description.startsWith("▲ Line ")) << description.toStdString();
   EXPECT_TRUE(description.contains("no block uses the exploration \"unused\""));
   EXPECT_TRUE(child<QPushButton>(window_, "protocol_start").isEnabled());
+}
+
+// The relief of 500 N/m exerts at most 1.5 N, which `check` finds by rendering it.
+TEST_F(StudyPages, ShowTheWarningsThatNeedTheStimuli) {
+  open_demo();
+  StudyTable& table = table_of("protocols", "protocols_table", 3);
+  const std::filesystem::path file =
+      window_.study()->folder() / "protocols" / "chapter_recognition.json";
+  std::string text = read_file(file);
+  const std::string target = R"("minimum": 0.3, "target": 1,)";
+  ASSERT_NE(text.find(target), std::string::npos);
+  text.replace(text.find(target), target.size(), R"("minimum": 0.3, "target": 2,)");
+  write_file(file, text, Overwrite::allow);
+  EXPECT_TRUE(eventually([&] { return column(table, 5).contains("▲ valid, 1 warning"); }))
+      << column(table, 5).join(", ").toStdString();
+  table.select(QString::fromStdString(file.string()));
+  const QString description = child<QLabel>(window_, "protocol_description").text();
+  EXPECT_TRUE(description.startsWith("▲ Line 77: the stimulus")) << description.toStdString();
+  EXPECT_TRUE(description.contains("exerts at most 1.50 N")) << description.toStdString();
+  EXPECT_TRUE(child<QPushButton>(window_, "protocol_start").isEnabled());
+}
+
+TEST_F(StudyPages, ListProtocolsWithoutWaitingForTheirStimuli) {
+  open_demo();
+  const auto gate = std::make_shared<GatedExamination>();
+  window_.study()->examiner().set_examine(examine_through(gate));
+  const StudyTable& table = table_of("protocols", "protocols_table", 3);
+  ASSERT_TRUE(eventually([&] { return gate->has_begun(1); }));
+  EXPECT_EQ(column(table, 5).count("● valid"), 3);
+  const auto& note = child<QLabel>(window_, "protocols_examining");
+  EXPECT_TRUE(note.isVisible());
+  EXPECT_EQ(note.text(), "Examining the stimuli: 0 of 3");
+  const QString selected = table.selected_key();
+  ASSERT_FALSE(selected.isEmpty());
+  gate->is_open = true;
+  EXPECT_TRUE(eventually([&] { return column(table, 5).count("▲ valid, 1 warning") == 3; }))
+      << column(table, 5).join(", ").toStdString();
+  EXPECT_EQ(table.selected_key(), selected);
+  EXPECT_TRUE(child<QLabel>(window_, "protocol_description")
+                  .text()
+                  .startsWith("▲ Line 1: the gate is open"));
+  EXPECT_FALSE(note.isVisible());
+  EXPECT_EQ(gate->begun, 3);
+  // They are known when the list is read again.
+  window_.study()->announce_change();
+  QTest::qWait(200);
+  EXPECT_EQ(column(table, 5).count("▲ valid, 1 warning"), 3);
+  EXPECT_EQ(gate->begun, 3);
+}
+
+TEST_F(StudyPages, RefuseToStartAProtocolWhoseStimuliHaveAProblem) {
+  open_demo();
+  window_.study()->examiner().set_examine([](const Protocol&, const std::stop_token&) {
+    return StimulusExamination{.problems = {{.message = "the hand never touches it"}}};
+  });
+  const StudyTable& table = table_of("protocols", "protocols_table", 3);
+  EXPECT_TRUE(eventually([&] { return column(table, 5).count("▲ 1 problem") == 3; }));
+  EXPECT_EQ(child<StudyTable>(window_, "protocol_problems").text_at(0, 1),
+            "the hand never touches it");
+  EXPECT_FALSE(child<QPushButton>(window_, "protocol_start").isEnabled());
+}
+
+TEST_F(StudyPages, ExamineNothingForAListThatIsNotShown) {
+  open_demo();
+  const auto gate = std::make_shared<GatedExamination>();
+  window_.study()->examiner().set_examine(examine_through(gate));
+  table_of("protocols", "protocols_table", 3);
+  ASSERT_TRUE(eventually([&] { return gate->has_begun(1); }));
+  window_.show_page("sessions");
+  ASSERT_TRUE(eventually([&] { return gate->has_stopped(1); }));
+  QTest::qWait(20);
+  EXPECT_EQ(gate->begun, 1);
+  window_.show_page("protocols");
+  EXPECT_TRUE(eventually([&] { return gate->has_begun(2); }));
+  close_window();
+  EXPECT_TRUE(gate->has_stopped(2));
 }
 
 TEST_F(PagesToRead, CountParticipantsDoneOfPlanned) {
