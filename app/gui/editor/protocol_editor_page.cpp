@@ -11,11 +11,13 @@
 #include "app/gui/base/documents.h"
 #include "app/gui/base/study_table.h"
 #include "app/gui/editor/find_bar.h"
+#include "app/gui/editor/live_examination.h"
 #include "app/gui/editor/protocol_text_edit.h"
 #include "app/gui/editor/question_bar.h"
 #include "app/gui/look/words.h"
 #include "app/gui/plan/plan_preview.h"
 #include "app/study_files/study_protocols.h"
+#include "protocols/file/protocol_problems.h"
 #include "results_schema/error_text.h"
 #include "results_schema/files/atomic_file.h"
 
@@ -91,13 +93,22 @@ ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
   check_ = new LiveCheck(
       [this] { return as_it_is_ ? on_disk_ : content(); },
       [&models = study.models(), folder = study.folder()](const std::string& written) {
-        return check_protocol_text(written, {}, models, folder, std::nullopt);
+        ProtocolCheck check = check_protocol_text(written, {}, models, folder, std::nullopt);
+        if (!check.protocol) return check;
+        for (Diagnostic& warning : warnings_about_sessions(*check.protocol, {}, folder, models)) {
+          check.warnings.push_back(std::move(warning));
+        }
+        sort_by_line(check.warnings);
+        return check;
       },
       this);
-  connect(check_, &LiveCheck::checked, this, &ProtocolEditorPage::show_checked);
+  examination_ = new LiveExamination(study.examiner(), this);
+  connect(check_, &LiveCheck::checked, this, &ProtocolEditorPage::take_checked);
+  connect(examination_, &LiveExamination::changed, this, &ProtocolEditorPage::show_checked);
   connect(check_, &LiveCheck::failed, this,
           [this](const QString& what) { state_->set_state(State::unknown, what); });
   connect(edit_, &QPlainTextEdit::textChanged, this, [this] {
+    examination_->abandon();
     state_->set_state(State::unknown, tr("checking…"));
     check_->want();
   });
@@ -299,12 +310,34 @@ void ProtocolEditorPage::show_whether_saved() {
                              : tr("No unsaved changes"));
 }
 
-void ProtocolEditorPage::show_checked(const LiveCheck::Result& result) {
+// What the text is checked against may have changed meanwhile: the files and the sessions of the study.
+void ProtocolEditorPage::showEvent(QShowEvent* event) {
+  StudyPage::showEvent(event);
+  if (!file_.empty()) check_->want_now();
+}
+
+void ProtocolEditorPage::hideEvent(QHideEvent* event) {
+  examination_->abandon();
+  StudyPage::hideEvent(event);
+}
+
+void ProtocolEditorPage::take_checked(const LiveCheck::Result& result) {
   result_ = result;
-  const std::vector<Diagnostic>& problems = result->diagnostics;
+  examination_->abandon();
+  if (result->is_valid()) {
+    plan_->show_protocol(*result->protocol);
+    if (isVisible()) examination_->want({result, &*result->protocol});  // a part of the result
+  }
+  show_checked();
+}
+
+void ProtocolEditorPage::show_checked() {
+  ProtocolCheck shown = *result_;
+  if (examination_->result() != nullptr) add_examination(shown, *examination_->result());
+  const std::vector<Diagnostic>& problems = shown.diagnostics;
   // Of a text with problems, what it may not mean is not known.
   const std::vector<Diagnostic> warnings =
-      problems.empty() ? result->warnings : std::vector<Diagnostic>{};
+      problems.empty() ? shown.warnings : std::vector<Diagnostic>{};
   edit_->show_problems(problems, warnings);
   std::vector<StudyTable::Row> rows{};
   const auto add = [&rows](const Diagnostic& place, const QString& sentence) {
@@ -317,28 +350,32 @@ void ProtocolEditorPage::show_checked(const LiveCheck::Result& result) {
     add(warning, tr("Warning: %1").arg(text(warning.message)));
   }
   problems_->fill(rows);
-  if (problems.empty() && warnings.empty()) {
-    state_->set_state(State::fine, tr("valid"));
-  } else if (problems.empty()) {
-    state_->set_state(State::look, warnings.size() == 1
-                                       ? tr("valid, 1 warning")
-                                       : tr("valid, %1 warnings").arg(warnings.size()));
+  if (problems.empty()) {
+    QString words = warnings.empty()       ? tr("valid")
+                    : warnings.size() == 1 ? tr("valid, 1 warning")
+                                           : tr("valid, %1 warnings").arg(warnings.size());
+    if (examination_->is_under_way()) {
+      words = (study().examiner().is_held()
+                   ? tr("%1 (the stimuli are examined when the session has ended)")
+                   : tr("%1 (the stimuli are being examined…)"))
+                  .arg(words);
+    }
+    state_->set_state(warnings.empty() ? State::fine : State::look, words);
   } else {
     state_->set_state(State::stop, how_many_problems(problems.size()));
   }
-  show_plan_or_why_not();
+  show_plan_or_why_not(shown);
 }
 
-void ProtocolEditorPage::show_plan_or_why_not() {
-  if (result_->diagnostics.empty() && result_->protocol) {
-    plan_->show_protocol(*result_->protocol);
+void ProtocolEditorPage::show_plan_or_why_not(const ProtocolCheck& shown) {
+  if (shown.is_valid()) {
     plan_side_->setCurrentWidget(plan_);
     return;
   }
   why_no_plan_->setText(tr("The plan appears here once the text is valid. At present it has %1; "
                            "the first is on line %2.")
-                            .arg(how_many_problems(result_->diagnostics.size()))
-                            .arg(result_->diagnostics.front().line));
+                            .arg(how_many_problems(shown.diagnostics.size()))
+                            .arg(shown.diagnostics.front().line));
   plan_side_->setCurrentWidget(why_no_plan_);
 }
 

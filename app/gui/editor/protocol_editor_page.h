@@ -19,11 +19,15 @@ class QStackedWidget;
 namespace asperity {
 
 class FindBar;
+class LiveExamination;
 class PlanPreview;
 class ProtocolTextEdit;
 class QuestionBar;
 class StudyTable;
 
+/// The text is checked at every pause in the typing, and the stimuli of a valid one are examined once it has been
+/// still for longer.
+///
 /// What is typed is in one of three places: in the file, in the field, or a step of its undo. A file
 /// that somebody else has changed is never written over without asking; a file that the field could
 /// not give back byte for byte is shown, but cannot be changed here.
@@ -52,6 +56,10 @@ class ProtocolEditorPage final : public StudyPage {
   void saved(const QString& file);
   void back_wanted();
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
  private:
   enum class Agreed { nothing, version };
   enum class Then { nothing, save };
@@ -64,8 +72,9 @@ class ProtocolEditorPage final : public StudyPage {
   void take_content(const std::string& bytes);
   QString decoded(const std::string& bytes);
   void show_whether_saved();
-  void show_checked(const LiveCheck::Result& result);
-  void show_plan_or_why_not();
+  void take_checked(const LiveCheck::Result& result);
+  void show_checked();
+  void show_plan_or_why_not(const ProtocolCheck& shown);
   void show_help();
   void go_to_problem(const QString& key);
   void save(Agreed agreed);
@@ -98,6 +107,7 @@ class ProtocolEditorPage final : public StudyPage {
   PlanPreview* plan_ = nullptr;
   QLabel* why_no_plan_ = nullptr;
   LiveCheck* check_ = nullptr;
+  LiveExamination* examination_ = nullptr;
   BackgroundTask save_task_{};
 };
 

@@ -11854,6 +11854,14 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>Sessions simulated with another text of version %1: %2. They would be analysed together with new ones; raise the version to keep the data apart.</source>
         <translation>Mit einem anderen Text der Version %1 simulierte Sitzungen: %2. Sie würden mit neuen zusammen ausgewertet; die Version erhöhen, um die Daten getrennt zu halten.</translation>
     </message>
+    <message>
+        <source>%1 (the stimuli are examined when the session has ended)</source>
+        <translation>%1 (die Reize werden nach dem Ende der Sitzung untersucht)</translation>
+    </message>
+    <message>
+        <source>%1 (the stimuli are being examined…)</source>
+        <translation>%1 (die Reize werden untersucht…)</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ProtocolFileActions</name>

@@ -28,6 +28,7 @@
 #include "results_schema/study.h"
 #include "tests/gui/study/lively_study.h"
 #include "tests/gui/study/quiet_home.h"
+#include "tests/gui/support/gated_examination.h"
 #include "tests/gui/support/screenshot.h"
 
 namespace asperity {
@@ -48,8 +49,9 @@ class ProtocolEditor : public QuietHome {
     write_file(file_, library_text("improved_recognition"), Overwrite::refuse);
   }
 
-  void open() {
+  void open(const std::shared_ptr<GatedExamination>& gate = nullptr) {
     study_ = std::make_unique<OpenStudy>(folder_);
+    if (gate != nullptr) study_->examiner().set_examine(examine_through(gate));
     page_ = std::make_unique<ProtocolEditorPage>(*study_);
     page_->resize(1366, 768);
     page_->show();
@@ -114,6 +116,74 @@ TEST_F(ProtocolEditor, UnderlinesAndListsWarnings) {
   ASSERT_EQ(problems.shown_rows(), 1);
   EXPECT_TRUE(problems.text_at(0, 1).startsWith("Warning: no block uses the exploration"))
       << problems.text_at(0, 1).toStdString();
+}
+
+// The relief of 500 N/m exerts at most 1.5 N, which `check` finds by rendering it.
+TEST_F(ProtocolEditor, ShowsTheWarningsThatNeedTheStimuliOnceTheTextIsStill) {
+  open();
+  const QString before = edit().text();
+  QString text = before;
+  const QString target = R"("minimum": 0.3, "target": 1,)";
+  ASSERT_TRUE(text.contains(target));
+  text.replace(target, R"("minimum": 0.3, "target": 2,)");
+  edit().replace_text(text);
+  ASSERT_TRUE(checked());
+  EXPECT_TRUE(underlined().isEmpty()) << "the text is valid, and not still yet";
+  ASSERT_TRUE(eventually([&] { return label("editor_state").endsWith("valid, 1 warning"); }))
+      << label("editor_state").toStdString();
+  EXPECT_EQ(underlined().size(), 1);
+  const auto& problems = child<StudyTable>(*page_, "editor_problems");
+  ASSERT_EQ(problems.shown_rows(), 1);
+  EXPECT_TRUE(problems.text_at(0, 1).startsWith("Warning: the stimulus \"rendered_"))
+      << problems.text_at(0, 1).toStdString();
+  EXPECT_TRUE(problems.text_at(0, 1).contains("exerts at most 1.50 N"));
+  EXPECT_EQ(problems.text_at(0, 2), "/stimuli/rendered");
+  edit().replace_text(before);
+  ASSERT_TRUE(checked());
+  EXPECT_TRUE(underlined().isEmpty()) << "it is of another text";
+}
+
+TEST_F(ProtocolEditor, AbandonsAnExaminationWhenTheTextChangesOrIsNotShown) {
+  const auto gate = std::make_shared<GatedExamination>();
+  open(gate);
+  ASSERT_TRUE(eventually([&] { return gate->has_begun(1); }));
+  EXPECT_TRUE(label("editor_state").endsWith("valid (the stimuli are being examined…)"))
+      << label("editor_state").toStdString();
+  go_behind("\"title\": \"");
+  type("N");
+  EXPECT_TRUE(eventually([&] { return gate->has_stopped(1); }));
+  ASSERT_TRUE(eventually([&] { return gate->has_begun(2); }));
+  page_->hide();
+  EXPECT_TRUE(eventually([&] { return gate->has_stopped(2); }));
+  page_->show();
+  ASSERT_TRUE(eventually([&] { return gate->has_begun(3); }));
+  gate->is_open = true;
+  EXPECT_TRUE(eventually([&] { return label("editor_state").endsWith("valid, 1 warning"); }))
+      << label("editor_state").toStdString();
+}
+
+TEST_F(ProtocolEditor, WarnsOfSessionsWithAnotherTextOfTheVersionWhileItIsTyped) {
+  fill_with_participants(folder_);
+  file_ = folder_ / "protocols" / "chapter_recognition.json";
+  open();
+  EXPECT_TRUE(underlined().isEmpty());
+  go_behind("\"title\": \"");
+  type("New ");
+  ASSERT_TRUE(checked());
+  EXPECT_EQ(underlined(), QStringList{"\"version\""});
+  const auto& problems = child<StudyTable>(*page_, "editor_problems");
+  ASSERT_EQ(problems.shown_rows(), 1);
+  const QString warning = problems.text_at(0, 1);
+  EXPECT_TRUE(warning.contains("sessions of chapter_recognition 1.1.0 with another text"))
+      << warning.toStdString();
+  EXPECT_TRUE(warning.contains("only protocol_sha256 in the tables of an export"));
+  EXPECT_TRUE(warning.endsWith("raise \"version\"")) << warning.toStdString();
+  EXPECT_EQ(problems.text_at(0, 2), "/version");
+  go_behind("\"version\": \"1.1.");
+  QTest::keyClick(&edit(), Qt::Key_Delete);
+  type("1");
+  ASSERT_TRUE(checked());
+  EXPECT_TRUE(underlined().isEmpty());
 }
 
 TEST_F(ProtocolEditor, UnderlinesWhatIsTypedWrongInItsPlace) {
