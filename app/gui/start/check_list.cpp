@@ -57,6 +57,10 @@ CheckList::CheckList(QWidget* parent) : QWidget(parent) {
   summary_ = make_text({}, this, true);
   summary_->setObjectName("check_summary");
   layout->addWidget(summary_);
+  note_ = make_text({}, this, true);
+  note_->setObjectName("check_note");
+  note_->hide();
+  layout->addWidget(note_);
   course_ = new QWidget(this);
   auto* course = new QHBoxLayout(course_);
   course->setContentsMargins(0, 0, 0, 0);
@@ -143,6 +147,11 @@ void CheckList::set_checks(std::vector<SessionCheck> checks) {
   } else {
     summary_->setText(tr("Everything is ready."));
   }
+}
+
+void CheckList::set_note(const QString& note) {
+  note_->setText(note);
+  note_->setVisible(!note.isEmpty());
 }
 
 void CheckList::set_running(bool running) {

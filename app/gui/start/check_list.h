@@ -23,6 +23,8 @@ class CheckList final : public QWidget {
  public:
   explicit CheckList(QWidget* parent = nullptr);
 
+  /// Below the summary; empty: nothing. Of something that the session does not wait for.
+  void set_note(const QString& note);
   /// Shown are first those that keep the session from starting, then those to look at.
   void set_checks(std::vector<SessionCheck> checks);
   void set_running(bool running);
@@ -38,6 +40,7 @@ class CheckList final : public QWidget {
 
  private:
   QLabel* summary_ = nullptr;
+  QLabel* note_ = nullptr;
   QScrollArea* area_ = nullptr;  ///< hidden while there are no lines
   QWidget* lines_ = nullptr;
   QGridLayout* grid_ = nullptr;

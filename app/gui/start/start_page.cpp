@@ -320,6 +320,7 @@ void StartPage::showEvent(QShowEvent* event) {
 void StartPage::hideEvent(QHideEvent* event) {
   check_timer_->stop();
   check_task_.cancel();
+  study_.examiner().withdraw(this);
   QWidget::hideEvent(event);
 }
 

@@ -52,6 +52,8 @@ class StateLabel;
 /// reads nothing can be started: what is pressed acts on what is shown. Looks at nothing while it is
 /// hidden: the checklist runs the servo loop, which nobody may do beside a session.
 ///
+/// After the checks, which time the servo loop, the stimuli are examined for warnings; the session does not wait for them.
+///
 /// What is filled in stays when the page is made anew for another theme or language: it is left with
 /// the study, where the next page finds it.
 class StartPage final : public QWidget {
@@ -141,6 +143,8 @@ class StartPage final : public QWidget {
   MaskingNoise noise() const;
   void check_soon();
   void check();
+  void forget_checks();
+  void examine_stimuli();
   void press_start();
   void simulate_several();
 

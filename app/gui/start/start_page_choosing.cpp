@@ -46,7 +46,7 @@ void StartPage::pick(const std::filesystem::path& protocol) {
 void StartPage::read() {
   stale_ = false;
   is_read_ = false;
-  checks_.reset();
+  forget_checks();
   check_timer_->stop();
   read_task_.run<StartFacts>(
       [folder = study_.folder(), chosen = facts_.chosen, &models = study_.models()](

@@ -23,6 +23,7 @@
 #include "app/gui/start/program_chooser.h"
 #include "app/gui/start/setup_card.h"
 #include "app/gui/start/start_page.h"
+#include "app/tasks/checks/protocol_check.h"
 #include "app/tasks/checks/session_checks.h"
 #include "renderers/built_in_models.h"
 
@@ -74,8 +75,29 @@ std::vector<QString> StartPage::reasons() const {
   return reasons;
 }
 
-void StartPage::check_soon() {
+/// Nothing is examined while the checks run, which time the servo loop.
+void StartPage::forget_checks() {
   checks_.reset();
+  study_.examiner().withdraw(this);
+  check_list_->set_note({});
+}
+
+void StartPage::examine_stimuli() {
+  if (chosen() == nullptr || setup_->device().is_trying()) return;
+  check_list_->set_note(tr("The stimuli are being examined; the session does not wait for this."));
+  study_.examiner().request(this, {facts_.chosen.protocol},
+                            [this](const Protocol&, const StimulusExaminer::Result& result) {
+                              check_list_->set_note({});
+                              std::vector<SessionCheck> checks = *checks_;
+                              if (auto warned = stimulus_warnings_check(result->warnings)) {
+                                checks.push_back(std::move(*warned));
+                              }
+                              check_list_->set_checks(checks);
+                            });
+}
+
+void StartPage::check_soon() {
+  forget_checks();
   check_cancelled_ = false;
   show_start();
   if (isVisible() && is_read_) check_timer_->start();
@@ -83,7 +105,7 @@ void StartPage::check_soon() {
 
 void StartPage::check() {
   check_timer_->stop();
-  checks_.reset();
+  forget_checks();
   if (facts_.chosen.file.empty() || !is_read_ || !isVisible()) return;
   if (check_task_.is_running()) {
     // The loop that it tries runs for a while yet: nobody waits for it here.
@@ -130,6 +152,7 @@ void StartPage::check() {
         check_list_->set_checks(checks);
         checks_ = std::move(checks);
         show_start();
+        examine_stimuli();
       },
       [this](const QString& what) {
         check_list_->set_running(false);
@@ -185,7 +208,7 @@ void StartPage::press_start() {
   // What was found holds for one start: the next one looks again.
   const SessionOrder ordered = order();
   setup_->device().forget_try();
-  checks_.reset();
+  forget_checks();
   show_start();
   emit start_wanted(ordered);
 }

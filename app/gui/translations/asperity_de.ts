@@ -8106,6 +8106,10 @@
         <source>Warnings</source>
         <translation>Warnungen</translation>
     </message>
+    <message>
+        <source>Warnings about the stimuli</source>
+        <translation>Warnungen zu den Reizen</translation>
+    </message>
 </context>
 <context>
     <name>SessionEnd</name>
@@ -13474,6 +13478,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>about %1</source>
         <translation>etwa %1</translation>
+    </message>
+    <message>
+        <source>The stimuli are being examined; the session does not wait for this.</source>
+        <translation>Die Reize werden untersucht; die Sitzung wartet nicht darauf.</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,21 @@ namespace {
 
 using State = SessionCheck::State;
 
+/// Nothing where there is none.
+std::optional<SessionCheck> check_of(std::vector<Diagnostic> warnings) {
+  if (warnings.empty()) return {};
+  sort_by_line(warnings);
+  SessionCheck check{};
+  check.state = State::look;
+  for (const Diagnostic& warning : warnings) {
+    const Phrase line =
+        phrase("SessionChecks", "Line %1: %2.").with(std::to_string(warning.line), warning.message);
+    check.text = check.text.empty() ? line : Phrase("%1 %2").with(check.text, line);
+  }
+  check.remedy = phrase("SessionChecks", "The Protocols page lists all warnings.");
+  return check;
+}
+
 }  // namespace
 
 SessionCheck protocol_check(const CheckInputs& inputs, const Protocol& protocol) {
@@ -46,16 +61,15 @@ std::optional<SessionCheck> protocol_warnings_check(const CheckInputs& inputs,
            protocol, file, Study::open(inputs.study, Access::read_only), models)) {
     warnings.push_back(std::move(warning));
   }
-  if (warnings.empty()) return {};
-  sort_by_line(warnings);
-  SessionCheck check{};
-  check.state = State::look;
-  for (const Diagnostic& warning : warnings) {
-    const Phrase line =
-        phrase("SessionChecks", "Line %1: %2.").with(std::to_string(warning.line), warning.message);
-    check.text = check.text.empty() ? line : Phrase("%1 %2").with(check.text, line);
+  return check_of(std::move(warnings));
+}
+
+std::optional<SessionCheck> stimulus_warnings_check(const std::vector<Diagnostic>& warnings) {
+  std::optional<SessionCheck> check = check_of(warnings);
+  if (check) {
+    check->id = "stimulus_warnings";
+    check->title = phrase("SessionChecks", "Warnings about the stimuli");
   }
-  check.remedy = phrase("SessionChecks", "The Protocols page lists all warnings.");
   return check;
 }
 

@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/tasks/checks/session_check.h"
 #include "app/words/phrase.h"
 #include "protocols/design/protocol.h"
+#include "protocols/file/diagnostic.h"
 #include "renderers/force/force_model.h"
 
 namespace asperity {
@@ -20,6 +22,10 @@ SessionCheck protocol_check(const CheckInputs& inputs, const Protocol& protocol)
 std::optional<SessionCheck> protocol_warnings_check(const CheckInputs& inputs,
                                                     const Protocol& protocol,
                                                     const ModelRegistry& models);
+
+/// The warnings of an examination of the stimuli (stimulus_examination.h): a line "stimulus_warnings" with the state
+/// `look` and all of them; nothing where there is none.
+std::optional<SessionCheck> stimulus_warnings_check(const std::vector<Diagnostic>& warnings);
 
 /// The protocol file differs from the one that was checked.
 class ProtocolChangedSinceCheck final : public PhrasedError {

@@ -32,6 +32,7 @@
 #include "results_schema/study.h"
 #include "tests/app/punctual_trial.h"
 #include "tests/app/small_study.h"
+#include "tests/gui/support/gated_examination.h"
 #include "tests/gui/support/screenshot.h"
 #include "tests/gui/support/widgets.h"
 #include "tests/support/patient_servo.h"
@@ -310,6 +311,54 @@ TEST_F(TheStartPage, HasALineForEverythingThatIsLookedAt) {
     EXPECT_TRUE(eventually([&] { return is_shown(line); })) << line;
   }
   EXPECT_TRUE(find<QLabel>("check_force_zero").text().contains("Exactly 0 N"));
+}
+
+TEST_F(TheStartPage, ShowsTheWarningsAboutTheStimuliAndDoesNotWaitForThem) {
+  const auto gate = std::make_shared<GatedExamination>();
+  study->examiner().set_examine(examine_through(gate));
+  page->show();
+  choose(protocol);
+  fill_in();
+  ASSERT_TRUE(wait_for_checks());
+  EXPECT_TRUE(can_start()) << shown_reason();
+  ASSERT_TRUE(eventually([&] { return gate->running == 1; }));
+  EXPECT_TRUE(is_shown("check_note"));
+  EXPECT_EQ(find<QLabel>("check_note").text(),
+            "The stimuli are being examined; the session does not wait for this.");
+  const auto line = [this] { return page->findChild<QLabel*>("check_stimulus_warnings"); };
+  EXPECT_EQ(line(), nullptr);
+  gate->is_open = true;
+  ASSERT_TRUE(eventually([&] { return line() != nullptr; }));
+  EXPECT_TRUE(line()->text().contains("Line 1: the gate is open.")) << line()->text().toStdString();
+  EXPECT_FALSE(is_shown("check_note"));
+  EXPECT_TRUE(is_shown("check_rate")) << "the other lines stay";
+  EXPECT_TRUE(can_start());
+}
+
+// The checks time the servo loop.
+TEST_F(TheStartPage, ExaminesNothingWhileTheChecksRun) {
+  const auto gate = std::make_shared<GatedExamination>();
+  study->examiner().set_examine(examine_through(gate));
+  std::atomic<bool> goes_on = false;
+  std::atomic<bool> is_tried = false;
+  study->set_device_trial([&](const auto&... inputs) {
+    is_tried = true;
+    while (!goes_on) std::this_thread::yield();
+    return punctual_trial(inputs...);
+  });
+  page->show();
+  choose(protocol);
+  fill_in();
+  ASSERT_TRUE(eventually([&] { return is_tried.load(); }));
+  EXPECT_EQ(gate->begun, 0);
+  goes_on = true;
+  ASSERT_TRUE(eventually([&] { return gate->running == 1; }));
+  const int begun = gate->begun;
+  find<QPushButton>("check_again").click();
+  EXPECT_TRUE(eventually([&] { return gate->stopped == begun; }));
+  ASSERT_TRUE(eventually([&] { return gate->has_begun(begun + 1); }));
+  page->hide();
+  EXPECT_TRUE(eventually([&] { return gate->has_stopped(begun + 1); }));
 }
 
 TEST_F(TheStartPage, SaysThatAProtocolIsNotChosenOrNotValid) {

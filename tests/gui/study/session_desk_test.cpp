@@ -19,6 +19,7 @@
 #include "tests/app/punctual_trial.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/full_disk.h"
+#include "tests/gui/support/gated_examination.h"
 #include "tests/support/patient_servo.h"
 
 namespace asperity {
@@ -32,8 +33,9 @@ class TheSessionDesk : public QuietHome {
   }
   ~TheSessionDesk() override { apply_theme(*qApp, ThemeChoice::light); }
 
-  void open_demo() {
+  void open_demo(const std::shared_ptr<GatedExamination>& gate = nullptr) {
     ASSERT_TRUE(window_.open_study(small_demo_study()));
+    if (gate != nullptr) window_.study()->examiner().set_examine(examine_through(gate));
     window_.study()->set_device_trial(punctual_trial);
     window_.study()->set_servo(patient_servo());
     auto& table = child<StudyTable>(window_, "protocols_table");
@@ -126,6 +128,34 @@ TEST_F(TheSessionDesk, LeavesThePageBeforeASessionWhileOneRuns) {
   ASSERT_EQ(ended.count(), 1);
   EXPECT_FALSE(start_page().isVisible());
   ASSERT_TRUE(eventually([this] { return !desk_.is_running(); }));
+}
+
+TEST_F(TheSessionDesk, ExaminesNoStimuliWhileASessionRuns) {
+  const auto gate = std::make_shared<GatedExamination>();
+  open_demo(gate);
+  const StimulusExaminer& examiner = window_.study()->examiner();
+  click("protocol_simulate");
+  ASSERT_TRUE(can_start()) << "the session does not wait for the examination";
+  ASSERT_TRUE(eventually([&] { return gate->running == 1; }));
+  click("start");
+  EXPECT_TRUE(examiner.is_held());
+  window_.show_page("protocols");
+  const auto& note = child<QLabel>(window_, "protocols_examining");
+  EXPECT_TRUE(note.isVisible());
+  EXPECT_EQ(note.text(), "The stimuli are examined when the session has ended.");
+  const int begun = gate->begun;
+  ASSERT_TRUE(eventually([&] {
+    if (!desk_.is_running()) return true;
+    EXPECT_EQ(gate->begun, begun);
+    return false;
+  }));
+  EXPECT_TRUE(eventually([&] { return !examiner.is_held() && gate->begun > begun; }));
+  EXPECT_TRUE(note.text().startsWith("Examining the stimuli: ")) << note.text().toStdString();
+  gate->is_open = true;
+  const auto& table = child<StudyTable>(window_, "protocols_table");
+  EXPECT_TRUE(eventually([&] {
+    return !note.isVisible() && table.text_at(0, 5) == "▲ valid, 1 warning";
+  })) << table.text_at(0, 5).toStdString();
 }
 
 /// What the page before a session would start, without its looking at everything first.
