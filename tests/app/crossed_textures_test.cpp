@@ -148,7 +148,8 @@ TEST(OtherTextures, AreNotAskedAboutWithFewOrWithoutAMaximum) {
             "it needs at least 5 participants and 3 textures; participants: 4, textures: 4; add "
             "participants or textures");
   const AnalysisOutcome two = outcome_of("selection", selected_model, 8, 2, varied_hits);
-  EXPECT_EQ(found_in(two.findings, "glmm.status", "").word, "too_few");
+  EXPECT_EQ(found_in(few.findings, "glmm.status", "").word, "too_few_participants");
+  EXPECT_EQ(found_in(two.findings, "glmm.status", "").word, "too_few_textures");
   const AnalysisOutcome all =
       outcome_of("recognition", recognised_picture, 8, 4, [](int, int) { return kTrials; });
   EXPECT_EQ(asked_of_textures(all), nullptr);

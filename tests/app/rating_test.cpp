@@ -510,7 +510,7 @@ TEST(Agreement, HasAStatusWithTwoItems) {
   const NamedTable* const table = find_table(outcome, "agreement");
   ASSERT_NE(table, nullptr);
   ASSERT_EQ(table->table.columns.back(), "status");
-  EXPECT_EQ(table->table.rows.front().back(), Cell(std::string("too_few")));
+  EXPECT_EQ(table->table.rows.front().back(), Cell(std::string("too_few_items")));
 }
 
 std::string one_scale(const std::string& scale) {

@@ -225,7 +225,7 @@ TEST(ReliabilityOfMagnitudes, HasAStatusWithTwoSurfaces) {
   EXPECT_EQ(asked(outcome), nullptr);
   const Finding& none = reliability_in(outcome, "icc.mean", "");
   EXPECT_FALSE(none.value);
-  EXPECT_EQ(none.word, "too_few");
+  EXPECT_EQ(none.word, "too_few_surfaces");
   EXPECT_EQ(none.status,
             "an intraclass correlation requires at least 3 surfaces with all repetitions, because "
             "that of 2 has almost no information: add surfaces");

@@ -106,7 +106,7 @@ TEST(ResponseTimes, HaveAStatusInPlaceOfTheIntervalOfOneParticipant) {
         return one.analysis == kResponseTimes && one.quantity == "geomean.status";
       });
   ASSERT_NE(status, outcome.findings.end());
-  EXPECT_EQ(status->word, "too_few");
+  EXPECT_EQ(status->word, "too_few_participants");
 }
 
 TEST(ResponseTimes, AreARemarkWhereNoneIsStored) {

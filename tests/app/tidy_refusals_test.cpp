@@ -45,6 +45,11 @@ std::string sentence_of(const std::vector<Finding>& findings, const std::string&
   return "(absent)";
 }
 
+/// "no_data: …": the word and the sentence.
+std::string reason_of(const std::vector<Finding>& findings, const std::string& quantity) {
+  return word_of(findings, quantity) + ": " + sentence_of(findings, quantity);
+}
+
 constexpr const char* kLabels = R"({"labels": ["x", "y", "z"]})";
 constexpr const char* kMagnitude = R"({"zero_rule": "halfmin", "normalisation": "geomean"})";
 constexpr const char* kWithin = R"({"within": {"s": ["a", "b"]}})";
@@ -198,10 +203,36 @@ TEST(TidyRefusals, NameWhatEquivalenceAndReliabilityLack) {
             "is rated once "
             "by each rater");
   EXPECT_EQ(word_of(findings_of("icc", "target,rater,score\nx,A,1\nx,B,1\ny,A,1\n", "{}"), "icc"),
-            "too_few");
+            "too_few_targets");
   EXPECT_EQ(
       word_of(findings_of("icc", "target,rater,score\nx,A,1\nx,B,1\ny,A,1\ny,B,1\n", "{}"), "icc"),
       "undefined_zero_variance");
+}
+
+TEST(TidyRefusals, NameWhatIsTooFewAndHowManyAreNeeded) {
+  EXPECT_EQ(
+      reason_of(findings_of("icc", "target,rater,score\nx,A,1\ny,A,2\n", "{}"), "icc"),
+      "too_few_raters: reliability requires at least 2 raters, and the table has 1: add raters");
+  EXPECT_EQ(reason_of(findings_of("icc", "target,rater,score\nx,A,1\nx,B,2\ny,A,1\n", "{}"), "icc"),
+            "too_few_targets: reliability requires at least 2 targets that every rater rated, and "
+            "the table "
+            "has 1: add targets");
+  EXPECT_EQ(
+      reason_of(findings_of("components",
+                            "item,scale,score\nx,hard,1\nx,rough,2\ny,hard,2\ny,rough,1\n", "{}"),
+                "eigenvalue"),
+      "too_few_items: principal components require at least 3 items, and the table has 2: add "
+      "items");
+  EXPECT_EQ(
+      reason_of(findings_of("components", "item,scale,score\nx,hard,1\ny,hard,2\nz,hard,3\n", "{}"),
+                "eigenvalue"),
+      "too_few_scales: principal components require at least 2 scales, and the table has 1: add "
+      "scales");
+  EXPECT_EQ(reason_of(findings_of("ordinal", "subject,item,score\nA,x,1\nA,y,2\nB,x,2\nB,y,1\n",
+                                  R"({"items": ["x", "y", "z"]})"),
+                      "lr.p"),
+            "item_without_response: the item \"z\" has no response: remove it from the option "
+            "\"items\"");
 }
 
 TEST(TidyRefusals, NameAResponseTimeThatIsNone) {
@@ -215,7 +246,7 @@ TEST(TidyRefusals, NameAResponseTimeThatIsNone) {
       HasSubstr("tip is \"c\"; it must be one of: a"));
   EXPECT_EQ(word_of(findings_of("response_times", columns + "A,,a\n", "{}"), "status"), "no_data");
   EXPECT_EQ(word_of(findings_of("response_times", columns + "A,2,a\n", "{}"), "geomean.status"),
-            "too_few");
+            "too_few_participants");
   EXPECT_EQ(
       word_of(findings_of("response_times", columns + "A,2,a\nB,2,a\n", "{}"), "geomean.status"),
       "undefined_zero_variance");
@@ -234,7 +265,7 @@ TEST(TidyRefusals, NameATrialThatStandsTwice) {
             "items: correct the counts, or leave out rows without items");
   EXPECT_EQ(
       word_of(findings_of("learning", columns + "A,1,1.5\nA,2,1\n", "{}"), "half.ratio.status"),
-      "too_few");
+      "too_few_participants");
   EXPECT_TRUE(findings_of("learning", columns + "A,1,\n", "{}").size() == 1);  // n.untimed
 }
 

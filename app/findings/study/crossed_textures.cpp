@@ -126,7 +126,9 @@ void ask_other_textures(const CrossedResponses& crossed, AnalysisOutcome& outcom
                                " textures; participants: " + std::to_string(participants.size()) +
                                ", textures: " + std::to_string(textures.size()) +
                                "; add participants or textures";
-    add_no_crossed_model("too_few", reason, outcome);
+    add_no_crossed_model(
+        participants.size() < kFewestParticipants ? "too_few_participants" : "too_few_textures",
+        reason, outcome);
     return;
   }
   const auto hits = static_cast<std::size_t>(

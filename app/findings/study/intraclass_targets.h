@@ -9,14 +9,15 @@
 
 namespace asperity {
 
-/// The targets of intraclass correlations. `counted`: those that count, "items that all participants rated".
+/// The targets of intraclass correlations. `counted`: those that count, with their plural as the first word: "items that all
+/// participants rated".
 struct IntraclassTargets {
   std::string counted{};
   std::string key{};  ///< of the status
 };
 
-/// Replaces the correlations among the findings of the family `icc` with the status `too_few` (quantity `icc`) if there are
-/// fewer than three targets. With two, the F of a correlation has one degree of freedom in its numerator: of two unrelated
+/// Replaces the correlations among the findings of the family `icc` with the status `too_few_items`, or the
+/// other plural (quantity `icc`), if there are fewer than three targets. With two, the F of a correlation has one degree of freedom in its numerator: of two unrelated
 /// repetitions, an ICC(3,1) above .7 occurs by chance in about a quarter of the studies.
 void withhold_few_targets(std::vector<Finding>& findings, const IntraclassTargets& targets);
 

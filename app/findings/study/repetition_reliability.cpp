@@ -55,7 +55,7 @@ std::vector<Finding> correlations_of(const Ratings& ratings, const IntraclassTar
 
 bool has_too_few_targets(const FoundNumbers& found) {
   const std::vector<const Finding*> all = found.all("icc");
-  return !all.empty() && all.front()->word == "too_few";
+  return !all.empty() && all.front()->word.starts_with("too_few_");
 }
 
 /// "ICC(3,1) = .71, 95 % CI [.38, .91]", without the interval where there is none.

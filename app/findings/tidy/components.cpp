@@ -85,10 +85,15 @@ std::vector<Finding> components_findings(const TidyInput& input) {
     findings.word("eigenvalue", "", word, status, basis);
     return findings.take();
   };
-  if (rows < 3 || columns < 2) {
-    return refuse(
-        "too_few",
-        "principal components require at least three items and two scales: add items or scales");
+  if (rows < 3) {
+    return refuse("too_few_items",
+                  "principal components require at least 3 items, and the table has " +
+                      std::to_string(rows) + ": add items");
+  }
+  if (columns < 2) {
+    return refuse("too_few_scales",
+                  "principal components require at least 2 scales, and the table has " +
+                      std::to_string(columns) + ": add scales");
   }
   if (values.hasNaN()) {
     return refuse("incomplete", first_missing_score(values, items, scales) +

@@ -131,7 +131,7 @@ void add_no_interval(const std::string& quantity, const std::string& key, std::s
                      FindingList& findings) {
   const bool is_alone = n < 2;
   findings.word(
-      quantity + ".status", key, is_alone ? "too_few" : "undefined_zero_variance",
+      quantity + ".status", key, is_alone ? "too_few_participants" : "undefined_zero_variance",
       is_alone ? "an interval over participants needs at least 2 participants: add participants"
                : "all participants have the same value, so there is no interval: add participants",
       {.n = n, .method = "interval of a mean over participants"});

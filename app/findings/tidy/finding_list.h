@@ -93,7 +93,7 @@ struct GeometricScale {
 bool add_geometric_mean(const std::string& quantity, const std::string& key,
                         std::span<const double> of_participants, const GeometricScale& scale,
                         FindingList& findings);
-/// `QUANTITY.status`: why a mean over this many participants has no interval (too_few,
+/// `QUANTITY.status`: why a mean over this many participants has no interval (too_few_participants,
 /// undefined_zero_variance).
 void add_no_interval(const std::string& quantity, const std::string& key, std::size_t n,
                      FindingList& findings);

@@ -85,11 +85,19 @@ std::vector<Finding> icc_findings(const TidyInput& input) {
         {.n = rated.incomplete, .method = "targets not rated by every rater, which are left out"});
   }
   const Basis basis{.n = n, .method = "intraclass correlation"};
-  if (n < 2 || rated.complete.cols() < 2) {
-    findings.word("icc", "", "too_few",
-                  "reliability requires at least 2 targets that were all rated by at least 2 "
-                  "raters: add targets or raters",
+  if (rated.complete.cols() < 2) {
+    findings.word("icc", "", "too_few_raters",
+                  "reliability requires at least 2 raters, and the table has " +
+                      std::to_string(rated.complete.cols()) + ": add raters",
                   basis);
+    return findings.take();
+  }
+  if (n < 2) {
+    findings.word(
+        "icc", "", "too_few_targets",
+        "reliability requires at least 2 targets that every rater rated, and the table has " +
+            std::to_string(n) + ": add targets",
+        basis);
     return findings.take();
   }
   const std::optional<Reliability> reliability = reliability_of(rated.complete, confidence);

@@ -126,8 +126,9 @@ std::vector<Finding> ordinal_findings(const TidyInput& input) {
     const bool has_first = design.rowwise().sum().minCoeff() == 0.0;
     if (design.col(item).sum() == 0.0 || !has_first) {
       const std::size_t without = has_first ? static_cast<std::size_t>(item) + 1 : 0;
-      return refuse("too_few", "the item \"" + items[without] +
-                                   "\" has no response: remove it from the option \"items\"");
+      return refuse("item_without_response",
+                    "the item \"" + items[without] +
+                        "\" has no response: remove it from the option \"items\"");
     }
   }
   const auto fitted = [&](const Eigen::MatrixXd& effects, bool participants_vary) {

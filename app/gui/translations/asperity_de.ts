@@ -4452,10 +4452,6 @@
         <translation>die Urteile unterscheiden sich nicht</translation>
     </message>
     <message>
-        <source>too few items or participants</source>
-        <translation>zu wenige Items oder Versuchspersonen</translation>
-    </message>
-    <message>
         <source>no identical pairs were presented</source>
         <translation>es wurden keine gleichen Paare dargeboten</translation>
     </message>
@@ -4562,6 +4558,30 @@
     <message>
         <source>too few items</source>
         <translation>zu wenige Items</translation>
+    </message>
+    <message>
+        <source>an item has no response</source>
+        <translation>ein Item hat keine Antwort</translation>
+    </message>
+    <message>
+        <source>too few raters</source>
+        <translation>zu wenige Beurteiler</translation>
+    </message>
+    <message>
+        <source>too few scales</source>
+        <translation>zu wenige Skalen</translation>
+    </message>
+    <message>
+        <source>too few surfaces</source>
+        <translation>zu wenige Oberflächen</translation>
+    </message>
+    <message>
+        <source>too few targets</source>
+        <translation>zu wenige beurteilte Objekte</translation>
+    </message>
+    <message>
+        <source>too few textures</source>
+        <translation>zu wenige Texturen</translation>
     </message>
 </context>
 <context>
