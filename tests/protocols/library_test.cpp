@@ -112,20 +112,6 @@ struct InBothLanguages {
   std::string german_rest{};
 };
 
-/// A planned trial without what is read of it.
-nlohmann::json without_wording(nlohmann::json trial) {
-  static const std::set<std::string> kTexts{"screen", "text", "prompt"};
-  if (trial.is_array()) {
-    for (nlohmann::json& one : trial) one = without_wording(one);
-  }
-  if (!trial.is_object()) return trial;
-  nlohmann::json kept = nlohmann::json::object();
-  for (const auto& [key, value] : trial.items()) {
-    if (!kTexts.contains(key)) kept[key] = without_wording(value);
-  }
-  return kept;
-}
-
 std::vector<InBothLanguages> read_in_both_languages() {
   std::vector<InBothLanguages> all{};
   const auto german = library_protocols("de");
@@ -171,8 +157,8 @@ TEST(LibraryProtocols, GiveTheSamePlansInGerman) {
     const Plan german = example_plan(both.german, {.seed = 2, .counterbalance_row = 1});
     ASSERT_EQ(german.trials.size(), english.trials.size());
     for (std::size_t i = 0; i < german.trials.size(); ++i) {
-      EXPECT_EQ(without_wording(nlohmann::json::parse(json_of(german.trials[i]))),
-                without_wording(nlohmann::json::parse(json_of(english.trials[i]))))
+      EXPECT_EQ(test::without_wording(nlohmann::json::parse(json_of(german.trials[i]))),
+                test::without_wording(nlohmann::json::parse(json_of(english.trials[i]))))
           << both.german.name << ", trial " << i;
     }
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -83,6 +84,20 @@ inline std::vector<std::string> problems_in(const nlohmann::json& file) {
     problems.push_back(problem.pointer + ": " + problem.message);
   }
   return problems;
+}
+
+/// A planned trial without what is read of it.
+inline nlohmann::json without_wording(nlohmann::json trial) {
+  static const std::set<std::string> kTexts{"screen", "text", "prompt"};
+  if (trial.is_array()) {
+    for (nlohmann::json& one : trial) one = without_wording(one);
+  }
+  if (!trial.is_object()) return trial;
+  nlohmann::json kept = nlohmann::json::object();
+  for (const auto& [key, value] : trial.items()) {
+    if (!kTexts.contains(key)) kept[key] = without_wording(value);
+  }
+  return kept;
 }
 
 inline std::vector<Trial> main_trials(const Protocol& protocol) {
