@@ -853,6 +853,15 @@ TEST(StudyTests, SplitTheSexesAtRandomWhereThereAreTooManyWays) {
               HasSubstr("10000 permutations of the group labels drawn at random"));
 }
 
+// Four and two of four items: the statistic counts items, the answer percentage points.
+TEST(StudyTests, StateTheUnitOfADifferenceOfMatchedItems) {
+  const AnalysisOutcome outcome = analyze_twenty_six_matchings();
+  const NamedTable& tests = table_of(outcome, "tests");
+  EXPECT_EQ(number(tests.table, {"sexes", "F|M"}, "value"), 2.0);
+  EXPECT_THAT(tests.note,
+              says("ΔM: difference of the mean numbers of correctly matched items per trial"));
+}
+
 // Nobody is a man, so that nothing compares the sexes; the family has two tests all the same.
 TEST(StudyTests, KeepADeclaredTestOfWhichThereIsNoAnswer) {
   MadeUpStudy made;

@@ -112,6 +112,20 @@ class ComparedGroups : public testing::Test {
     return texts;
   }
 
+  /// The paragraphs of the report of the study, one per line.
+  std::string report_text() {
+    const Report report = study_report(made_.study(), {});
+    std::string text{};
+    for (const ReportChapter& chapter : report.chapters) {
+      for (const ReportSection& section : chapter.sections) {
+        for (const ReportPart& part : section.parts) {
+          if (const auto* words = std::get_if<ReportText>(&part)) text += words->text + '\n';
+        }
+      }
+    }
+    return text;
+  }
+
   MadeUpStudy made_{};
   AnalysisOutcome outcome_{};
 };
@@ -129,6 +143,9 @@ TEST_F(ComparedGroups, AreNamedAsNotComparedWhereTheKindHasNoSuchTest) {
   add("selection", source, kTwoGroups);  // without a target
   EXPECT_THAT(remarks(), not_compared);
   EXPECT_EQ(answer("groups"), "(not asked)");
+  EXPECT_THAT(report_text(),
+              HasSubstr("\nGroups are assigned and reported, and not compared: the responses of "
+                        "all groups are analysed together."));
 }
 
 TEST_F(ComparedGroups, AreNotNamedAsNotComparedWhereTheyAre) {
@@ -136,6 +153,7 @@ TEST_F(ComparedGroups, AreNotNamedAsNotComparedWhereTheyAre) {
   for (const Phrase& remark : outcome_.remarks) {
     EXPECT_THAT(remark.english(), testing::Not(HasSubstr("not compared")));
   }
+  EXPECT_THAT(report_text(), testing::Not(HasSubstr("and not compared")));
 }
 
 // 7 + 6 + 8 + 7 = 28 and 4 + 3 + 5 + 4 = 16 of 32: the difference is 12/32. Of the 70 divisions of eight participants
@@ -242,18 +260,10 @@ TEST_F(ComparedGroups, HaveAReasonWhereTheDeclaredTestCannotBeMade) {
 
 TEST_F(ComparedGroups, AreInTheReportWithTheirSizes) {
   add("recognition", grouped_source(R"("haptic", "visual")", "{}"), kTwoGroups);
-  const Report report = study_report(made_.study(), {});
-  std::string text{};
-  for (const ReportChapter& chapter : report.chapters) {
-    for (const ReportSection& section : chapter.sections) {
-      for (const ReportPart& part : section.parts) {
-        if (const auto* words = std::get_if<ReportText>(&part)) text += words->text + '\n';
-      }
-    }
-  }
   // The made-up protocol cannot be read, which leaves out how participants were assigned.
   EXPECT_THAT(
-      text, HasSubstr("Participants were assigned to two groups (haptic, n = 4; visual, n = 4)."));
+      report_text(),
+      HasSubstr("Participants were assigned to two groups (haptic, n = 4; visual, n = 4)."));
 }
 
 }  // namespace

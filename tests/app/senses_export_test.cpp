@@ -131,6 +131,27 @@ TEST(SensesExport, HasTheDefaultsOfAProtocolThatStatesNothing) {
   EXPECT_EQ(cell_of(tables.table("attempts"), 0, "eye_mask_confirmed"), Cell{});
 }
 
+// The hand is hidden, and no eye mask is worn: none can be confirmed.
+TEST(SensesExport, StatesThatTheHandWasHidden) {
+  MadeUpStudy made;
+  made.add_person("anna", "F");
+  made.add_session(
+      "anna",
+      made.add_protocol("dark", "recognition", R"({"environment": {"vision": "hand_occluded"}})"),
+      {some_trial()});
+  const fs::path out = made.beside("out");
+  export_to(made, out);
+  const Table sessions = table_in(out, "sessions.tsv");
+  EXPECT_EQ(cell_of(sessions, 0, "vision"), Cell{"hand_occluded"});
+  EXPECT_EQ(cell_of(sessions, 0, "masking_noise"), Cell{"none"});
+  EXPECT_EQ(cell_of(table_in(out, "attempts.tsv"), 0, "eye_mask_confirmed"), Cell{});
+  const std::string start = "bids/sub-anna/ses-01/beh/sub-anna_ses-01_task-dark_";
+  for (const char* const suffix : {"beh.json", "events.json"}) {
+    const auto sidecar = nlohmann::json::parse(read_file(out / (start + suffix)));
+    EXPECT_EQ(sidecar.at("Environment").at("Vision"), "hand_occluded") << suffix;
+  }
+}
+
 // The members of the sidecar of events that are not objects are errors of bids-validator.
 TEST(SensesExport, IsInTheSidecarsOfBids) {
   MadeUpStudy made;

@@ -261,6 +261,16 @@ TEST(TableFindings, SayWhyThereIsNoNumber) {
               HasSubstr("! no_data: n is 0, so that nothing can be estimated"));
 }
 
+// The trials of no reversal are an empty word.
+TEST(TableFindings, NameTheQuantityOfAStatusWithoutAWord) {
+  const TidyInput input = input_of("track,trial,response\nleft,1,1\nleft,2,1\n",
+                                   R"({"tracks": {"left": {"start": 5, "n_down": 2, "n_up": 1,
+                                       "step": 1, "scale": "linear", "discard": 0}}})");
+  const TableFindings findings{.kind = "staircase", .findings = staircase_findings(input)};
+  EXPECT_THAT(reading_text_of(findings),
+              HasSubstr("\n! reversal.trials left: the track has no reversal: run more trials\n"));
+}
+
 TEST(TidyFamilies, RefuseWhatCannotBeWithLineAndColumn) {
   EXPECT_EQ(refusal_of<std::runtime_error>(
                 [] { proportion_findings(input_of("id,k,n,p0\na,3,2,0.5\n", "{}")); }),
