@@ -29,7 +29,7 @@ void Conductor::measure_drift(const char* part, const std::string& prompt, doubl
   if (const auto first_m = first_rest_m(before, part)) {
     check.shift_m = glm::length(check.reading.position_m - *first_m);
   }
-  course_.event("drift_checked", part, drift_data_json(check));
+  course_.event(kDriftChecked, part, drift_data_json(check));
   const Phrase result = drift_text(part, check);
   course_.report_to_experimenter(result.english());
   if (course_.asks_experimenter()) course_.ask_experimenter(result, outside_);

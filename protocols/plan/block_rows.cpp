@@ -115,12 +115,10 @@ int repetitions_of(const Protocol::Block& block, const BlockRow& row) {
   return block.repetitions;
 }
 
-/// The types of trials; one null type where all listed surfaces are presented, while the standard has no value, and where
-/// the trials of a track have several types.
+/// The types of the rows; one null type where there are none, and where the trials of a track have several types.
 std::vector<const DesignTrial*> types_of(const Protocol::Block& block) {
-  const std::span<const DesignTrial> trials = block.design->trials;
-  if (block.design == &two_alternatives() || !block.vary || !block.vary->standard) return {nullptr};
-  if (block.procedure && trials.size() > 1) return {nullptr};
+  const std::span<const DesignTrial> trials = trial_types(block);
+  if (trials.empty() || (block.procedure && trials.size() > 1)) return {nullptr};
   std::vector<const DesignTrial*> types{};
   for (const DesignTrial& trial : trials) types.push_back(&trial);
   return types;
@@ -136,6 +134,11 @@ BlockRow row_of_type(const Protocol::Block& block, BlockRow row, const DesignTri
 }
 
 }  // namespace
+
+std::span<const DesignTrial> trial_types(const Protocol::Block& block) {
+  if (block.design == &two_alternatives() || !block.vary || !block.vary->standard) return {};
+  return block.design->trials;
+}
 
 std::size_t round_count(std::size_t levels) { return levels % 2 == 0 ? levels - 1 : levels; }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,10 @@ struct BlockRow {
   /// The part of the pairs that it belongs to, from 0; nothing for a row that belongs to every part.
   std::optional<std::size_t> part{};
 };
+
+/// The types of trials of the block's design; none where all listed surfaces are presented, and while the standard has no
+/// value.
+std::span<const DesignTrial> trial_types(const Protocol::Block& block);
 
 /// The number of rounds in which all pairs of k levels occur once and no level twice in a round: k − 1 for an even k, k for
 /// an odd one. It is the greatest number of parts of the pairs.

@@ -140,14 +140,14 @@ double expected_trials_of_run(const Protocol& protocol, const Block& block) {
   return is_short ? trials - 1.0 : trials;
 }
 
-/// A trial of a design that presents the comparison, where the design has several types; as `rows_of` otherwise.
+/// The first type of trial that presents the comparison, or else the first one; null where there are none.
 const DesignTrial* type_of_anchor(const Block& block) {
-  if (block.design == &two_alternatives() || !block.vary || !block.vary->standard) return nullptr;
-  const std::span<const DesignTrial> types = block.design->trials;
+  const std::span<const DesignTrial> types = trial_types(block);
   const auto signal = std::find_if(types.begin(), types.end(), [&block](const DesignTrial& type) {
     return type.is_signal && type.presents(block.vary->role);
   });
-  return signal == types.end() ? &types.front() : &*signal;
+  if (signal != types.end()) return &*signal;
+  return types.empty() ? nullptr : &types.front();
 }
 
 /// The rows of the squares of all iterated factors.

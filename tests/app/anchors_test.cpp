@@ -97,9 +97,11 @@ TEST(AnchorTables, ListTheResponsesInOrder) {
 
 /// The outcome of responses to the question "rough" in one run of the block "main" of each participant.
 AnalysisOutcome outcome_of_anchors(const std::string& kind,
-                                   const std::vector<AnchorResponse>& responses) {
+                                   const std::vector<AnchorResponse>& responses,
+                                   const std::vector<std::string>& groups = {}) {
   GatheredAnswers gathered{};
   gathered.kind = kind;
+  gathered.groups = groups;
   gathered.anchors = responses;
   for (AnchorResponse& each : gathered.anchors) {
     each.block = "main";
@@ -129,6 +131,17 @@ TEST(AnchorTables, HaveAChangeOfOneParticipantWithoutAnInterval) {
   EXPECT_NEAR(number_in_row(trend, 0, "change"), -1.0, 1e-12) << "not extrapolated to the end";
   EXPECT_EQ(column_of(trend, "change_low"), std::nullopt);
   EXPECT_EQ(column_of(trend, "end"), std::nullopt);
+}
+
+TEST(AnchorTables, StateThatTheGroupsArePooled) {
+  const std::vector<AnchorResponse> responses{number_at("p", AnchorPlace::start, 4.0),
+                                              number_at("p", AnchorPlace::end, 3.0)};
+  const auto note_with = [&responses](const std::vector<std::string>& groups) {
+    return table_of(outcome_of_anchors("rating", responses, groups), kAnchorTrend).note.english();
+  };
+  EXPECT_THAT(note_with({"haptic", "visual"}),
+              HasSubstr("The participants of all groups are analysed together."));
+  EXPECT_THAT(note_with({}), testing::Not(HasSubstr("groups")));
 }
 
 // A participant's runs are averaged first: changes of −1 and −3, and of 0.

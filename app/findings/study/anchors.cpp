@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/summary.h"
 #include "analysis/t_test.h"
 #include "app/findings/reading_table.h"
 #include "protocols/kinds/experiment_kind.h"
@@ -19,12 +20,6 @@ namespace asperity {
 namespace {
 
 constexpr std::array kPlaces{AnchorPlace::start, AnchorPlace::middle, AnchorPlace::end};
-
-double mean_of(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
-}
 
 using ByPlace = std::map<AnchorPlace, double>;
 
@@ -106,10 +101,10 @@ std::optional<double> mean_at(AnchorPlace place, const AnchorSeries& series) {
         own.push_back(found->second);
       }
     }
-    if (!own.empty()) of_participants.push_back(mean_of(own));
+    if (const auto of_runs = summary_of(own)) of_participants.push_back(of_runs->mean);
   }
-  if (of_participants.empty()) return {};
-  return mean_of(of_participants);
+  const std::optional<Summary> summary = summary_of(of_participants);
+  return summary ? std::optional(summary->mean) : std::nullopt;
 }
 
 std::vector<double> changes_of_participants(const AnchorSeries& series) {
@@ -119,7 +114,7 @@ std::vector<double> changes_of_participants(const AnchorSeries& series) {
     for (const auto& [run, by_place] : runs) {
       own.push_back(by_place.at(series.last) - by_place.at(series.first));
     }
-    changes.push_back(mean_of(own));
+    changes.push_back(summary_of(own)->mean);
   }
   return changes;
 }
@@ -158,7 +153,7 @@ Table responses_table(const GatheredAnswers& gathered) {
   return table;
 }
 
-Phrase note_on_trend(const Table& table) {
+Phrase note_on_trend(const Table& table, bool are_in_groups) {
   Phrase note = phrase(
       "Analysis",
       "Means over the participants at the start, in the middle and at the end of a run of the "
@@ -182,6 +177,9 @@ Phrase note_on_trend(const Table& table) {
     add(phrase("Analysis",
                "Changes of proportions correct have no CI, because each participant has only one "
                "trial at a place."));
+  }
+  if (are_in_groups) {
+    add(phrase("Analysis", "The participants of all groups are analysed together."));
   }
   return note;
 }
@@ -209,7 +207,7 @@ void add_anchors(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   for (const AnchorSeries& series : series_of(gathered)) add_trend_row(series, trend.table);
   if (trend.table.rows.empty()) return;
   drop_empty_columns(trend.table, 4);
-  trend.note = note_on_trend(trend.table);
+  trend.note = note_on_trend(trend.table, gathered.groups.size() > 1);
   outcome.tables.push_back(std::move(trend));
 }
 

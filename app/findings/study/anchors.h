@@ -24,7 +24,7 @@ inline constexpr const char* kAnchorCorrect = "anchor_correct";
 /// y = log10 of an estimate; a run without a response at both is left out. It is the slope of the least-squares line over
 /// three equidistant places, and assumes nothing of the place of the middle one. The change of a participant is the mean
 /// over the runs. The interval of the mean over participants is that of Student's t. Proportions correct have none: each
-/// is one trial.
+/// is one trial. Participants of all groups are analysed together, as the note of the table states where there are groups.
 void add_anchors(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
 
 }  // namespace asperity

@@ -2795,6 +2795,10 @@
         <source>Change of the responses to anchors</source>
         <translation>Veränderung der Antworten auf Anker</translation>
     </message>
+    <message>
+        <source>The participants of all groups are analysed together.</source>
+        <translation>Die Versuchspersonen aller Gruppen werden gemeinsam ausgewertet.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
