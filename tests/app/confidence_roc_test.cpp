@@ -17,6 +17,7 @@
 #include "app/findings/found_numbers.h"
 #include "app/findings/reading_table.h"
 #include "protocols/design/discrimination_design.h"
+#include "tests/app/coverage_counts.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/made_up_study.h"
 
@@ -156,6 +157,8 @@ TEST(ConfidenceRoc, HasATableAndAnAnswer) {
   const Table& table = table_of(outcome, "confidence_roc").table;
   EXPECT_EQ(table.rows.size(), 9U) << "all participants, and each one";
   EXPECT_EQ(table.rows.front().front(), Cell{std::string("all participants")});
+  EXPECT_THAT(table_of(outcome, "confidence_roc").note.english(),
+              HasSubstr("its coverage was " + span_of_coverage("ratings_of_signal", "auc")));
   EXPECT_THAT(answer_to(outcome, "confidence_roc"),
               HasSubstr("55 µm: mean A_z of 8 of 8 participants = 0.7"));
   EXPECT_THAT(answer_to(outcome, "confidence_roc"),

@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -19,6 +21,7 @@ struct DrawnCount {
   double participants = 0.0;
   double trials = 0.0;  ///< of each participant
   double effect = 0.0;
+  double spread = 0.0;  ///< difference between participants
   std::string key{};
   std::optional<double> truth{};  ///< of an interval
   double tables = 0.0;
@@ -39,6 +42,7 @@ inline std::vector<DrawnCount> coverage_counts(const std::string& part,
   const auto participants = table.all_numbers("participants");
   const auto trials = table.all_numbers("trials");
   const auto effects = table.all_numbers("effect");
+  const auto spreads = table.all_numbers("spread");
   const auto truths = table.numbers("truth");
   const auto tables = table.all_numbers("tables");
   const auto given = table.all_numbers("given");
@@ -53,6 +57,7 @@ inline std::vector<DrawnCount> coverage_counts(const std::string& part,
         {.participants = participants[row],
          .trials = trials[row],
          .effect = effects[row],
+         .spread = spreads[row],
          .key = std::string(keys[row]),
          .truth = truths[row],
          .tables = tables[row],
@@ -60,6 +65,21 @@ inline std::vector<DrawnCount> coverage_counts(const std::string& part,
          .failed = is_test ? rejected[row].value() : below[row].value() + above[row].value()});
   }
   return counts;
+}
+
+/// "88 to 95 %": the lowest and the highest coverage over the settings in which participants differ or do not, rounded outwards.
+inline std::string span_of_coverage(const std::string& part, const std::string& quantity,
+                                    std::optional<bool> differ = {}) {
+  double lowest = 100.0;
+  double highest = 0.0;
+  for (const DrawnCount& count : coverage_counts(part, quantity)) {
+    if (differ && (count.spread > 0.0) != *differ) continue;
+    if (count.given < 0.05 * count.tables) continue;
+    const double covered = 100.0 * (count.given - count.failed) / count.given;
+    lowest = std::min(lowest, std::floor(covered));
+    highest = std::max(highest, std::ceil(covered));
+  }
+  return std::to_string(std::lround(lowest)) + " to " + std::to_string(std::lround(highest)) + " %";
 }
 
 }  // namespace asperity

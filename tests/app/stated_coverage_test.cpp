@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -42,6 +44,68 @@ TEST(StatedCoverage, OfEffectSizesOfChoicesIsTheSmallestOfTheSimulations) {
   EXPECT_THAT(test_method("relabel.exact.p")->coverage.english(),
               HasSubstr(smallest_coverage("choice_effects", "relabel.W", 0.0, 1.0).substr(0, 2) +
                         " to 100 %"));
+}
+
+std::vector<Finding> findings_of(const char* family, const std::string& rows,
+                                 const std::string& options = "{}") {
+  TidyInput input{.options = FamilyOptions::of_json(options, "options")};
+  input.tables.emplace_back(rows, "t.csv");
+  return tidy_family(family).findings(input);
+}
+
+std::string method_of(const std::vector<Finding>& findings, const std::string& quantity) {
+  for (const Finding& finding : findings) {
+    if (finding.quantity == quantity) return finding.method;
+  }
+  return "(absent)";
+}
+
+TEST(StatedCoverage, OfOneParticipantOrMeansOfThemIsThatOfTheSimulations) {
+  const std::vector<Finding> roc =
+      findings_of("roc", "condition,rating,noise,signal\na,1,8,2\na,2,4,4\na,3,2,8\n");
+  EXPECT_THAT(method_of(roc, "auc"), HasSubstr(span_of_coverage("ratings_of_signal", "auc")));
+  const std::vector<Finding> fit = findings_of(
+      "psyfit", "condition,x,n,k\na,1,20,2\na,2,20,8\na,3,20,13\na,4,20,18\n",
+      R"({"shape": "logistic", "gamma": 0, "lambda": 0.02, "pt": 0.5, "bootstrap": 200})");
+  for (const auto& [quantity, part, drawn] :
+       {std::tuple("threshold", "psychometric", "threshold"),
+        std::tuple("threshold.overdispersed.lower", "psychometric", "threshold.overdispersed"),
+        std::tuple("fit.alpha", "psychometric", "alpha.profile"),
+        std::tuple("bootstrap.threshold.lower", "bootstrapped", "bootstrap.threshold")}) {
+    EXPECT_THAT(method_of(fit, quantity), HasSubstr(span_of_coverage(part, drawn))) << quantity;
+  }
+  std::string tasks = "id,subject,design,signal_yes,signal_n,noise_yes,noise_n\n";
+  for (int i = 0; i < 6; ++i) {
+    tasks += "a,p" + std::to_string(i) + ",yesno," + std::to_string(12 + i) + ",20,5,20\n";
+  }
+  EXPECT_THAT(method_of(findings_of("dprime", tasks), "dprime.mean"),
+              HasSubstr(span_of_coverage("sensitivity", "dprime.mean")));
+}
+
+TEST(StatedCoverage, OfPooledResponsesIsThatOfTheSimulations) {
+  const auto spans = [](const std::string& part, const std::string& quantity) {
+    return span_of_coverage(part, quantity, false) + " where participants are alike, and " +
+           span_of_coverage(part, quantity, true) + " where they differ";
+  };
+  const std::vector<Finding> recognised =
+      findings_of("recognition", "subject,stimulus,response\nA,x,x\nA,y,x\nB,y,y\nB,x,x\n",
+                  R"({"labels": ["x", "y"]})");
+  for (const char* const quantity : {"pc", "dprime"}) {
+    EXPECT_THAT(method_of(recognised, quantity), HasSubstr(spans("recognition", quantity)));
+  }
+  const std::vector<Finding> matched = findings_of(
+      "matching", "subject,trial,stimulus,response\nA,1,x,x\nA,1,y,y\nB,1,x,y\nB,1,y,x\n");
+  EXPECT_THAT(method_of(matched, "perfect.wilson.lower"), HasSubstr(spans("matching", "perfect")));
+  const std::vector<Finding> compared =
+      findings_of("paired", "subject,first,second,winner\nA,x,y,x\nA,x,y,y\nB,y,x,x\nB,y,x,x\n",
+                  R"({"items": ["x", "y"]})");
+  EXPECT_THAT(method_of(compared, "bt.ability.sumzero"),
+              HasSubstr(spans("pairs", "bt.ability.sumzero")));
+  const std::vector<Finding> ranked = findings_of(
+      "ranking", "subject,trial,item,rank\nA,1,x,1\nA,1,y,2\nA,2,x,2\nA,2,y,1\nB,1,x,1\nB,1,y,2\n",
+      R"({"items": ["x", "y"]})");
+  EXPECT_THAT(method_of(ranked, "pl.logworth.sumzero"),
+              HasSubstr(spans("worths", "pl.logworth.sumzero")));
 }
 
 /// "up to 7 %": the greatest Type I error rate over the designs with these numbers of participants.

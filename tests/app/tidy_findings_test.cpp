@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -466,20 +467,25 @@ TEST(TidyFamilies, AverageTheAreasOfParticipantsWithDifferentCriteria) {
   EXPECT_GT(value_of(found, "uv.az.mean", "x"), value_of(found, "uv.az", "x"));
 }
 
-// The responses and numbers of crossed_binomial_test.cpp.
 // Ten trials of each kind that the ratings separate are also compatible with a smaller area: an interval [1, 1] is not one.
 TEST(TidyFamilies, GiveNoIntervalOfAnAreaAtItsEndOrWithoutVariance) {
-  for (const char* const rows : {"a,1,10,0\na,2,0,10\n", "a,1,10,3\na,2,0,7\n"}) {
+  for (const auto& [rows, reason] :
+       {std::pair("a,1,10,0\na,2,0,10\n", "the coverage of the interval of the area alone is 0 %"),
+        std::pair("a,1,10,3\na,2,0,7\n", "lacks the part of trials that all have the same")}) {
     const auto found =
         roc_findings(input_of(std::string("condition,rating,noise,signal\n") + rows, "{}"));
     for (const Finding& finding : found) {
       if (finding.quantity != "auc" && !finding.quantity.starts_with("auc.")) continue;
       EXPECT_FALSE(finding.low || finding.high) << rows;
+      if (finding.quantity == "auc") {
+        EXPECT_THAT(finding.method, HasSubstr(reason));
+      }
       EXPECT_FALSE(finding.quantity.ends_with("lower") || finding.quantity.ends_with("upper"));
     }
   }
 }
 
+// The responses and numbers of crossed_binomial_test.cpp.
 TEST(TidyFamilies, FitParticipantsAndItemsAsCrossed) {
   const std::string hits = "1233231122333221121213113332332323333322232323223333333322112332";
   std::string table = "subject,item,condition,correct,trials\n";

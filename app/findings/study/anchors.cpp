@@ -176,7 +176,8 @@ Phrase note_on_trend(const Table& table, bool are_in_groups) {
   if (has_proportions) {
     add(phrase("Analysis",
                "Changes of proportions correct have no CI, because each participant has only one "
-               "trial at a place."));
+               "trial at a place: in simulations with 2 to 20 participants, the coverage of a "
+               "t-based CI was 92 to 100 %."));
   }
   if (are_in_groups) {
     add(phrase("Analysis", "The participants of all groups are analysed together."));

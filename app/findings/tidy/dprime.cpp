@@ -19,6 +19,7 @@
 #include "analysis/tail_probabilities.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/repeated_rows.h"
+#include "app/findings/tidy/simulated_coverage.h"
 #include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {
@@ -301,8 +302,8 @@ void add_mean_sensitivity(const std::string& id, const SensitivitiesOfTask& sens
       bootstrap_participants({.participants = all.size(), .confidence = confidence}, mean_of);
   Basis basis{.n = all.size(), .method = sensitivities.mean};
   if (bootstrap.interval) {
-    basis.method +=
-        "; expanded percentiles, bootstrap over participants, " + way_of_counting(bootstrap.draws);
+    basis.method += "; expanded percentiles, bootstrap over participants, " +
+                    way_of_counting(bootstrap.draws) + simulated_coverage({91, 95});
     basis.interval = bootstrap.interval;
     basis.confidence = confidence;
   }

@@ -23,6 +23,7 @@
 #include "analysis/tail_probabilities.h"
 #include "analysis/two_samples.h"
 #include "app/findings/tidy/finding_list.h"
+#include "app/findings/tidy/simulated_coverage.h"
 #include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {
@@ -50,8 +51,8 @@ struct Matching {
   std::vector<TidyTrial> trials{};
   /// Distributions of one trial's number correct; all different.
   std::vector<IntegerDistribution> chances{};
-  std::vector<std::size_t> felt{};             ///< labels that were felt, by name
-  std::size_t items = 0;                       ///< of the first trial
+  std::vector<std::size_t> felt{};  ///< labels that were felt, by name
+  std::size_t items = 0;            ///< of the first trial
   bool equal_size = true;
   double confidence = 0.95;
 
@@ -261,7 +262,9 @@ void add_whole(const Matching& read, FindingList& findings) {
   }
   findings.count("perfect.trials", "", whole.hits, {.n = whole.trials, .method = basis.method});
   if (whole.trials == 0) return;
-  const Basis wilson{.n = whole.trials, .method = "permutation trials only; Wilson interval"};
+  const Basis wilson{.n = whole.trials,
+                     .method = "permutation trials only; Wilson interval" +
+                               simulated_coverage({91, 99}, {60, 96})};
   findings.number("perfect.wilson.lower", "", basis.interval->low, wilson);
   findings.number("perfect.wilson.upper", "", basis.interval->high, wilson);
   std::vector<HitCount> own(read.participants.size());

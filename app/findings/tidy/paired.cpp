@@ -15,6 +15,7 @@
 #include "analysis/thurstone.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/scale_findings.h"
+#include "app/findings/tidy/simulated_coverage.h"
 #include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {
@@ -116,8 +117,9 @@ void add_bradley_terry(const Paired& read, const BradleyTerry& fit, FindingList&
                      scale_names(read, "", "bt.se.sumzero.cluster", centred), findings);
   add_cluster_errors(read.items, fit.clustered, scale_names(read, "", "bt.se.cluster", from_first),
                      findings);
-  add_scale(read.items, fit.abilities.about_mean(),
-            scale_names(read, "bt.ability.sumzero", "bt.se.sumzero", centred), findings);
+  ScaleNames about_mean = scale_names(read, "bt.ability.sumzero", "bt.se.sumzero", centred);
+  about_mean.coverage = simulated_coverage({93, 99}, {81, 96});
+  add_scale(read.items, fit.abilities.about_mean(), about_mean, findings);
   add_scale(read.items, fit.abilities, scale_names(read, "bt.ability", "bt.se", from_first),
             findings);
   const auto df = static_cast<double>(fit.df);

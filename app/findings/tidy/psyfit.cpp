@@ -15,6 +15,7 @@
 #include "analysis/tail_probabilities.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/psychometric_conditions.h"
+#include "app/findings/tidy/simulated_coverage.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "app/findings/tidy/unforced_estimates.h"
 
@@ -234,7 +235,7 @@ class PsychometricList final {
 
   void parameters(const PsychometricFit& fit) {
     const std::string method = "maximum likelihood";
-    Basis alpha = basis(method + "; profile interval");
+    Basis alpha = basis(method + "; profile interval" + simulated_coverage({93, 100}));
     if (fit.profile_low && fit.profile_high) {
       alpha.interval = ConfidenceInterval{.low = *fit.profile_low, .high = *fit.profile_high};
       alpha.confidence = question_.confidence;
@@ -267,8 +268,9 @@ class PsychometricList final {
     number("se.beta.overdispersed", fit.overdispersed->beta_se, method);
     if (is_outside_levels(fit.threshold, blocks)) return;
     number("threshold.se.overdispersed", fit.overdispersed->threshold_se, method);
-    const std::string interval =
-        method + "; t interval with the degrees of freedom of the deviance";
+    const std::string interval = method +
+                                 "; t interval with the degrees of freedom of the deviance" +
+                                 simulated_coverage({96, 100});
     number("threshold.overdispersed.lower", fit.overdispersed->threshold.low, interval);
     number("threshold.overdispersed.upper", fit.overdispersed->threshold.high, interval);
   }
@@ -312,9 +314,7 @@ class PsychometricList final {
            method + ", SD of the thresholds");
     const ConfidenceInterval none{.low = kUndefined, .high = kUndefined};
     const ConfidenceInterval ends = thresholds.percentile.value_or(none);
-    const std::string percentile =
-        method +
-        ", percentile interval; in simulations the coverage of the 95 % interval was 88 to 93 %";
+    const std::string percentile = method + ", percentile interval" + simulated_coverage({87, 94});
     number("bootstrap.threshold.lower", ends.low, percentile);
     number("bootstrap.threshold.upper", ends.high, percentile);
   }
@@ -327,7 +327,8 @@ class PsychometricList final {
       return;
     }
     Basis estimate = basis(is_outside ? "x at the requested performance; outside the tested levels"
-                                      : "x at the requested performance; delta interval");
+                                      : "x at the requested performance; delta interval" +
+                                            simulated_coverage({92, 100}));
     estimate.undefined =
         "the fitted function does not take the value pt: its gamma or lambda is too large; choose "
         "another pt, or fix gamma and lambda";

@@ -15,6 +15,7 @@
 #include "analysis/plackett_luce.h"
 #include "analysis/tail_probabilities.h"
 #include "app/findings/tidy/scale_findings.h"
+#include "app/findings/tidy/simulated_coverage.h"
 #include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {
@@ -145,8 +146,9 @@ void add_plackett_luce(const Rankings& read, const PlackettLuce& fit, FindingLis
   add_cluster_errors(read.items, fit.clustered.about_mean(),
                      named("", "pl.se.sumzero.cluster", centred), findings);
   add_cluster_errors(read.items, fit.clustered, named("", "pl.se.cluster", from_first), findings);
-  add_scale(read.items, fit.log_worths.about_mean(),
-            named("pl.logworth.sumzero", "pl.se.sumzero", centred), findings);
+  ScaleNames about_mean = named("pl.logworth.sumzero", "pl.se.sumzero", centred);
+  about_mean.coverage = simulated_coverage({94, 98}, {65, 94});
+  add_scale(read.items, fit.log_worths.about_mean(), about_mean, findings);
   add_scale(read.items, fit.log_worths, named("pl.logworth", "pl.se", from_first), findings);
   const double lr = 2.0 * (fit.log_likelihood - fit.equal_log_likelihood);
   const double df = static_cast<double>(read.items.size()) - 1.0;

@@ -19,6 +19,7 @@
 #include "analysis/similarity_choice.h"
 #include "analysis/t_test.h"
 #include "app/findings/tidy/finding_list.h"
+#include "app/findings/tidy/simulated_coverage.h"
 #include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {
@@ -133,7 +134,8 @@ class Recognition final {
     const ConfidenceInterval wilson = wilson_interval(right_, confidence_);
     const ConfidenceInterval exact = clopper_pearson_interval(right_, confidence_);
     Basis pooled =
-        basis("proportion correct of all trials; Wilson interval, trials treated as independent");
+        basis("proportion correct of all trials; Wilson interval, trials treated as independent" +
+              simulated_coverage({90, 98}, {62, 97}));
     pooled.interval = wilson;
     pooled.confidence = confidence_;
     list_.number("pc", "", proportion(right_), pooled);
@@ -233,7 +235,8 @@ class Recognition final {
     const double dprime = choice.dprime(proportion(right_));
     Basis estimate = of_trials(
         "d′ for m alternatives without response bias; interval from the Wilson limits of pc; n: "
-        "number of responses");
+        "number of responses" +
+        simulated_coverage({77, 98}, {62, 97}));
     estimate.interval = limits;
     estimate.confidence = confidence_;
     list_.number("dprime", "", dprime, estimate);

@@ -13,6 +13,7 @@
 #include "analysis/rating_roc.h"
 #include "analysis/tail_probabilities.h"
 #include "app/findings/tidy/finding_list.h"
+#include "app/findings/tidy/simulated_coverage.h"
 #include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {
@@ -147,16 +148,20 @@ class RocList final {
     }
   }
 
-  /// DeLong's standard error is 0 for an area of 0 or 1, and lacks one of its two parts where all trials of a kind have the
-  /// same rating.
-  bool has_interval(const RocArea& area) const {
+  /// Of 0 or 1: DeLong's standard error is then 0.
+  static bool is_at_end(const RocArea& area) {
     constexpr double kRounding = 1e-9;  // of the sum of the trapezoids
+    return area.area <= kRounding || area.area >= 1.0 - kRounding;
+  }
+
+  /// DeLong's standard error lacks one of its two parts where all trials of a kind have the same rating.
+  bool has_interval(const RocArea& area) const {
     const auto categories = [this](std::uint64_t RatingCount::*of) {
       return std::count_if(condition_.counts.begin(), condition_.counts.end(),
                            [of](const RatingCount& count) { return count.*of > 0; });
     };
-    return area.standard_error && area.area > kRounding && area.area < 1.0 - kRounding &&
-           categories(&RatingCount::noise) > 1 && categories(&RatingCount::signal) > 1;
+    return area.standard_error && !is_at_end(area) && categories(&RatingCount::noise) > 1 &&
+           categories(&RatingCount::signal) > 1;
   }
 
   void add_area() {
@@ -164,13 +169,18 @@ class RocList final {
     Basis trapezoids = basis("area under the ROC by trapezoids, equal to Mann and Whitney's U/nm");
     if (has_interval(area)) {
       const double reach = normal_limit(confidence_) * *area.standard_error;
-      trapezoids.method += "; normal interval with DeLong's standard error, truncated to 0 to 1";
+      trapezoids.method += "; normal interval with DeLong's standard error, truncated to 0 to 1" +
+                           simulated_coverage({88, 95});
       trapezoids.interval = ConfidenceInterval{.low = std::max(0.0, area.area - reach),
                                                .high = std::min(1.0, area.area + reach)};
       trapezoids.confidence = confidence_;
     } else {
       trapezoids.method +=
-          "; without an interval, because DeLong's standard error is 0 or too small";
+          is_at_end(area)
+              ? "; without an interval: DeLong's standard error is 0, and the coverage of the "
+                "interval of the area alone is 0 %"
+              : "; without an interval: DeLong's standard error lacks the part of trials that "
+                "all have the same rating";
     }
     list_.number("auc", condition_.name, area.area, trapezoids);
     list_.number("auc.se.delong", condition_.name, area.standard_error.value_or(kUndefined),

@@ -63,7 +63,7 @@ void add_scale(std::span<const std::string> items, const Abilities& scale, const
     const double value = scale.value(index);
     const double error = errors(index);
     const std::string method = names.method + ", judgements treated as independent";
-    Basis basis{.n = names.n, .method = method + "; Wald interval"};
+    Basis basis{.n = names.n, .method = method + "; Wald interval" + names.coverage};
     if (error > 0.0) {
       basis.interval = {.low = value - z * error, .high = value + z * error};
       basis.confidence = names.confidence;

@@ -20,6 +20,7 @@ struct ScaleNames {
   std::string method{};
   std::size_t n = 0;
   double confidence = 0.95;
+  std::string coverage{};  ///< of Wald's interval, as `simulated_coverage`
 };
 
 /// The log-worth of each item about their mean, with the t interval of its CR2 standard error, that

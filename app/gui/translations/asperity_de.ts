@@ -2584,10 +2584,6 @@
         <translation>Normalverteilungsmodell mit ungleichen Varianzen für die Kategorien aus Antwort und Sicherheit, mit maximaler Likelihood für jede Versuchsperson (Mittelwert mit t-basiertem KI, ohne dieses, wenn eine Versuchsperson keinen Schätzwert hat) und über die Antworten aller Versuchspersonen (KI aus erweiterten Perzentilen eines Bootstraps über die Versuchspersonen, ab sechs Versuchspersonen); Likelihood-Quotienten-Test auf gleiche Varianzen [Dorfman 1969].</translation>
     </message>
     <message>
-        <source>Response and confidence together are ordered categories. Area: by trapezoids, 95 % CI [DeLong 1988], truncated to 0 to 1. A_z, d_a and the SD of the signal divided by that of the noise: normal model with unequal variances. χ²(1) and p: likelihood-ratio test of equal variances, exploratory and uncorrected; all responses are treated as independent. The rows of all participants assume equal criteria of the participants; an area over participants with different criteria is too small. There is no CI of an area of 0 or 1, and none where all trials with a signal, or all without one, have the same rating, because DeLong’s standard error is then 0 or too small.</source>
-        <translation>Antwort und Sicherheit zusammen sind geordnete Kategorien. Fläche: nach der Trapezregel, 95-%-KI [DeLong 1988], auf 0 bis 1 begrenzt. A_z, d_a und die Standardabweichung des Signals geteilt durch die des Rauschens: Normalverteilungsmodell mit ungleichen Varianzen. χ²(1) und p: Likelihood-Quotienten-Test auf gleiche Varianzen, explorativ und unkorrigiert; alle Antworten gelten als unabhängig. Die Zeilen aller Versuchspersonen setzen gleiche Kriterien voraus; die Fläche über Versuchspersonen mit verschiedenen Kriterien ist zu klein. Kein KI hat eine Fläche von 0 oder 1 und eine, bei der alle Durchgänge mit oder alle ohne Signal dieselbe Einstufung haben, weil der Standardfehler nach DeLong dann 0 oder zu klein ist.</translation>
-    </message>
-    <message>
         <source>Generalised linear mixed model (logit) with crossed random intercepts of participants and textures, by maximum likelihood with the Laplace approximation, or by numerical integration where one SD is estimated as 0; t test and CI of the fixed intercept, with the degrees of freedom of the smaller sample (participants or textures), also where its SD is estimated as 0. In simulations with 5 to 20 participants and SDs of 0.5 and 1, among the studies with an estimate, the coverage of the 95 % CI was 95 to 100 % with four textures and 90 to 100 % with ten.</source>
         <translation>Generalisiertes lineares gemischtes Modell (Logit) mit gekreuzten zufälligen Achsenabschnitten der Versuchspersonen und Texturen, mit maximaler Likelihood in der Laplace-Näherung, oder durch numerische Integration, wenn eine Standardabweichung als 0 geschätzt wird; t-Test und KI des festen Achsenabschnitts mit den Freiheitsgraden der kleineren Stichprobe (Versuchspersonen oder Texturen), auch wenn deren Standardabweichung als 0 geschätzt wird. In Simulationen mit 5 bis 20 Versuchspersonen und Standardabweichungen von 0,5 und 1 enthielt das 95-%-KI unter den Studien mit Schätzwert den wahren Wert in 95 bis 100 % mit vier und in 90 bis 100 % mit zehn Texturen.</translation>
     </message>
@@ -2780,10 +2776,6 @@
         <translation>95-%-KI: t-basiert über die Versuchspersonen, für Schätzungen auf der logarithmischen Skala; in Simulationen mit 2 bis 20 Versuchspersonen enthielt es den wahren Wert in 94 bis 100 % der Studien, bei Urteilen nahe einem Ende ihrer Skala in 92 bis 100 %.</translation>
     </message>
     <message>
-        <source>Changes of proportions correct have no CI, because each participant has only one trial at a place.</source>
-        <translation>Veränderungen von Anteilen richtiger Antworten haben kein KI, weil jede Versuchsperson an einer Stelle nur einen Durchgang hat.</translation>
-    </message>
-    <message>
         <source>Responses to anchors</source>
         <translation>Antworten auf Anker</translation>
     </message>
@@ -2798,6 +2790,14 @@
     <message>
         <source>The participants of all groups are analysed together.</source>
         <translation>Die Versuchspersonen aller Gruppen werden gemeinsam ausgewertet.</translation>
+    </message>
+    <message>
+        <source>Changes of proportions correct have no CI, because each participant has only one trial at a place: in simulations with 2 to 20 participants, the coverage of a t-based CI was 92 to 100 %.</source>
+        <translation>Veränderungen von Anteilen richtiger Antworten haben kein KI, weil jede Versuchsperson an einer Stelle nur einen Durchgang hat: In Simulationen mit 2 bis 20 Versuchspersonen enthielt ein t-basiertes KI die wahre Veränderung in 92 bis 100 % der Studien.</translation>
+    </message>
+    <message>
+        <source>Response and confidence together are ordered categories. Area: by trapezoids, 95 % CI [DeLong 1988], truncated to 0 to 1; in simulations with 24 to 144 trials of either kind, its coverage was 88 to 95 %. A_z, d_a and the SD of the signal divided by that of the noise: normal model with unequal variances. χ²(1) and p: likelihood-ratio test of equal variances, exploratory and uncorrected; all responses are treated as independent. The rows of all participants assume equal criteria of the participants; an area over participants with different criteria is too small. There is no CI of an area of 0 or 1, whose standard error is 0, so that the CI would be the area itself (coverage 0 %), and none where all trials with a signal, or all without one, have the same rating, because DeLong’s standard error is then too small.</source>
+        <translation>Antwort und Sicherheit zusammen sind geordnete Kategorien. Fläche: nach der Trapezregel, 95-%-KI [DeLong 1988], auf 0 bis 1 begrenzt; in Simulationen mit je 24 bis 144 Durchgängen mit und ohne Signal enthielt es die wahre Fläche in 88 bis 95 % der Tabellen. A_z, d_a und die Standardabweichung des Signals geteilt durch die des Rauschens: Normalverteilungsmodell mit ungleichen Varianzen. χ²(1) und p: Likelihood-Quotienten-Test auf gleiche Varianzen, explorativ und unkorrigiert; alle Antworten gelten als unabhängig. Die Zeilen aller Versuchspersonen setzen gleiche Kriterien voraus; die Fläche über Versuchspersonen mit verschiedenen Kriterien ist zu klein. Kein KI hat eine Fläche von 0 oder 1, deren Standardfehler 0 ist, sodass das KI die Fläche selbst wäre und die wahre nie enthielte, und keines eine, bei der alle Durchgänge mit oder alle ohne Signal dieselbe Einstufung haben, weil der Standardfehler nach DeLong dann zu klein ist.</translation>
     </message>
 </context>
 <context>
