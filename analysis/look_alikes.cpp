@@ -41,7 +41,7 @@ constexpr LookAlike kLookAlikes[] = {
     {"\xE2\x81\xA0", "a word joiner (U+2060)", kNothing},
     {"\xE2\x88\x92", "a minus sign (U+2212)", kMinus},
     {"\xE3\x80\x80", "an ideographic space (U+3000)", kSpace},
-    {"\xEF\xBB\xBF", "a byte order mark (U+FEFF)", kNothing},
+    {kByteOrderMark, "a byte order mark (U+FEFF)", kNothing},
     {"\xEF\xBC\x8C", "a full-width comma (U+FF0C)", kComma},
     {"\xEF\xBC\x8E", "a full-width full stop (U+FF0E)", kPoint},
     {"\xEF\xBC\x9A", "a full-width colon (U+FF1A)", "write a colon (:) instead"},

@@ -8,6 +8,14 @@
 
 namespace asperity {
 
+/// How some programs begin a file in UTF-8.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// The text behind a byte order mark at its beginning; the whole text where there is none.
+inline std::string_view without_byte_order_mark(std::string_view text) noexcept {
+  return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
+}
+
 struct LookAlike {
   std::string_view bytes{};   ///< in UTF-8
   std::string_view name{};    ///< with its article and code point: "a no-break space (U+00A0)"

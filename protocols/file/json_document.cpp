@@ -365,7 +365,7 @@ JsonDocument::JsonDocument(std::string_view text, std::string file,
   };
   if (text.size() > kMaximumBytes)
     refuse("larger than 4 MiB, the maximum size of a protocol; name another file");
-  if (text.starts_with("\xEF\xBB\xBF")) {
+  if (text.starts_with(kByteOrderMark)) {
     refuse("begins with a byte order mark; save the file as UTF-8 without one");
   }
   const bool has_every_other_zero =

@@ -34,8 +34,7 @@ NumberTable number_table_in(
     const std::function<void(const std::vector<std::string>&)>& check_columns) {
   NumberTable table{};
   std::size_t line_number = 0;
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (tsv.starts_with(kByteOrderMark)) tsv.remove_prefix(kByteOrderMark.size());
+  tsv = without_byte_order_mark(tsv);
   if (tsv.find('\n') == std::string_view::npos && tsv.find('\r') != std::string_view::npos) {
     refuse_table_line(name, 1,
                       "the lines end with carriage returns alone; save the table with line feeds "

@@ -8,7 +8,7 @@ namespace asperity {
 
 /// What stands for a missing cell.
 inline constexpr std::string_view kMissingCell = "n/a";
-/// How some programs begin a file in UTF-8.
+/// How some programs begin a file in UTF-8. The store uses no other folder, and states it itself.
 inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 /// Whether the lines of a table end as those of old programs, which readers of tables refuse.

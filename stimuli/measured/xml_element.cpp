@@ -7,18 +7,18 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/look_alikes.h"
+
 namespace asperity {
 namespace {
 
 constexpr std::size_t kDeepest = 32;
 constexpr const char* kSpaces = " \t\r\n";
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 class XmlReader final {
  public:
-  XmlReader(std::string_view xml, const std::string& name) : rest_(xml), name_(name) {
-    if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
-  }
+  XmlReader(std::string_view xml, const std::string& name)
+      : rest_(without_byte_order_mark(xml)), name_(name) {}
 
   XmlElement root() {
     skip_to_element();

@@ -12,10 +12,8 @@
 
 namespace asperity {
 
-MeshText::MeshText(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (text_.starts_with(kByteOrderMark)) text_.remove_prefix(kByteOrderMark.size());
-}
+MeshText::MeshText(std::string_view text, std::string name)
+    : text_(without_byte_order_mark(text)), name_(std::move(name)) {}
 
 bool MeshText::next_line() noexcept {
   if (text_.empty()) return false;

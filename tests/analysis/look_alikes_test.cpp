@@ -35,5 +35,11 @@ TEST(LookAlikes, AreNotTheLettersOfNames) {
   EXPECT_FALSE(first_look_alike(""));
 }
 
+TEST(ByteOrderMark, IsLeftOutAtTheBeginningOnly) {
+  EXPECT_EQ(without_byte_order_mark("\xEF\xBB\xBFx\xEF\xBB\xBF"), "x\xEF\xBB\xBF");
+  EXPECT_EQ(without_byte_order_mark("x"), "x");
+  EXPECT_EQ(without_byte_order_mark(""), "");
+}
+
 }  // namespace
 }  // namespace asperity::test

@@ -8,6 +8,7 @@
 #include <QtWidgets/QSplitter>
 #include <QtWidgets/QStackedWidget>
 
+#include "analysis/look_alikes.h"
 #include "app/gui/base/documents.h"
 #include "app/gui/base/study_table.h"
 #include "app/gui/editor/find_bar.h"
@@ -24,8 +25,6 @@
 namespace asperity {
 
 namespace {
-
-constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
 
 QSplitter* make_splitter(Qt::Orientation orientation, QWidget* parent) {
   auto* splitter = new QSplitter(orientation, parent);
@@ -255,6 +254,10 @@ std::string ProtocolEditorPage::content() const {
   return written.toStdString();
 }
 
+bool ProtocolEditorPage::gives_back(const std::string& bytes) const {
+  return (byte_order_mark_ ? std::string(kByteOrderMark) : std::string()) + content() == bytes;
+}
+
 /// What the field is to hold for these bytes; remembers how to get back from it.
 QString ProtocolEditorPage::decoded(const std::string& bytes) {
   byte_order_mark_ = bytes.starts_with(kByteOrderMark);
@@ -268,7 +271,7 @@ void ProtocolEditorPage::show_content(const std::string& bytes) {
   as_it_is_ = false;
   edit_->setPlainText(decoded(bytes));  // forgets the undo of another file
   on_disk_ = bytes;
-  as_it_is_ = (byte_order_mark_ ? kByteOrderMark : "") + content() != bytes;
+  as_it_is_ = !gives_back(bytes);
   edit_->setReadOnly(as_it_is_);
   // Saving is of use then: it leaves the mark out, which no protocol may have.
   edit_->document()->setModified(byte_order_mark_ && !as_it_is_);
@@ -287,7 +290,7 @@ void ProtocolEditorPage::take_content(const std::string& bytes) {
   const QString shown = decoded(bytes);
   edit_->setReadOnly(false);
   edit_->replace_text(shown);
-  if ((byte_order_mark_ ? kByteOrderMark : "") + content() != bytes) {
+  if (!gives_back(bytes)) {
     show_content(bytes);
     return;
   }

@@ -71,6 +71,8 @@ class ProtocolEditorPage final : public StudyPage {
   void show_content(const std::string& bytes);
   void take_content(const std::string& bytes);
   QString decoded(const std::string& bytes);
+  /// Whether saving what is in the field, with the mark that it had, would write these bytes.
+  bool gives_back(const std::string& bytes) const;
   void show_whether_saved();
   void take_checked(const LiveCheck::Result& result);
   void show_checked();
