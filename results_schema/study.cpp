@@ -336,13 +336,9 @@ Study Study::create(const std::filesystem::path& folder, const std::string& name
   if (name.empty())
     throw std::invalid_argument("the name of a study must not be empty; give a name");
   if (!std::filesystem::exists(folder)) {
-    PartFolder part(folder, kOwnersFolder);
-    try {
-      fill_new_study(part.content(), name, migrations);
-      part.take_place();
-    } catch (const ResultsError& error) {
-      throw part.about_target(error);
-    }
+    make_folder_at_once(folder, kOwnersFolder, [&](const std::filesystem::path& content) {
+      fill_new_study(content, name, migrations);
+    });
     return open(folder, Access::read_write, migrations);
   }
   if (!std::filesystem::is_directory(folder)) {

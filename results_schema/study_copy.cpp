@@ -201,7 +201,7 @@ void Study::copy_to(const std::filesystem::path& folder) const {
   const std::filesystem::path to =
       std::filesystem::weakly_canonical(std::filesystem::absolute(folder));
   std::optional<PartFolder> part;
-  try {
+  name_target_in_errors(part, [&] {
     // Rows of one moment, with files that go with the participant: once more, without them, where data are deleted meanwhile.
     for (bool is_whole = false; !is_whole;) {
       part.emplace(to, kOwnersFolder);
@@ -225,10 +225,7 @@ void Study::copy_to(const std::filesystem::path& folder) const {
     }
     seal_new(part->content());
     part->take_place();
-  } catch (const ResultsError& error) {
-    if (!part) throw;
-    throw part->about_target(error);
-  }
+  });
 }
 
 }  // namespace asperity

@@ -427,10 +427,10 @@ ExportOutcome export_study(const Study& study, const ModelRegistry& models, cons
     alike = walk.alike_labels();
     publication = walk.publication();
   };
-  try {
+  name_target_in_errors(making, [&] {
     read_unless_broken(
         study, [&] { study.read_at_one_moment(export_one_moment); }, stop);
-    if (stopped) return {};
+    if (stopped) return;
     making->write("README.txt",
                   export_readme(options, remark_on(study), outcome.warnings, publication));
     // README.txt states what is missing, and nothing is here.
@@ -438,11 +438,8 @@ ExportOutcome export_study(const Study& study, const ModelRegistry& models, cons
     making->write("import.R", import_script_for_r());
     making->write("import.py", import_script_for_python());
     outcome.files = making->take_place();
-  } catch (const ResultsError& error) {
-    if (!making) throw;
-    throw making->about_target(error);
-  }
-  return outcome;
+  });
+  return stopped ? ExportOutcome{} : outcome;
 }
 
 }  // namespace asperity

@@ -248,13 +248,7 @@ void make_study(const std::filesystem::path& folder, const NewStudySettings& set
     if (settings.group) share_study(content, *settings.group);
   };
   if (!std::filesystem::exists(folder)) {
-    PartFolder part(folder, kOwnersFolder);
-    try {
-      make_in(part.content());
-      part.take_place();
-    } catch (const ResultsError& error) {
-      throw part.about_target(error);
-    }
+    make_folder_at_once(folder, kOwnersFolder, make_in);
     return;
   }
   const bool was_empty = std::filesystem::is_directory(folder) && std::filesystem::is_empty(folder);

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <sys/types.h>
+#include <utility>
 
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"
@@ -52,5 +54,29 @@ class PartFolder final {
   std::filesystem::path lock_path_{};
   int lock_ = -1;
 };
+
+/// Runs steps that fill a folder in the making and let it take its place. Their errors about its content are about the target
+/// (`about_target`); errors before there is a folder are unchanged. `Part`: PartFolder, or a folder that has one. The steps may
+/// begin it again.
+template <class Part, class Steps>
+void name_target_in_errors(const std::optional<Part>& part, const Steps& steps) {
+  try {
+    steps();
+  } catch (const ResultsError& error) {
+    if (!part) throw;
+    throw part->about_target(error);
+  }
+}
+
+/// Makes a folder of what `fill` writes into the path that it is given, or none. Errors: those of PartFolder and of `fill`,
+/// about the target.
+template <class Fill>
+void make_folder_at_once(const std::filesystem::path& target, mode_t mode, const Fill& fill) {
+  std::optional<PartFolder> part(std::in_place, target, mode);
+  name_target_in_errors(part, [&] {
+    fill(part->content());
+    part->take_place();
+  });
+}
 
 }  // namespace asperity
