@@ -2,138 +2,30 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <exception>
-#include <fstream>
-#include <map>
 #include <optional>
-#include <set>
+#include <system_error>
+#include <vector>
 
 #include <sqlite3.h>
 
 #include "results_schema/deletion/study_deletion.h"
-#include "results_schema/files/file_system.h"
-#include "results_schema/files/folder_entries.h"
 #include "results_schema/files/part_folder.h"
 #include "results_schema/hashes/seal.h"
-#include "results_schema/hashes/sha256_stream.h"
 #include "results_schema/study.h"
+#include "results_schema/study_files.h"
 #include "results_schema/study_sharing.h"
 #include "results_schema/study_store.h"
 
 namespace asperity {
 namespace {
 
-/// Copies one file to disk. Returns the SHA-256 of what was copied.
-std::string copy_and_hash(const std::filesystem::path& from, const std::filesystem::path& to) {
-  constexpr std::size_t kPiece_bytes = 1 << 18;
-  errno = 0;
-  std::ifstream source(from, std::ios::binary);
-  if (!source) fail_on_file(from, "read", errno != 0 ? errno : EIO);
-  make_folders(to.parent_path());
-  OutputFile target(to);
-  Sha256Stream sha256;
-  std::vector<char> piece(kPiece_bytes);
-  do {
-    source.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    const auto count = static_cast<std::size_t>(source.gcount());
-    target.write(piece.data(), count);
-    sha256.add(piece.data(), count);
-  } while (source);
-  if (source.bad()) fail_on_file(from, "read", EIO);
-  target.sync_and_close();
-  return sha256.hexadecimal();
-}
-
-/// The files that rows name, with the SHA-256 that they must have. A stimulus that was changed
-/// between two sessions has two, of which one can be there; `verify` says so.
-std::map<std::string, std::set<std::string>> checksums_by_path(Database& database) {
-  std::map<std::string, std::set<std::string>> files;
-  Statement statement(database,
-                      "SELECT path, sha256 FROM recording "
-                      "UNION SELECT path, sha256 FROM session_file");
-  while (statement.step()) {
-    std::string path;
-    std::string sha256;
-    statement.read(path, sha256);
-    files[path].insert(sha256);
-  }
-  return files;
-}
-
-/// Whether a file that no row names goes into a copy: what people put there does; what a running
-/// program has not finished, and the database, which is copied in its own way, do not.
-bool is_loose_file(const std::filesystem::path& relative) {
-  const std::string first = relative.begin()->string();
-  if (first == "locks" || first == "recordings" || first.rfind("study.sqlite", 0) == 0)
-    return false;
-  return relative.extension() != ".tmp" && relative.extension() != kPartEnding;
-}
-
-/// A link leads to what is not of the study, or to what a copy would hold twice.
-void refuse_link(const std::filesystem::path& study, const std::filesystem::path& relative) {
-  std::error_code error;
-  const std::filesystem::path target = std::filesystem::read_symlink(study / relative, error);
-  if (error) return;
-  throw ResultsError("the study " + study.string() + " cannot be copied: its " + relative.string() +
-                         " is a symbolic link to " + target.string() +
-                         ", and a copy cannot contain links. Replace the link with its target, or "
-                         "remove it, then copy again",
-                     study / relative, ELOOP);
-}
-
-/// A FIFO, a socket, a device: what a copy cannot hold is never left out without a word.
-void refuse_special_file(const std::filesystem::path& study,
-                         const std::filesystem::path& relative) {
-  throw ResultsError("the study " + study.string() + " cannot be copied: its " + relative.string() +
-                         " is not a regular file. Remove it, then copy again",
-                     study / relative, EINVAL);
-}
-
-/// The same as refuse_link for every part of a path that a row names.
-void refuse_links_on(const std::filesystem::path& study, const std::filesystem::path& relative) {
-  std::filesystem::path part;
-  for (const std::filesystem::path& name : relative) refuse_link(study, part /= name);
-}
+const FileTransfer kCopy{.words = {.participle = "copied", .verb = "copy"},
+                         .new_path = [](const std::filesystem::path& path) { return path; }};
 
 void copy_files(const std::filesystem::path& from, const std::filesystem::path& to) {
-  std::map<std::string, std::set<std::string>> vouched;
-  std::set<std::filesystem::path> being_deleted;
-  {
-    Database copy(to, database_in(to), Database::Mode::read_write);
-    vouched = checksums_by_path(copy);
-    being_deleted = files_being_deleted(copy, from);
-  }
-  for (const auto& [path, sha256] : vouched) {
-    refuse_links_on(from, path);
-    if (!sha256.contains(copy_and_hash(path_in_study(from, path), path_in_study(to, path)))) {
-      throw ResultsError(
-          "the study " + from.string() + " cannot be copied: its file " + path +
-              " has changed since it was used (its SHA-256 differs); restore it, then copy again",
-          from / path);
-    }
-  }
-  for (const auto& entry : entries_below(from)) {
-    const std::filesystem::path relative = entry.path().lexically_relative(from);
-    // A folder comes before its content.
-    if (being_deleted.contains(entry.path()) ||
-        being_deleted.contains(entry.path().parent_path())) {
-      being_deleted.insert(entry.path());
-      continue;
-    }
-    if (!is_loose_file(relative) || vouched.contains(relative.string())) continue;
-    refuse_link(from, relative);
-    if (entry.is_directory()) continue;
-    if (!entry.is_regular_file()) refuse_special_file(from, relative);
-    copy_and_hash(entry.path(), to / relative);
-  }
-  for (const char* const part : {"protocols", "stimuli", "recordings", "locks"}) {
-    std::filesystem::create_directories(to / part);
-  }
-  for (const auto& entry : entries_below(to)) {
-    if (entry.is_directory()) sync_folder(entry.path());
-  }
-  sync_folder(to);
+  Database copy(to, database_in(to), Database::Mode::read_write);
+  transfer_files(copy, from, to, kCopy);
 }
 
 /// A copy of a study whose deletion is under way has the label and free pages.
@@ -192,7 +84,7 @@ void Study::refuse_copy_to(const std::filesystem::path& folder) const {
                            "intended, remove study.sqlite.sha256 and copy again",
                        from);
   }
-  refuse_link(from, database_in(from).filename());
+  refuse_linked_database(from, kCopy.words);
 }
 
 void Study::copy_to(const std::filesystem::path& folder) const {
