@@ -94,6 +94,8 @@ const char* text_of(OutputKind kind) noexcept {
       return "report";
     case OutputKind::copy:
       return "copy";
+    case OutputKind::merge:
+      return "merge";
   }
   return "";
 }

@@ -347,7 +347,7 @@ struct StudyMetadata {
 };
 
 /// What was made of a study and left its folder.
-enum class OutputKind { export_, public_export, report, copy };
+enum class OutputKind { export_, public_export, report, copy, merge };
 
 struct OutputRow {
   OutputKind kind = OutputKind::export_;

@@ -10,7 +10,7 @@ namespace asperity {
 namespace {
 
 constexpr std::array kOutputKinds{OutputKind::export_, OutputKind::public_export,
-                                  OutputKind::report, OutputKind::copy};
+                                  OutputKind::report, OutputKind::copy, OutputKind::merge};
 
 }  // namespace
 

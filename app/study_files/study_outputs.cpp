@@ -39,6 +39,15 @@ bool is_without(const OutputRow& output, const std::string& label) {
       }
       case OutputKind::copy:
         return Study::exists(path) && !Study::open(path, Access::read_only).participant(label);
+      case OutputKind::merge: {
+        if (!Study::exists(path)) return false;
+        // There the label can have a prefix.
+        const std::vector<ParticipantRow> there =
+            Study::open(path, Access::read_only).participants();
+        return std::none_of(there.begin(), there.end(), [&label](const ParticipantRow& row) {
+          return row.label.ends_with(label);
+        });
+      }
       case OutputKind::report:
         return false;
     }
@@ -68,6 +77,8 @@ Phrase kind_words(OutputKind kind) {
       return phrase("StudyOutputs", "report");
     case OutputKind::copy:
       return phrase("StudyOutputs", "copy of the study");
+    case OutputKind::merge:
+      return phrase("StudyOutputs", "merged study");
   }
   return {};
 }

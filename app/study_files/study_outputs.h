@@ -1,4 +1,4 @@
-// Records the outputs of a study outside its folder: exports, reports, copies.
+// Records the outputs of a study outside its folder: exports, reports, copies, merged studies.
 
 #pragma once
 

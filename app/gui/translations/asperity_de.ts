@@ -8528,6 +8528,10 @@
         <source>copy of the study</source>
         <translation>Kopie der Studie</translation>
     </message>
+    <message>
+        <source>merged study</source>
+        <translation>zusammengeführte Studie</translation>
+    </message>
 </context>
 <context>
     <name>StudyProtocols</name>
