@@ -274,6 +274,10 @@ struct EventRow {
   StoredWords words() const { return {text, text_json}; }
 };
 
+/// EventRow::kind of the event that states from which study a session was merged, and its `id` there: the data have `study`,
+/// `created_utc`, `source` and `session_id`. A session that was merged twice has two, the earlier one first.
+inline constexpr const char* kMergedEvent = "merged";
+
 enum class AttemptOutcome {
   answered,
   timed_out,

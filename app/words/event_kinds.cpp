@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "results_schema/rows.h"
+
 namespace asperity {
 
 const std::vector<EventKind>& event_kinds() {
@@ -289,7 +291,14 @@ const std::vector<EventKind>& event_kinds() {
       {.name = "screen_lost",
        .meaning = "the participant's screen was disconnected; the force was set to zero. Text: the "
                   "screen",
-       .hed = "Experiment-control, Mishap, Display-device"}};
+       .hed = "Experiment-control, Mishap, Display-device"},
+      {.name = kMergedEvent,
+       .meaning = "the session was merged into this study from another one; stored as its last "
+                  "event, not for virtual participants. Text: the name of that study. Data: "
+                  "`study`, the name; `created_utc`, when that study was created; `source`, its "
+                  "number among the merged studies; `session_id`, the `id` of the session there",
+       .hed = "Experiment-control",
+       .public_data = {"source"}}};
   return kKinds;
 }
 
