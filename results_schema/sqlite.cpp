@@ -146,6 +146,24 @@ void Statement::run() {
   parameter_ = 0;
 }
 
+std::int64_t Statement::integer_at(int column) const noexcept {
+  return sqlite3_column_int64(handle_, column);
+}
+
+std::string Statement::text_at(int column) {
+  column_ = column;
+  std::string text;
+  read_next(text);
+  return text;
+}
+
+Statement& Statement::bind_column(const Statement& other, int column) {
+  const int code =
+      sqlite3_bind_value(handle_, ++parameter_, sqlite3_column_value(other.handle_, column));
+  if (code != SQLITE_OK) database_.fail(code, "cannot be used");
+  return *this;
+}
+
 void Statement::bind_next(std::int64_t value) { sqlite3_bind_int64(handle_, ++parameter_, value); }
 
 void Statement::bind_next(double value) { sqlite3_bind_double(handle_, ++parameter_, value); }

@@ -75,6 +75,11 @@ class Statement final {
     column_ = 0;
     (read_next(values), ...);
   }
+  /// One column of the row, from 0, for a caller that learns the columns only when it runs.
+  std::int64_t integer_at(int column) const noexcept;
+  std::string text_at(int column);
+  /// The next parameter becomes what column `column` of the row of `other` is, of the same type.
+  Statement& bind_column(const Statement& other, int column);
   /// Every column of a row, whose number is known only when it runs.
   template <typename Value>
   void read_all(std::vector<Value>& values) {

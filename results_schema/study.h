@@ -34,6 +34,9 @@ class ResultsError final : public std::runtime_error {
 };
 
 struct Migration;
+struct MergeSource;
+struct MergeSettings;
+struct MergedCounts;
 
 enum class Access { read_only, read_write };
 
@@ -257,6 +260,20 @@ class Study final {
   void copy_to(const std::filesystem::path& folder) const;
   /// The errors of `copy_to` that are known before anything is copied. Reads the file of the study.
   void refuse_copy_to(const std::filesystem::path& folder) const;
+
+  /// A new study with the participants of several, into a folder that does not exist yet: their rows by natural keys, and
+  /// the files of each (results_schema/merge/study_merge.h). The order of the sources does not matter: the same studies give
+  /// the same `study.sqlite`. Each is read at one moment; where a participant's data are deleted meanwhile, the merge is
+  /// begun again without them. Rows are copied one by one, whatever their number.
+  ///
+  /// Errors: ResultsError, naming both places where it is about two studies: a study that is damaged, was changed, has a
+  /// session that is running or a deletion that is not complete; two copies of one study, or studies that were merged from a
+  /// common one; a label that two of them have; files of the same name, or statements about the study, that differ.
+  static MergedCounts merge(std::span<const MergeSource> sources,
+                            const std::filesystem::path& folder, const MergeSettings& settings);
+  /// The errors of `merge` that are known from names alone.
+  static void refuse_merge_to(std::span<const MergeSource> sources,
+                              const std::filesystem::path& folder);
 
   /// Whether numbers read from the file can be trusted, for a caller that is about to read many. Much cheaper
   /// than `verify`: one pass over the file for its checksum, some half a second per gigabyte, and
