@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "protocols/plan/groups.h"
 
 namespace asperity {
@@ -28,6 +30,81 @@ std::string name_of_session(const SessionRow& session) {
   return "session " + std::to_string(session.session) + " of participant " + session.participant;
 }
 
+/// A session at its place in the order in which a study assigned groups.
+struct AssignedSession {
+  std::int64_t place = 0;  ///< the id of the session in that study
+  const SessionRow* session = nullptr;
+  bool is_assigned_there = false;  ///< otherwise it was there already
+};
+
+/// The sessions of each study that assigned groups: this one, under an empty key, and those that were merged into it. A
+/// session that was merged was assigned in the study from which it came; in the others it counts as one that was there.
+std::map<std::string, std::vector<AssignedSession>> sessions_by_study(
+    const Study& study, const std::vector<SessionRow>& sessions) {
+  std::map<std::string, std::vector<AssignedSession>> by_study{};
+  for (const SessionRow& session : sessions) {
+    if (!session.group_level || session.mode == SessionMode::simulate) continue;
+    std::vector<EventRow> events = study.events(session.id);
+    std::erase_if(events, [](const EventRow& event) { return event.kind != kMergedEvent; });
+    std::string key{};
+    by_study[key].push_back({session.id, &session, events.empty()});
+    for (std::size_t i = events.size(); i > 0; --i) {
+      const auto data = nlohmann::json::parse(events[i - 1].data_json, nullptr, false);
+      if (!data.is_object()) continue;
+      key += nlohmann::json{data.value("study", ""), data.value("created_utc", ""),
+                            data.value("source", 0)}
+                 .dump();
+      by_study[key].push_back({data.value("session_id", std::int64_t{0}), &session, i == 1});
+    }
+  }
+  for (auto& [key, assigned] : by_study) {
+    std::sort(assigned.begin(), assigned.end(),
+              [](const AssignedSession& one, const AssignedSession& other) {
+                return one.place < other.place;
+              });
+  }
+  return by_study;
+}
+
+/// What contradicts the sequence in one study that assigned groups.
+class GroupSequence final {
+ public:
+  GroupSequence(const std::map<std::int64_t, std::string>& names, std::size_t deleted,
+                PlansOfSessions& plans)
+      : names_(names), deleted_(deleted), plans_(plans) {}
+
+  void add(const AssignedSession& assigned, std::vector<std::string>& problems) {
+    const SessionRow& session = *assigned.session;
+    auto& groups = groups_[{names_.at(session.protocol_id), session.mode}];
+    const std::size_t before = groups.size();
+    const auto [own, is_first] = groups.try_emplace(session.participant, *session.group_level);
+    if (!assigned.is_assigned_there) return;
+    const Protocol* const protocol = protocol_with_sequence(session, plans_);
+    if (protocol == nullptr) return;
+    if (!is_first && own->second != *session.group_level) {
+      problems.push_back(name_of_session(session) + ": its group is " + *session.group_level +
+                         ", and that of the participant's first session " + own->second +
+                         "; restore the study from a copy");
+    }
+    if (!is_first) return;
+    for (std::size_t place = before; place <= before + deleted_; ++place) {
+      if (permuted_group(*protocol, text_of(session.mode), place) == *session.group_level) return;
+    }
+    problems.push_back(name_of_session(session) + ": its group is " + *session.group_level +
+                       ", and that of place " + std::to_string(before + 1) +
+                       " in the permuted blocks is " +
+                       permuted_group(*protocol, text_of(session.mode), before) +
+                       "; restore the study from a copy");
+  }
+
+ private:
+  const std::map<std::int64_t, std::string>& names_;  ///< of protocols
+  std::size_t deleted_;
+  PlansOfSessions& plans_;
+  /// The group of each participant, by the name of the protocol and the mode.
+  std::map<std::pair<std::string, SessionMode>, std::map<std::string, std::string>> groups_{};
+};
+
 }  // namespace
 
 std::vector<std::string> group_problems(const Study& study, PlansOfSessions& plans) {
@@ -37,35 +114,11 @@ std::vector<std::string> group_problems(const Study& study, PlansOfSessions& pla
                     [](const WithdrawalRow& row) { return row.data == WithdrawnData::deleted; }));
   std::map<std::int64_t, std::string> names{};
   for (const ProtocolRow& row : study.protocols()) names[row.id] = row.name;
-  std::vector<SessionRow> sessions = study.sessions();
-  std::sort(sessions.begin(), sessions.end(),
-            [](const SessionRow& one, const SessionRow& other) { return one.id < other.id; });
+  const std::vector<SessionRow> sessions = study.sessions();
   std::vector<std::string> problems{};
-  std::map<std::pair<std::string, SessionMode>, std::map<std::string, std::string>> assigned{};
-  for (const SessionRow& session : sessions) {
-    if (!session.group_level || session.mode == SessionMode::simulate) continue;
-    auto& groups = assigned[{names[session.protocol_id], session.mode}];
-    const std::size_t before = groups.size();
-    const auto [own, is_first] = groups.try_emplace(session.participant, *session.group_level);
-    const Protocol* const protocol = protocol_with_sequence(session, plans);
-    if (protocol == nullptr) continue;
-    if (!is_first && own->second != *session.group_level) {
-      problems.push_back(name_of_session(session) + ": its group is " + *session.group_level +
-                         ", and that of the participant's first session " + own->second +
-                         "; restore the study from a copy");
-    }
-    if (!is_first) continue;
-    bool is_possible = false;
-    for (std::size_t place = before; place <= before + deleted; ++place) {
-      is_possible = is_possible ||
-                    permuted_group(*protocol, text_of(session.mode), place) == *session.group_level;
-    }
-    if (is_possible) continue;
-    problems.push_back(name_of_session(session) + ": its group is " + *session.group_level +
-                       ", and that of place " + std::to_string(before + 1) +
-                       " in the permuted blocks is " +
-                       permuted_group(*protocol, text_of(session.mode), before) +
-                       "; restore the study from a copy");
+  for (const auto& [key, assigned] : sessions_by_study(study, sessions)) {
+    GroupSequence sequence(names, deleted, plans);
+    for (const AssignedSession& session : assigned) sequence.add(session, problems);
   }
   return problems;
 }

@@ -15,6 +15,7 @@
 #include "protocols/file/protocol_reader.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
+#include "results_schema/merge/study_merge.h"
 #include "tests/app/exported_study.h"
 #include "tests/app/small_study.h"
 #include "tests/support/refusal.h"
@@ -235,6 +236,34 @@ TEST_F(GroupsOfASession, ThatAreNotThoseOfTheSequenceAreFound) {
   EXPECT_THAT(problems(), ElementsAre("session 1 of participant p3: its group is " + other +
                                       ", and that of place 3 in the permuted blocks is " + third +
                                       "; restore the study from a copy"));
+}
+
+// Each station begins the sequence anew; what is run in the merged study continues after all of them.
+TEST_F(GroupsOfASession, OfAMergedStudyFollowTheSequenceOfEachStation) {
+  std::string text = grouped_protocol("permuted_blocks");
+  text.replace(text.find("permuted_blocks\"") + 16, 0, R"(, "seed": 8, "block_sizes": [2])");
+  const auto move_to = [this](const std::string& name) {
+    inputs_.study = folder_ / name;
+    inputs_.protocol = inputs_.study / "protocols" / "small.json";
+    ++inputs_.seed;
+    return inputs_.study;
+  };
+  write(text);
+  for (const char* const label : {"p1", "p3", "p5"}) run(label);
+  const std::filesystem::path first = inputs_.study;
+  const std::filesystem::path second = move_to("second");
+  write(text);
+  for (const char* const label : {"p4", "p2"}) run(label);
+  EXPECT_THAT(problems(), IsEmpty());
+  const std::filesystem::path merged = move_to("merged");
+  Study::merge(std::vector<MergeSource>{{second}, {first}}, merged, {});
+  EXPECT_THAT(problems(), IsEmpty());
+  EXPECT_EQ(run("p0").state, SessionState::completed);
+  EXPECT_THAT(problems(), IsEmpty());
+  const Protocol protocol = read_protocol(text, "small.json", declarations_of(models_));
+  EXPECT_EQ(groups().at("p4/1"), permuted_group(protocol, "pilot", 0));
+  EXPECT_EQ(groups().at("p0/1"), permuted_group(protocol, "pilot", 5));
+  EXPECT_EQ(groups().at("p1/1"), groups().at("p4/1")) << "both are the first of their station";
 }
 
 }  // namespace
