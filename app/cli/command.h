@@ -35,6 +35,7 @@ void add_devices(CLI::App& program, Job& job);
 void add_device_test(CLI::App& program, Job& job);
 void add_export(CLI::App& program, Job& job);
 void add_fit_model(CLI::App& program, Job& job);
+void add_merge(CLI::App& program, Job& job);
 void add_metadata(CLI::App& program, Job& job);
 void add_models(CLI::App& program, Job& job);
 void add_new(CLI::App& program, Job& job);

@@ -98,6 +98,7 @@ int main(int argc, char** argv) {
   add_clean_stiffness(program, job);
   add_bench(program, job);
   add_copy(program, job);
+  add_merge(program, job);
   add_withdraw(program, job);
   add_close_device(program, job);
   try {

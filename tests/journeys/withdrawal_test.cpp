@@ -94,13 +94,14 @@ TEST(WithdrawalWhileAnOutputIsMade, LeavesNoOutputThatItDoesNotName) {
     const fs::path study = small.place() / ("study_" + std::to_string(i));
     copy_study(small.study(), study);
     const fs::path made =
-        small.place() / ("made_" + std::to_string(i) + (i % 3 == 2 ? ".html" : ""));
+        small.place() / ("made_" + std::to_string(i) + (i % 4 == 2 ? ".html" : ""));
     const std::vector<std::vector<std::string>> commands{
         {"export", study, "--out", made, "--formats", "all"},
         {"copy", study, made},
-        {"report", study, "--out", made}};
+        {"report", study, "--out", made},
+        {"merge", study, "--out", made}};
     Invocation invocation{};
-    invocation.arguments = commands[static_cast<std::size_t>(i % 3)];
+    invocation.arguments = commands[static_cast<std::size_t>(i % 4)];
     Program output(invocation);
     output.read_for(microseconds(random() % 400'000));
     output.send(SIGSTOP);
@@ -124,7 +125,7 @@ TEST(WithdrawalWhileAnOutputIsMade, LeavesNoOutputThatItDoesNotName) {
     EXPECT_TRUE(holding.empty() || is_named)
         << invocation.arguments[0] << " has " << holding.front() << "\n"
         << withdrawn.out;
-    if (i % 3 == 0) {
+    if (i % 4 == 0) {
       const auto rows_of_label = [&made](const char* name) {
         const std::vector<std::string> labels = tsv(text_of(made / name)).column("participant");
         return std::count(labels.begin(), labels.end(), kLabel);
