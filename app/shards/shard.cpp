@@ -1,0 +1,53 @@
+#include "app/shards/shard.h"
+
+#include <charconv>
+#include <stdexcept>
+#include <system_error>
+
+namespace asperity {
+
+namespace {
+
+/// Digits alone: no sign, no blank.
+std::optional<int> whole_number(std::string_view text) {
+  int number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [read, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc{} || read != end || number < 1) return std::nullopt;
+  return number;
+}
+
+}  // namespace
+
+std::size_t Shard::number_of(std::size_t items) const noexcept {
+  const auto of = static_cast<std::size_t>(count);
+  return items / of + (items % of >= static_cast<std::size_t>(index) ? 1 : 0);
+}
+
+std::string text_of(const Shard& shard) {
+  return std::to_string(shard.index) + '/' + std::to_string(shard.count);
+}
+
+std::optional<Shard> shard_in(std::string_view text) {
+  const std::size_t slash = text.find('/');
+  if (slash == std::string_view::npos) return std::nullopt;
+  const std::optional<int> index = whole_number(text.substr(0, slash));
+  const std::optional<int> count = whole_number(text.substr(slash + 1));
+  if (!index || !count || *index > *count || *count > kMostShards) return std::nullopt;
+  return Shard{*index, *count};
+}
+
+std::filesystem::path shard_path(const std::filesystem::path& whole, const Shard& shard) {
+  std::filesystem::path path = whole.has_filename() ? whole : whole.parent_path();
+  path += ".shard-" + std::to_string(shard.index) + "-of-" + std::to_string(shard.count);
+  return path;
+}
+
+void require_items(const Shard& shard, std::size_t number, const std::string& items) {
+  if (static_cast<std::size_t>(shard.count) <= number) return;
+  throw std::invalid_argument("--shard " + text_of(shard) + " divides " + std::to_string(number) +
+                              ' ' + items + " among " + std::to_string(shard.count) +
+                              " shards; divide them among at most " + std::to_string(number));
+}
+
+}  // namespace asperity
