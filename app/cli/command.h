@@ -36,6 +36,7 @@ void add_device_test(CLI::App& program, Job& job);
 void add_export(CLI::App& program, Job& job);
 void add_fit_model(CLI::App& program, Job& job);
 void add_merge(CLI::App& program, Job& job);
+void add_gather(CLI::App& program, Job& job);
 void add_metadata(CLI::App& program, Job& job);
 void add_models(CLI::App& program, Job& job);
 void add_new(CLI::App& program, Job& job);

@@ -95,6 +95,7 @@ int main(int argc, char** argv) {
   add_verify(program, job);
   add_replay(program, job);
   add_sweep(program, job);
+  add_gather(program, job);
   add_clean_stiffness(program, job);
   add_bench(program, job);
   add_copy(program, job);

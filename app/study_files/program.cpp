@@ -24,6 +24,8 @@ const char* compiled_instruction_set() {
 #endif
 }
 
+std::string c_library() { return std::string("glibc ") + gnu_get_libc_version(); }
+
 }  // namespace
 
 ProgramIdentity this_program() {
@@ -35,8 +37,8 @@ ProgramIdentity this_program() {
   identity.instruction_set = compiled_instruction_set();
   utsname system{};
   if (uname(&system) == 0) {
-    identity.os = std::string(system.sysname) + ' ' + system.release + ' ' + system.machine +
-                  ", glibc " + gnu_get_libc_version();
+    identity.os = std::string(system.sysname) + ' ' + system.release + ' ' + system.machine + ", " +
+                  c_library();
   }
   return identity;
 }
@@ -54,6 +56,10 @@ std::string program_build() { return kProgramBuild; }
 std::string version_line() {
   return std::string("asperity ") + kProgramVersion + " (commit " + kProgramCommit + ", " +
          kProgramBuild + ")";
+}
+
+std::string numerical_identity() {
+  return version_line() + ", " + compiled_instruction_set() + ", " + c_library();
 }
 
 }  // namespace asperity

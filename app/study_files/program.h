@@ -29,5 +29,8 @@ std::string program_version();
 std::string program_build();
 /// "asperity 0.2.0 (commit 1a2b3c4, Release)"
 std::string version_line();
+/// The same with what else determines the bytes of results (docs/decisions/004-floating-point.md): the instruction set for which
+/// the numerical code was compiled, and the C library. "asperity 0.2.0 (commit 1a2b3c4, Release), sse2, glibc 2.36"
+std::string numerical_identity();
 
 }  // namespace asperity

@@ -59,14 +59,6 @@ bool has_effect(const SweepOrder& order) {
   return depends_on(*order.stroke.model, order.stroke.parameters, order.varied);
 }
 
-// Checked before hours of work, whose result could not be written.
-void require_folder_of(const std::filesystem::path& file) {
-  const std::filesystem::path folder = file.parent_path();
-  if (folder.empty() || std::filesystem::is_directory(folder)) return;
-  throw std::invalid_argument("there is no folder " + folder.string() + " for " +
-                              file.filename().string() + "; create it first, or choose another");
-}
-
 double log10_frequency(const SweepRow& row) { return -std::log10(row.spacing_m); }
 
 /// Whether the declaration next to a table is that of this sweep.
@@ -79,9 +71,9 @@ bool has_declaration(const std::filesystem::path& table, const SweepOrder& order
 /// The state of one sweep, and its file.
 class SweepWork final {
  public:
-  SweepWork(Sweep sweep, const SweepFile* file, const std::stop_token& stop,
+  SweepWork(Sweep sweep, const Shard& shard, const SweepFile* file, const std::stop_token& stop,
             const std::function<void(double)>& progress)
-      : order_(sweep.order), file_(file), stop_(stop), progress_(progress) {
+      : order_(sweep.order), shard_(shard), file_(file), stop_(stop), progress_(progress) {
     is_declared_ = file_ != nullptr && has_declaration(file_->out, order_);
     rows_.resize(order_.values.size() * order_.spacings_m.size());
     for (std::size_t i = 0; i < order_.values.size(); ++i) {
@@ -112,6 +104,7 @@ class SweepWork final {
     while (!stop_.stop_requested() && !failed_) {
       const std::size_t spacing = next_++;
       if (spacing >= order_.spacings_m.size()) return;
+      if (!shard_.has(spacing)) continue;
       try {
         drag_over(spacing);
       } catch (const std::invalid_argument& error) {
@@ -177,19 +170,21 @@ class SweepWork final {
     if (progress_) {
       const auto there = std::count_if(rows_.begin(), rows_.end(),
                                        [](const auto& one) { return one.has_value(); });
-      progress_(static_cast<double>(there) / static_cast<double>(rows_.size()));
+      progress_(static_cast<double>(there) / static_cast<double>(number_of_rows()));
     }
   }
 
+  /// Of the shard.
+  std::size_t number_of_rows() const {
+    return order_.values.size() * shard_.number_of(order_.spacings_m.size());
+  }
+
   Sweep so_far() const {
-    Sweep sweep{.order = order_, .is_complete = true};
+    Sweep sweep{.order = order_};
     for (const std::optional<SweepRow>& row : rows_) {
-      if (row) {
-        sweep.rows.push_back(*row);
-      } else {
-        sweep.is_complete = false;
-      }
+      if (row) sweep.rows.push_back(*row);
     }
+    sweep.is_complete = sweep.rows.size() == number_of_rows();
     return sweep;
   }
 
@@ -208,6 +203,7 @@ class SweepWork final {
   }
 
   SweepOrder order_;
+  Shard shard_{};
   const SweepFile* file_ = nullptr;
   std::stop_token stop_;
   const std::function<void(double)>& progress_;
@@ -418,6 +414,13 @@ std::filesystem::path declaration_beside(const std::filesystem::path& table) {
   return table.string() + ".json";
 }
 
+void require_folder_of(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.parent_path();
+  if (folder.empty() || std::filesystem::is_directory(folder)) return;
+  throw std::invalid_argument("there is no folder " + folder.string() + " for " +
+                              file.filename().string() + "; create it first, or choose another");
+}
+
 void require_sweep(const SweepOrder& order) {
   const auto require = [](const std::vector<double>& numbers, const char* name) {
     if (numbers.empty())
@@ -469,13 +472,20 @@ Sweep sweep_into_file(const SweepOrder& order, const SweepFile& file, const std:
           beside.string() + "; use --force to replace it, or another --out to keep it");
     }
   }
-  return SweepWork(std::move(known), &file, stop, progress).done(file.jobs);
+  return SweepWork(std::move(known), {}, &file, stop, progress).done(file.jobs);
 }
 
 Sweep sweep_of(const SweepOrder& order, int jobs) {
   require_sweep(order);
   const std::function<void(double)> nobody{};
-  return SweepWork({.order = order}, nullptr, {}, nobody).done(jobs);
+  return SweepWork({.order = order}, {}, nullptr, {}, nobody).done(jobs);
+}
+
+Sweep sweep_of_shard(const SweepOrder& order, const Shard& shard, int jobs,
+                     const std::stop_token& stop, const std::function<void(double)>& progress) {
+  require_items(shard, order.spacings_m.size(), "spacings");
+  require_sweep(order);
+  return SweepWork({.order = order}, shard, nullptr, stop, progress).done(jobs);
 }
 
 }  // namespace asperity

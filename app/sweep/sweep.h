@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "analysis/magnitude.h"
+#include "app/shards/shard.h"
 #include "app/sweep/sweep_measure.h"
 #include "renderers/offline/roughness_stroke.h"
 #include "results_schema/files/atomic_file.h"
@@ -105,6 +106,10 @@ struct SweepFile {
 Sweep sweep_into_file(const SweepOrder& order, const SweepFile& file, const std::stop_token& stop,
                       const std::function<void(double)>& progress);
 
+/// Checked before hours of work, whose result could not be written. Errors: std::invalid_argument for a folder that does not
+/// exist.
+void require_folder_of(const std::filesystem::path& file);
+
 /// Checks an order as `sweep_into_file` does before it begins.
 ///
 /// Errors: std::invalid_argument.
@@ -112,5 +117,12 @@ void require_sweep(const SweepOrder& order);
 
 /// Computes the rows without a file.
 Sweep sweep_of(const SweepOrder& order, int jobs);
+
+/// Computes the rows of one shard without a file; the items are the spacings, each with all levels. `is_complete` is that of
+/// the shard.
+///
+/// Errors: std::invalid_argument, also for more shards than spacings.
+Sweep sweep_of_shard(const SweepOrder& order, const Shard& shard, int jobs,
+                     const std::stop_token& stop, const std::function<void(double)>& progress);
 
 }  // namespace asperity

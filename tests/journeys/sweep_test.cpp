@@ -79,6 +79,58 @@ TEST(Sweep, ContinuesWithTheRowsThatAreThere) {
   EXPECT_EQ(text_of(out), expected);
 }
 
+TEST(Sweep, IsDividedIntoShardsThatGatherJoins) {
+  const TemporaryFolder place{};
+  const std::string out = (place / "sweep.tsv").string();
+  const auto shard = [&](const std::string& which) {
+    std::vector<std::string> arguments = sweep_into(out, kSmall);
+    arguments.insert(arguments.end(), {"--shard", which});
+    return asperity(arguments);
+  };
+  const Outcome second = shard("2/2");
+  ASSERT_EQ(second.status, 0) << second.err;
+  EXPECT_THAT(second.out, HasSubstr("sweep.tsv.shard-2-of-2: shard 2/2, 2 rows of 6"));
+  EXPECT_THAT(shard("2/2").out, HasSubstr("already computed"));
+
+  const std::string first_file = out + ".shard-1-of-2";
+  const std::string second_file = out + ".shard-2-of-2";
+  const Outcome missing = asperity({"gather", second_file, "--out", out});
+  EXPECT_EQ(missing.status, 1);
+  EXPECT_THAT(missing.err, HasSubstr("missing: " + first_file));
+  EXPECT_FALSE(fs::exists(out));
+
+  ASSERT_EQ(shard("1/2").status, 0);
+  const std::vector<std::string> gather{"gather", first_file, second_file, "--out", out};
+  const Outcome joined = asperity(gather);
+  ASSERT_EQ(joined.status, 0) << joined.err;
+  EXPECT_THAT(joined.out, HasSubstr("6 rows of sweep, from 2 shards"));
+  const fs::path whole = place / "whole.tsv";
+  ASSERT_EQ(asperity(sweep_into(whole, kSmall)).status, 0);
+  EXPECT_EQ(text_of(out), text_of(whole));
+  EXPECT_EQ(text_of(out + ".json"), text_of(place / "whole.tsv.json"));
+  // As from a task that is repeated; and the undivided command has nothing left to compute.
+  EXPECT_EQ(asperity(gather).status, 0);
+  EXPECT_THAT(asperity(sweep_into(out, kSmall)).out, HasSubstr("6 rows, constant_height"));
+
+  write_text(out, "of a user\n");
+  const Outcome refused = asperity(gather);
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, HasSubstr(out));
+  EXPECT_EQ(text_of(out), "of a user\n");
+}
+
+TEST(Sweep, RefusesAShardThatIsNone) {
+  const TemporaryFolder place{};
+  for (const char* const wrong : {"3/2", "0/2", "2", "half"}) {
+    std::vector<std::string> arguments = sweep_into(place / "sweep.tsv", kSmall);
+    arguments.insert(arguments.end(), {"--shard", wrong});
+    const Outcome refused = asperity(arguments);
+    EXPECT_EQ(refused.status, 2) << wrong;
+    EXPECT_THAT(refused.err, HasSubstr("--shard"));
+    EXPECT_THAT(refused.err, HasSubstr("write K/N"));
+  }
+}
+
 // So many strokes that none of the two commands can have come to the end before it is interrupted.
 TEST(Sweep, KeepsWholeRowsWhenItIsInterruptedAndContinuesWithThem) {
   const TemporaryFolder place{};

@@ -16,12 +16,14 @@
 #include "app/cli/command.h"
 #include "app/cli/options/number_option.h"
 #include "app/cli/options/plugin_option.h"
+#include "app/cli/options/shard_option.h"
 #include "app/cli/options/word_option.h"
 #include "app/cli/output/terminal.h"
 #include "app/cli/signals.h"
 #include "app/cli/sweep/sweep_options.h"
 #include "app/cli/sweep/sweep_summary.h"
 #include "app/plugins/plugin_files.h"
+#include "app/sweep/sweep_shard.h"
 #include "app/words/text_parts.h"
 #ifdef ASPERITY_WITH_WINDOWS
 #include "app/cli/sweep/sweep_study.h"
@@ -44,6 +46,29 @@ std::string hand_preset_list() {
   return list;
 }
 
+/// Computes one shard. The summary and the figure are those of all rows.
+int run_shard(const SweepOptions& options, const SweepFile& file) {
+  const Shard& shard = *options.shard;
+  Sweep sweep{};
+  {
+    const InterruptWatch interrupt("stopping; the shard is not written");
+    Progress progress("sweeping");
+    sweep = sweep_into_shard(options.order, shard, file, interrupt.token(),
+                             [&progress](double fraction) { progress.show(fraction); });
+  }
+  if (!sweep.is_complete) {
+    say("asperity: shard " + text_of(shard) +
+        " was stopped and nothing was written; repeat the command to compute it");
+    return 1;
+  }
+  std::cout << shard_path(file.out, shard).string() << ": shard " << text_of(shard) << ", "
+            << (sweep.rows.empty() ? "already computed by an earlier command"
+                                   : counted(sweep.rows.size(), "row") + " of " +
+                                         std::to_string(divided(options.order).results))
+            << '\n';
+  return 0;
+}
+
 int run_sweep(SweepOptions options) {
   const ModelRegistry models = models_with(options.plugins);
   complete_order(options, models);
@@ -59,6 +84,7 @@ int run_sweep(SweepOptions options) {
       .jobs = options.jobs > 0
                   ? options.jobs
                   : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))};
+  if (options.shard) return run_shard(options, file);
 #ifdef ASPERITY_WITH_WINDOWS
   const std::filesystem::path plot = options.plot;
   if (!plot.empty()) {
@@ -224,6 +250,7 @@ void add_sweep(CLI::App& program, Job& job) {
           "that turns also the RMS torque and force and their powers in the bands")
       ->transform(word_of(measures))
       ->option_text(measure_names);
+  add_shard_option(*command, options->shard, "spacings", "asperity gather");
 #ifdef ASPERITY_WITH_WINDOWS
   auto* plot = command->add_option("--plot", options->plot,
                                    "Also write a figure of the measure, .svg, .png or .pdf");
@@ -233,6 +260,7 @@ void add_sweep(CLI::App& program, Job& job) {
                                   "the figure. The sweep needs one level for each condition of the "
                                   "protocol, and the conditions must differ in the varied quantity")
                      ->needs(plot);
+  plot->excludes("--shard");
   command
       ->add_option("--protocol", options->protocol,
                    "Protocol of the study given with --beside, NAME[@VERSION]; required if several "

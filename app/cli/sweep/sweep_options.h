@@ -39,6 +39,7 @@ struct SweepOptions {
   std::string beside{};
   std::optional<std::string> protocol{};
   bool force = false;
+  std::optional<Shard> shard{};
 };
 
 /// Completes `options.order` from the texts of the options. The order refers to a model of `models`.

@@ -1,0 +1,183 @@
+#include "app/shards/table_shard.h"
+
+#include <cerrno>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/words/text_parts.h"
+#include "results_schema/hashes/sha256.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kNumberColumn = "row";
+constexpr std::string_view kDigestLine = "sha256\t";
+
+[[noreturn]] void refuse_file(const std::filesystem::path& file, const std::string& problem) {
+  throw std::runtime_error(file.string() + ' ' + problem);
+}
+
+/// Takes the first line off the text, without its end.
+std::string_view next_line(std::string_view& text) {
+  const std::size_t end = text.find('\n');
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  return line;
+}
+
+/// What precedes the SHA-256 at the end; nothing where that does not hold.
+std::optional<std::string_view> content_of(std::string_view text) {
+  constexpr std::size_t kDigits = 64;
+  const std::size_t length = kDigestLine.size() + kDigits + 1;
+  if (text.size() < length) return std::nullopt;
+  const std::string_view content = text.substr(0, text.size() - length);
+  const std::string expected = std::string(kDigestLine) + sha256_of(content) + '\n';
+  return text.substr(content.size()) == expected ? std::optional(content) : std::nullopt;
+}
+
+/// Without the number of its row.
+std::string_view after_number(std::string_view line) { return line.substr(line.find('\t') + 1); }
+
+/// Of a content whose SHA-256 holds.
+TableShard shard_from(std::string_view content) {
+  TableShard read{.identity = shard_identity_from(nlohmann::json::parse(next_line(content)))};
+  read.heading = after_number(next_line(content));
+  while (!content.empty()) {
+    const std::string_view line = next_line(content);
+    read.lines[std::stoull(std::string(line))] = after_number(line);
+  }
+  return read;
+}
+
+/// The names of the files of some shards, as `shard_path` makes them, if the file has such a name itself.
+std::string names_of(const std::vector<Shard>& shards, const std::filesystem::path& file,
+                     const Shard& of_file) {
+  const std::string ending = shard_path("", of_file).string();
+  std::string whole = file.string();
+  if (whole.ends_with(ending)) {
+    whole.resize(whole.size() - ending.size());
+  } else {
+    whole.clear();
+  }
+  std::vector<std::string> names{};
+  for (const Shard& shard : shards) {
+    names.push_back(whole.empty() ? "shard " + text_of(shard) : shard_path(whole, shard).string());
+  }
+  return listed(names);
+}
+
+/// A shard, and the file from which it was read.
+struct ShardFile {
+  std::filesystem::path file{};
+  TableShard shard{};
+};
+
+void require_same_computation(const ShardFile& one, const ShardFile& first) {
+  if (belong_together(one.shard.identity, first.shard.identity)) return;
+  refuse_file(one.file, "does not belong to the computation of " + first.file.string() + ": " +
+                            difference(one.shard.identity, first.shard.identity) +
+                            "; name only the shards of one computation");
+}
+
+}  // namespace
+
+TableShard table_shard(ShardIdentity identity, const Table& table,
+                       const std::vector<std::size_t>& numbers) {
+  TableShard made{.identity = std::move(identity)};
+  const std::string text = tsv_of(table);
+  std::string_view rest = text;
+  made.heading = next_line(rest);
+  for (const std::size_t number : numbers) made.lines[number] = next_line(rest);
+  return made;
+}
+
+std::string text_of(const TableShard& shard) {
+  std::string text =
+      json_of(shard.identity).dump() + '\n' + kNumberColumn + '\t' + shard.heading + '\n';
+  for (const auto& [number, line] : shard.lines) {
+    text += std::to_string(number) + '\t' + line + '\n';
+  }
+  return text + std::string(kDigestLine) + sha256_of(text) + '\n';
+}
+
+TableShard read_table_shard(const std::filesystem::path& file) {
+  const std::string text = read_file(file, kTableFile);
+  const std::optional<std::string_view> content = content_of(text);
+  if (!content) {
+    refuse_file(file,
+                "is not the file of a shard, or is damaged: its last line is not the SHA-256 of "
+                "its content. Remove it, and compute this shard again");
+  }
+  try {
+    return shard_from(*content);
+  } catch (const std::exception& error) {
+    refuse_file(file, error.what());
+  }
+}
+
+bool is_stored(const std::filesystem::path& file, const ShardIdentity& identity) {
+  if (!std::filesystem::exists(std::filesystem::symlink_status(file))) return false;
+  const TableShard stored = read_table_shard(file);
+  if (stored.identity == identity) return true;
+  refuse_file(file, "exists and is of another computation: " +
+                        difference(stored.identity, identity) + "; use --force to replace it");
+}
+
+void store(const std::filesystem::path& file, const TableShard& shard, Overwrite overwrite) {
+  const std::string text = text_of(shard);
+  try {
+    write_file(file, text, overwrite);
+  } catch (const ResultsError& error) {
+    if (error.code() != EEXIST) throw;
+    if (holds({file, text})) return;
+    refuse_file(file,
+                "exists with other bytes than this process computed for the same shard; find out "
+                "which of the two is right, and use --force to replace the file");
+  }
+}
+
+GatheredTable gathered(const std::vector<std::filesystem::path>& files) {
+  std::map<int, ShardFile> shards{};
+  std::optional<ShardFile> first{};
+  for (const std::filesystem::path& file : files) {
+    const ShardFile read{.file = file, .shard = read_table_shard(file)};
+    if (!first) first = read;
+    require_same_computation(read, *first);
+    const auto [place, is_new] = shards.try_emplace(read.shard.identity.shard.index, read);
+    if (is_new || place->second.shard == read.shard) continue;
+    refuse_file(file,
+                "and " + place->second.file.string() + " are both shard " +
+                    text_of(read.shard.identity.shard) +
+                    " and differ; find out which of the two is right, and name only that one");
+  }
+  if (!first) throw std::invalid_argument("no shard is named; name the files of all shards");
+  const Shard of_first = first->shard.identity.shard;
+  std::vector<Shard> missing{};
+  for (int index = 1; index <= of_first.count; ++index) {
+    if (!shards.contains(index)) missing.push_back({index, of_first.count});
+  }
+  if (!missing.empty()) {
+    throw std::runtime_error("missing: " + names_of(missing, first->file, of_first) +
+                             "; compute what is missing, then join all shards");
+  }
+  GatheredTable whole{.whole = first->shard.identity.whole,
+                      .shards = of_first.count,
+                      .table = first->shard.heading + '\n'};
+  std::map<std::size_t, std::string> lines{};
+  for (auto& [index, one] : shards) lines.merge(one.shard.lines);
+  for (const auto& [number, line] : lines) whole.table += line + '\n';
+  if (lines.size() != whole.whole.results) {
+    throw std::runtime_error("the shards have " + std::to_string(lines.size()) + " of " +
+                             std::to_string(whole.whole.results) +
+                             " rows, although none of them is missing; compute them again");
+  }
+  return whole;
+}
+
+}  // namespace asperity
