@@ -14,6 +14,7 @@
 #include "app/cli/options/external_option.h"
 #include "app/cli/options/number_option.h"
 #include "app/cli/options/plugin_option.h"
+#include "app/cli/options/shard_option.h"
 #include "app/cli/options/word_option.h"
 #include "app/cli/output/session_output.h"
 #include "app/cli/output/terminal.h"
@@ -21,7 +22,7 @@
 #include "app/device_bench/device_choice.h"
 #include "app/plugins/plugin_files.h"
 #include "app/study_files/study_condition.h"
-#include "app/tasks/simulation.h"
+#include "app/tasks/simulation_shard.h"
 
 namespace asperity {
 
@@ -67,8 +68,11 @@ void add_simulate(CLI::App& program, Job& job) {
           "Keep the tick records of all participants, of the first one (the default), or of none")
       ->transform(word_of(recordings))
       ->option_text("all|first|none");
-  command->add_flag("--resume", options->inputs.resume,
-                    "Resume an interrupted simulation with the same arguments");
+  CLI::Option* const resume =
+      command->add_flag("--resume", options->inputs.resume,
+                        "Resume an interrupted simulation with the same arguments");
+  add_shard_option(*command, options->inputs.shard, "participants", "asperity merge")
+      ->excludes(resume);
   command->add_flag("--json", options->json, "Print the totals as JSON");
   add_compute_option(*command, options->inputs.on_gpu, kComputeOfSession);
   add_plugin_option(*command, options->plugins);
@@ -97,13 +101,15 @@ void add_simulate(CLI::App& program, Job& job) {
             ". To resume a simulation instead, add --resume");
       };
       options->inputs.warned = [](const Diagnostic& warning) { say(warning_text(warning)); };
-      SimulationResult result{};
-      {
+      const auto simulated = [&]() -> SimulatedShard {
         Progress progress("simulating");
-        result = simulate(
-            options->inputs, models, interrupt.token(),
-            [&progress](double fraction) { progress.show(fraction); }, say_done);
-      }
+        const auto show = [&progress](double fraction) { progress.show(fraction); };
+        const SimulationInputs& inputs = options->inputs;
+        if (inputs.shard) return simulate_shard(inputs, models, interrupt.token(), show, say_done);
+        return {folder, simulate(inputs, models, interrupt.token(), show, say_done)};
+      }();
+      // Without sessions where an earlier command simulated this shard.
+      const SimulationResult result = simulated.result.value_or(SimulationResult{});
       if (options->json) {
         const nlohmann::ordered_json json{{"format", "asperity.simulate/1"},
                                           {"sessions", result.sessions},
@@ -112,6 +118,11 @@ void add_simulate(CLI::App& program, Job& job) {
                                           {"wall_s", result.wall_s}};
         std::cout << json.dump(2) << '\n';
       } else {
+        if (options->inputs.shard) {
+          std::cout << simulated.study.string() << ": shard " << text_of(*options->inputs.shard)
+                    << ", "
+                    << (simulated.result ? "" : "already simulated by an earlier command; ");
+        }
         std::cout << counted(result.sessions, "session") << ", "
                   << counted(result.attempts, "attempt") << ", " << fixed(result.simulated_s, 0)
                   << " s of sessions in " << fixed(result.wall_s, 1) << " s\n";

@@ -3,6 +3,9 @@
 #include <charconv>
 #include <stdexcept>
 #include <system_error>
+#include <vector>
+
+#include "app/words/text_parts.h"
 
 namespace asperity {
 
@@ -15,6 +18,10 @@ std::optional<int> whole_number(std::string_view text) {
   const auto [read, error] = std::from_chars(text.data(), end, number);
   if (error != std::errc{} || read != end || number < 1) return std::nullopt;
   return number;
+}
+
+std::filesystem::path without_slash(const std::filesystem::path& path) {
+  return path.has_filename() ? path : path.parent_path();
 }
 
 }  // namespace
@@ -38,9 +45,28 @@ std::optional<Shard> shard_in(std::string_view text) {
 }
 
 std::filesystem::path shard_path(const std::filesystem::path& whole, const Shard& shard) {
-  std::filesystem::path path = whole.has_filename() ? whole : whole.parent_path();
+  std::filesystem::path path = without_slash(whole);
+  if (path.filename() == "." || path.filename() == "..") {
+    path = without_slash(std::filesystem::weakly_canonical(path));
+  }
   path += ".shard-" + std::to_string(shard.index) + "-of-" + std::to_string(shard.count);
   return path;
+}
+
+std::string missing_shards(const std::set<int>& present, const Shard& of_given,
+                           const std::filesystem::path& given) {
+  const std::string ending = shard_path({}, of_given).string();
+  const std::string name = without_slash(given).string();
+  const bool has_ending = name.ends_with(ending);
+  std::vector<std::string> missing{};
+  for (int index = 1; index <= of_given.count; ++index) {
+    const Shard shard{index, of_given.count};
+    if (present.contains(index)) continue;
+    missing.push_back(has_ending
+                          ? shard_path(name.substr(0, name.size() - ending.size()), shard).string()
+                          : "shard " + text_of(shard));
+  }
+  return listed(missing);
 }
 
 void require_items(const Shard& shard, std::size_t number, const std::string& items) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -42,8 +43,14 @@ std::string text_of(const Shard& shard);
 /// Reads `text_of`; nothing for another text, and where not 1 ≤ k ≤ N ≤ kMostShards.
 std::optional<Shard> shard_in(std::string_view text);
 
-/// FILE.tsv → FILE.tsv.shard-3-of-7. A slash at the end of a folder's name is left out.
+/// FILE.tsv → FILE.tsv.shard-3-of-7. A slash at the end of a folder's name is left out, and "." is
+/// replaced by the name of that folder.
 std::filesystem::path shard_path(const std::filesystem::path& whole, const Shard& shard);
+
+/// The results that are missing: the names that they have next to `given`, the result of the shard `of_given`, or "shard 2/3"
+/// where that was renamed. Empty if none is missing. `present`: the indices of the shards that are there.
+std::string missing_shards(const std::set<int>& present, const Shard& of_given,
+                           const std::filesystem::path& given);
 
 /// Refuses a division into more shards than there are items, some of which would be empty. `items`: in words, such as
 /// "spacings".

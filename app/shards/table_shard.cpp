@@ -2,13 +2,13 @@
 
 #include <cerrno>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
-#include "app/words/text_parts.h"
 #include "results_schema/hashes/sha256.h"
 #include "results_schema/study.h"
 
@@ -53,23 +53,6 @@ TableShard shard_from(std::string_view content) {
     read.lines[std::stoull(std::string(line))] = after_number(line);
   }
   return read;
-}
-
-/// The names of the files of some shards, as `shard_path` makes them, if the file has such a name itself.
-std::string names_of(const std::vector<Shard>& shards, const std::filesystem::path& file,
-                     const Shard& of_file) {
-  const std::string ending = shard_path("", of_file).string();
-  std::string whole = file.string();
-  if (whole.ends_with(ending)) {
-    whole.resize(whole.size() - ending.size());
-  } else {
-    whole.clear();
-  }
-  std::vector<std::string> names{};
-  for (const Shard& shard : shards) {
-    names.push_back(whole.empty() ? "shard " + text_of(shard) : shard_path(whole, shard).string());
-  }
-  return listed(names);
 }
 
 /// A shard, and the file from which it was read.
@@ -158,12 +141,11 @@ GatheredTable gathered(const std::vector<std::filesystem::path>& files) {
   }
   if (!first) throw std::invalid_argument("no shard is named; name the files of all shards");
   const Shard of_first = first->shard.identity.shard;
-  std::vector<Shard> missing{};
-  for (int index = 1; index <= of_first.count; ++index) {
-    if (!shards.contains(index)) missing.push_back({index, of_first.count});
-  }
+  std::set<int> present{};
+  for (const auto& [index, one] : shards) present.insert(index);
+  const std::string missing = missing_shards(present, of_first, first->file);
   if (!missing.empty()) {
-    throw std::runtime_error("missing: " + names_of(missing, first->file, of_first) +
+    throw std::runtime_error("missing: " + missing +
                              "; compute what is missing, then join all shards");
   }
   GatheredTable whole{.whole = first->shard.identity.whole,

@@ -191,6 +191,10 @@ class Simulation final {
   std::optional<ExternalProgram> program_for(const Protocol& protocol) const {
     return blocks_of_external_program(protocol).empty() ? std::nullopt : inputs_.level_program;
   }
+  /// Whether the participant with this number in the batch, from 0, is of this shard.
+  bool is_included(int in_batch) const {
+    return !inputs_.shard || inputs_.shard->has(static_cast<std::size_t>(in_batch));
+  }
   void prepare(Study& study);
   void check_sessions(const Study& study) const;
   bool is_interrupted(const Study& study, const Batch& batch) const;
@@ -358,6 +362,7 @@ void Simulation::prepare(Study& study) {
   }
   std::vector<ParticipantRow> added{};
   for (int i = 0; i < batch_.participants; ++i) {
+    if (!is_included(i)) continue;
     const std::int64_t first_sitting = std::int64_t{batch_.first + i - 1} * sessions_each_;
     ParticipantRow person =
         virtual_person(batch_.first + i, random_, SimulatedClock(first_sitting).utc());
@@ -384,6 +389,11 @@ SimulationResult Simulation::run() {
   }
   if (failure_) std::rethrow_exception(failure_);
   if (stop_.stop_requested()) {
+    if (inputs_.shard) {
+      throw std::runtime_error("shard " + text_of(*inputs_.shard) +
+                               " was stopped on request and is not stored; repeat the command to "
+                               "simulate it");
+    }
     throw PhrasedError(
         phrase("Simulation",
                "the simulation was stopped on request; every completed trial is stored; "
@@ -397,7 +407,7 @@ void Simulation::work() {
   try {
     Study study = Study::open(inputs_.study, Access::read_write);
     for (int i = next_++; i < batch_.participants && !stop_.stop_requested(); i = next_++) {
-      take_through(study, batch_.first + i);
+      if (is_included(i)) take_through(study, batch_.first + i);
     }
   } catch (...) {
     next_ = batch_.participants;
@@ -436,7 +446,10 @@ void Simulation::report_sessions(int done) {
   const std::lock_guard lock(mutex_);
   sessions_seen_ += done;
   if (progress_) {
-    progress_(static_cast<double>(sessions_seen_) / (batch_.participants * sessions_each_));
+    const int participants = inputs_.shard ? static_cast<int>(inputs_.shard->number_of(
+                                                 static_cast<std::size_t>(batch_.participants)))
+                                           : batch_.participants;
+    progress_(static_cast<double>(sessions_seen_) / (participants * sessions_each_));
   }
 }
 
@@ -463,6 +476,12 @@ void Simulation::hold(Study& study, const ParticipantRow& person, const Protocol
       sit(study, protocol, builder_, program_, sitting, rig, nullptr, stop_, done_);
   if (end.state != SessionState::completed && !end.as_the_protocol_says &&
       !stop_.stop_requested()) {
+    if (inputs_.shard) {
+      throw std::runtime_error("the session of " + person.label + " with \"" + protocol.name +
+                               "\" stopped: " + end.reason.english() + "; shard " +
+                               text_of(*inputs_.shard) +
+                               " is not stored; repeat the command to simulate it");
+    }
     throw PhrasedError(phrase("Simulation",
                               "the session of %1 with \"%2\" stopped: %3; every completed trial is "
                               "stored; resume with --resume")

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/session/conductor.h"
+#include "app/shards/shard.h"
 #include "protocols/file/diagnostic.h"
 #include "renderers/force/force_model.h"
 
@@ -40,6 +41,9 @@ struct SimulationInputs {
   /// Resume the interrupted simulation of the same seed and number of participants, or begin it in
   /// a study that has no virtual participants yet. Otherwise such a simulation is rejected.
   bool resume = false;
+  /// Add and simulate the participants of this shard only; those of the whole simulation are the items. The study has no
+  /// participants yet, and is discarded if the simulation fails or is stopped: `simulate_shard`.
+  std::optional<Shard> shard{};
   /// Called before participants are added to others with the same seed; may be empty.
   std::function<void(const SameSeed&)> noticed{};
   /// Called before participants are added for each warning about a protocol: sessions with another text of the same

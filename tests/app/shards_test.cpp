@@ -6,11 +6,13 @@
 #include <functional>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/shards/study_shard.h"
 #include "app/shards/table_shard.h"
 #include "app/sweep/sweep_shard.h"
 #include "renderers/built_in_models.h"
@@ -271,6 +273,79 @@ TEST_F(TableShards, AreStoredTwiceWithTheSameBytesOnly) {
   EXPECT_EQ(text_in(file), before);
   store(file, changed, Overwrite::allow);
   EXPECT_EQ(read_table_shard(file), changed);
+}
+
+/// Folders that state which shard of a simulation they are, without rows.
+class StudyShards : public testing::Test {
+ protected:
+  static ShardIdentity shard_of(const Shard& shard, const std::string& declaration = "{}") {
+    return {.whole = {.command = "simulate",
+                      .declaration = declaration,
+                      .results = 9,
+                      .program = "asperity 1"},
+            .shard = shard};
+  }
+  fs::path marked(const std::string& name, const ShardIdentity& identity) const {
+    fs::create_directory(folder_ / name);
+    write_study_shard(folder_ / name, identity);
+    return folder_ / name;
+  }
+
+  TemporaryFolder folder_{};
+};
+
+TEST_F(StudyShards, StateWhatTheyAre) {
+  const ShardIdentity identity = shard_of({2, 3}, "{\"seed\": \"18446744073709551615\"}");
+  EXPECT_EQ(study_shard(marked("a", identity)), identity);
+  EXPECT_EQ(study_shard(folder_.path()), std::nullopt);
+}
+
+TEST_F(StudyShards, AreRefusedWhereWhatTheyStateWasChanged) {
+  const fs::path study = marked("a", shard_of({2, 3}));
+  const fs::path file = study / kStudyShardFile;
+  const std::string text = text_in(file);
+  const auto refused_with = [&](const std::string& before, const std::string& after) {
+    std::string changed = text;
+    changed.replace(changed.find(before), before.size(), after);
+    std::ofstream(file, std::ios::binary) << changed;
+    return refusal_of([&] { (void)study_shard(study); });
+  };
+  for (const auto& [before, after] :
+       {std::pair{"\"simulate\"", "\"sweep\""}, std::pair{": 9", ": 8"},
+        std::pair{": 9", ": \"9\""}, std::pair{"\"shard\": 2", "\"shard\": 4"},
+        std::pair{"\"of\"", "\"off\""}}) {
+    EXPECT_THAT(refused_with(before, after), AllOf(HasSubstr(file.string()), HasSubstr("damaged")))
+        << after;
+  }
+  EXPECT_THAT(refused_with("shard/1", "shard/2"), HasSubstr("does not have the format"));
+}
+
+TEST_F(StudyShards, AreMergedOnlyIfAllAreThereOnce) {
+  const fs::path station = folder_ / "station";
+  fs::create_directory(station);
+  const fs::path one = marked("study.shard-1-of-3", shard_of({1, 3}));
+  const fs::path two = marked("study.shard-2-of-3", shard_of({2, 3}));
+  const fs::path three = folder_ / "study.shard-3-of-3";
+  EXPECT_THAT(refusal_of([&] {
+                require_complete_divisions({one, station, two});
+              }),
+              AllOf(HasSubstr("missing of the simulation of " + one.string()),
+                    HasSubstr(three.string()), Not(HasSubstr(two.string()))));
+  marked("study.shard-3-of-3", shard_of({3, 3}));
+  require_complete_divisions({three, one, station, two});
+  require_complete_divisions({station});
+  const fs::path again = marked("again", shard_of({2, 3}));
+  EXPECT_THAT(
+      refusal_of([&] {
+        require_complete_divisions({one, two, three, again});
+      }),
+      AllOf(HasSubstr(two.string()), HasSubstr(again.string()), HasSubstr("are both shard 2/3")));
+  // Of another simulation: its first shard is missing.
+  const fs::path foreign = marked("other.shard-2-of-2", shard_of({2, 2}, "{\"seed\": 2}"));
+  EXPECT_THAT(refusal_of([&] {
+                require_complete_divisions({one, two, three, foreign});
+              }),
+              HasSubstr((folder_ / "other.shard-1-of-2").string()));
 }
 
 }  // namespace
