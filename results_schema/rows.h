@@ -84,6 +84,18 @@ struct SessionRow {
   std::vector<StimulusFileRow> files{};
 };
 
+/// A place in a study that is divided among stations, and what the participant at this place is assigned.
+struct ClaimedPlace {
+  int place = 0;        ///< in the whole study, from 1
+  std::string group{};  ///< empty where the protocol has no groups
+  int row = 0;          ///< of the counterbalancing, from 0
+
+  bool operator==(const ClaimedPlace&) const = default;
+};
+
+/// EventRow::kind of the event that states the place of a session's participant; the data have `place`.
+inline constexpr const char* kDealtEvent = "dealt";
+
 /// What a new session is assigned from, inside the transaction that stores it.
 struct SessionClaim {
   int rows = 1;                       ///< of the counterbalancing, from 0
@@ -91,6 +103,11 @@ struct SessionClaim {
   /// The group of a participant who is assigned after so many others, including those who withdrew. Null: the group with
   /// the fewest participants.
   std::function<std::string(std::size_t assigned)> group_after{};
+  /// The places that are dealt to this study, in the order in which they are taken; empty for a study that is not divided. They
+  /// determine row and group in place of the members above.
+  std::vector<ClaimedPlace> places{};
+  /// A participant who dropped out or withdrew keeps the place, as in a sequence that nobody must be able to foresee.
+  bool keeps_places = false;
 };
 
 struct PlannedTrialRow {

@@ -164,7 +164,9 @@ class Study final {
   /// states it: that of the participant's earlier sessions of this protocol's name and this mode, otherwise the one
   /// with the fewest participants who have an open or completed session of that name and mode, or that of the claim's
   /// sequence. The row: the least
-  /// used by such sessions of the group. The first of equals in both cases; who withdrew does not count. `plan_of` is
+  /// used by such sessions of the group. The first of equals in both cases; who withdrew does not count. Where places are
+  /// dealt to the study: group and row of the participant's place, or of the first one that no participant with such a session
+  /// has; an event `dealt` states it. `plan_of` is
   /// called with the session as it will be stored. Two laboratories that start at once cannot both be given the same.
   std::int64_t add_session(
       const SessionRow& session, const SessionClaim& claim,

@@ -8,6 +8,7 @@
 
 #include "results_schema/files/file_system.h"
 #include "results_schema/study.h"
+#include "results_schema/study_places.h"
 #include "results_schema/study_store.h"
 
 namespace asperity {
@@ -278,14 +279,22 @@ std::int64_t Study::add_session(
   std::string name;
   protocol_name.read(name);
   SessionRow row = session;
-  if (!row.group_level && !claim.groups.empty()) {
-    row.group_level = claimed_group(database, name, session, claim);
+  std::optional<ClaimedPlace> place;
+  if (claim.places.empty()) {
+    if (!row.group_level && !claim.groups.empty()) {
+      row.group_level = claimed_group(database, name, session, claim);
+    }
+    const std::vector<int> counts =
+        counts_of(database, name, claim.rows, session.mode, row.group_level);
+    row.counterbalance_row =
+        static_cast<int>(std::min_element(counts.begin(), counts.end()) - counts.begin());
+  } else {
+    place = claimed_place(database, name, session, claim);
+    row.counterbalance_row = place->row;
+    if (!row.group_level && !place->group.empty()) row.group_level = place->group;
   }
-  const std::vector<int> counts =
-      counts_of(database, name, claim.rows, session.mode, row.group_level);
-  row.counterbalance_row =
-      static_cast<int>(std::min_element(counts.begin(), counts.end()) - counts.begin());
   const std::int64_t id = insert_session_with_plan(database, row, plan_of(row));
+  if (place) add_dealt_event(database, id, row, *place);
   transaction.commit();
   return id;
 }

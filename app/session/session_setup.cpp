@@ -8,6 +8,7 @@
 
 #include "analysis/random.h"
 #include "app/session/trial_outcome.h"
+#include "app/study_files/dealt_places.h"
 #include "app/words/phrase.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/plan/groups.h"
@@ -46,6 +47,22 @@ std::optional<int> expected_trials_of(const Protocol& protocol) {
   const auto has_procedure = [](const auto& each) { return each.second.procedure.has_value(); };
   if (std::none_of(protocol.blocks.begin(), protocol.blocks.end(), has_procedure)) return {};
   return expected_trials(protocol);
+}
+
+/// The places of the whole study that are dealt to this one, if it is divided among stations.
+void add_dealt_places(SessionClaim& claim, const Study& study, const Protocol& protocol) {
+  const std::vector<PlaceRange> ranges = dealt_places(study.folder());
+  int last = 0;
+  for (const PlaceRange& range : ranges) last = std::max(last, range.last);
+  const std::vector<Allocation> allocations =
+      allocations_in_turn(protocol, text_of(SessionMode::run), last);
+  for (const PlaceRange& range : ranges) {
+    for (int place = range.first; place <= range.last; ++place) {
+      const Allocation& allocation = allocations[static_cast<std::size_t>(place - 1)];
+      claim.places.push_back(
+          {.place = place, .group = allocation.group, .row = allocation.counterbalance_row});
+    }
+  }
 }
 
 /// Whether the stored trials are those of the plan, without or with those that the last response determined.
@@ -187,12 +204,14 @@ OpenSession begin_session(Study& study, const Protocol& protocol, const std::str
     row.id = study.add_session(row, planned_rows(session.course->plan()));
   } else {
     SessionClaim claim{.rows = counterbalance_rows(protocol), .groups = groups_of(protocol)};
-    if (protocol.groups &&
-        protocol.groups->assigned == Protocol::Groups::Assignment::permuted_blocks) {
+    claim.keeps_places = protocol.groups &&
+                         protocol.groups->assigned == Protocol::Groups::Assignment::permuted_blocks;
+    if (claim.keeps_places) {
       claim.group_after = [&protocol, mode = text_of(row.mode)](std::size_t assigned) {
         return permuted_group(protocol, mode, assigned);
       };
     }
+    if (row.mode == SessionMode::run) add_dealt_places(claim, study, protocol);
     row.id = study.add_session(row, claim, [&](const SessionRow& claimed) {
       session.course.emplace(protocol, allocation_of(claimed));
       return planned_rows(session.course->plan());

@@ -22,9 +22,10 @@ namespace asperity {
 struct SessionConditions {
   SessionMode mode = SessionMode::run;
   std::uint64_t seed = 0;
-  std::optional<int> counterbalance_row{};  ///< if absent, the least used one
+  /// If absent, the least used one; in a study that is divided among stations, that of the participant's place.
+  std::optional<int> counterbalance_row{};
   /// Of a protocol with groups; if absent, that of the participant's earlier sessions, or the one
-  /// with the fewest participants.
+  /// with the fewest participants, or that of the participant's place.
   std::optional<std::string> group{};
   std::string pacing{};
   std::string scheduling{};

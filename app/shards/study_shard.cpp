@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "results_schema/files/atomic_file.h"
+#include "results_schema/part_files.h"
 #include "results_schema/study.h"
 
 namespace asperity {
@@ -22,11 +23,11 @@ namespace {
 }  // namespace
 
 void write_study_shard(const std::filesystem::path& study, const ShardIdentity& identity) {
-  write_file(study / kStudyShardFile, json_of(identity).dump(2) + '\n', Overwrite::refuse);
+  write_file(study / kShardFile, json_of(identity).dump(2) + '\n', Overwrite::refuse);
 }
 
 std::optional<ShardIdentity> study_shard(const std::filesystem::path& study) {
-  const std::filesystem::path file = study / kStudyShardFile;
+  const std::filesystem::path file = study / kShardFile;
   if (!std::filesystem::exists(file)) return std::nullopt;
   try {
     return shard_identity_from(

@@ -10,11 +10,8 @@
 
 namespace asperity {
 
-/// The file in the folder of such a study that states which shard it is, as JSON (`json_of`). Its rows are those of the whole
-/// study, and no row depends on the shard.
-inline constexpr const char* kStudyShardFile = "shard.json";
-
-/// Errors: ResultsError.
+/// The file `shard.json` in the folder of such a study states which shard it is, as JSON (`json_of`). Its rows are those of the
+/// whole study, and no row depends on the shard. Errors: ResultsError.
 void write_study_shard(const std::filesystem::path& study, const ShardIdentity& identity);
 
 /// Nothing for a study that is not a shard. Errors: std::runtime_error naming the file, for one that is damaged.

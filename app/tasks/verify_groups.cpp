@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/study_files/dealt_places.h"
 #include "protocols/plan/groups.h"
 
 namespace asperity {
@@ -35,6 +36,7 @@ struct AssignedSession {
   std::int64_t place = 0;  ///< the id of the session in that study
   const SessionRow* session = nullptr;
   bool is_assigned_there = false;  ///< otherwise it was there already
+  bool has_dealt_place = false;    ///< its group follows from the place and not from the sequence
 };
 
 /// The sessions of each study that assigned groups: this one, under an empty key, and those that were merged into it. A
@@ -45,16 +47,18 @@ std::map<std::string, std::vector<AssignedSession>> sessions_by_study(
   for (const SessionRow& session : sessions) {
     if (!session.group_level || session.mode == SessionMode::simulate) continue;
     std::vector<EventRow> events = study.events(session.id);
+    const bool is_dealt = dealt_place(events).has_value();
     std::erase_if(events, [](const EventRow& event) { return event.kind != kMergedEvent; });
     std::string key{};
-    by_study[key].push_back({session.id, &session, events.empty()});
+    by_study[key].push_back({session.id, &session, events.empty(), is_dealt});
     for (std::size_t i = events.size(); i > 0; --i) {
       const auto data = nlohmann::json::parse(events[i - 1].data_json, nullptr, false);
       if (!data.is_object()) continue;
       key += nlohmann::json{data.value("study", ""), data.value("created_utc", ""),
                             data.value("source", 0)}
                  .dump();
-      by_study[key].push_back({data.value("session_id", std::int64_t{0}), &session, i == 1});
+      by_study[key].push_back(
+          {data.value("session_id", std::int64_t{0}), &session, i == 1, is_dealt});
     }
   }
   for (auto& [key, assigned] : by_study) {
@@ -86,7 +90,7 @@ class GroupSequence final {
                          ", and that of the participant's first session " + own->second +
                          "; restore the study from a copy");
     }
-    if (!is_first) return;
+    if (!is_first || assigned.has_dealt_place) return;
     for (std::size_t place = before; place <= before + deleted_; ++place) {
       if (permuted_group(*protocol, text_of(session.mode), place) == *session.group_level) return;
     }

@@ -15,8 +15,9 @@ namespace asperity {
 ///
 /// The place is the number of participants of the same protocol and mode who had a group before. Participants whose data
 /// were deleted are no longer among them, so that with n deleted participants each of n + 1 places is possible. Virtual
-/// participants of a simulation are assigned by their number, and their groups are not compared. A participant
-/// of a merged study has the place in the study from which the first session was merged.
+/// participants of a simulation are assigned by their number, and their groups are not compared; nor are those of
+/// participants with a dealt place (verify_places.h). A participant of a merged study has the place in the study from which
+/// the first session was merged.
 std::vector<std::string> group_problems(const Study& study, PlansOfSessions& plans);
 
 }  // namespace asperity

@@ -26,6 +26,7 @@
 #include "app/study_files/program.h"
 #include "app/tasks/verify_groups.h"
 #include "app/tasks/verify_instability.h"
+#include "app/tasks/verify_places.h"
 #include "app/tasks/verify_questionnaire.h"
 #include "protocols/plan/shown_options.h"
 #include "results_schema/error_text.h"
@@ -439,6 +440,9 @@ VerifyResult verify_once(Study& study, const ModelBuilds& builds, bool replay_to
       [&] {
         PlansOfSessions plans(study, builds.models());
         for (const std::string& problem : group_problems(study, plans)) {
+          result.problems.push_back(problem);
+        }
+        for (const std::string& problem : place_problems(study, plans)) {
           result.problems.push_back(problem);
         }
       },

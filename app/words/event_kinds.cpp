@@ -59,6 +59,12 @@ const std::vector<EventKind>& event_kinds() {
        .text_is_public = true,
        .public_data = {"model", "version", "sha256"},
        .dating_data = {"version", "sha256"}},
+      {.name = kDealtEvent,
+       .meaning = "the study is divided among stations, and the group and the row of the "
+                  "counterbalancing are those of this place in the whole study. Text and data: "
+                  "`place`, from 1",
+       .hed = "Experiment-control",
+       .public_data = {"place"}},
       {.name = "rehearsal",
        .meaning = "a warning from the comparison of the plan with the measured device. Data: the "
                   "check, the stimulus, the requirement and the value of the device",

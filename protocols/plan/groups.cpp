@@ -3,6 +3,7 @@
 #include "protocols/plan/groups.h"
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <stdexcept>
 
@@ -66,19 +67,31 @@ Allocation allocation_in_turn(const Protocol& protocol, int n) {
   const std::vector<std::string> groups = groups_of(protocol);
   if (groups.empty()) return {.counterbalance_row = n % rows};
   if (protocol.groups->assigned == Protocol::Groups::Assignment::permuted_blocks) {
-    const auto group_at = [&protocol](int i) {
-      return permuted_group(protocol, "simulate", static_cast<std::size_t>(i));
-    };
-    const std::string group = group_at(n);
-    int before = 0;
-    for (int i = 0; i < n; ++i) before += group_at(i) == group ? 1 : 0;
-    return {.counterbalance_row = before % rows, .group = group};
+    return allocations_in_turn(protocol, "simulate", n + 1).back();
   }
   const int count = static_cast<int>(groups.size());
   const int round = n / count;
   const int shift = count % 2 == 0 ? round : 0;
   return {.counterbalance_row = round % rows,
           .group = groups[static_cast<std::size_t>((n + shift) % count)]};
+}
+
+std::vector<Allocation> allocations_in_turn(const Protocol& protocol, const std::string& mode,
+                                            int count) {
+  const bool is_permuted =
+      protocol.groups && protocol.groups->assigned == Protocol::Groups::Assignment::permuted_blocks;
+  const int rows = counterbalance_rows(protocol);
+  std::map<std::string, int> assigned{};
+  std::vector<Allocation> allocations{};
+  for (int n = 0; n < count; ++n) {
+    if (!is_permuted) {
+      allocations.push_back(allocation_in_turn(protocol, n));
+      continue;
+    }
+    const std::string group = permuted_group(protocol, mode, static_cast<std::size_t>(n));
+    allocations.push_back({.counterbalance_row = assigned[group]++ % rows, .group = group});
+  }
+  return allocations;
 }
 
 }  // namespace asperity

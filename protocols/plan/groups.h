@@ -37,4 +37,9 @@ std::string permuted_group(const Protocol& protocol, const std::string& mode, st
 /// the mode simulate.
 Allocation allocation_in_turn(const Protocol& protocol, int n);
 
+/// The allocations of the first `count` places of a study that is divided among stations, in order, for sessions of this mode:
+/// by the same rule, with permuted blocks by the sequence of the mode. The seeds are left out.
+std::vector<Allocation> allocations_in_turn(const Protocol& protocol, const std::string& mode,
+                                            int count);
+
 }  // namespace asperity

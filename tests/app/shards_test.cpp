@@ -16,6 +16,7 @@
 #include "app/shards/table_shard.h"
 #include "app/sweep/sweep_shard.h"
 #include "renderers/built_in_models.h"
+#include "results_schema/part_files.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
@@ -302,7 +303,7 @@ TEST_F(StudyShards, StateWhatTheyAre) {
 
 TEST_F(StudyShards, AreRefusedWhereWhatTheyStateWasChanged) {
   const fs::path study = marked("a", shard_of({2, 3}));
-  const fs::path file = study / kStudyShardFile;
+  const fs::path file = study / kShardFile;
   const std::string text = text_in(file);
   const auto refused_with = [&](const std::string& before, const std::string& after) {
     std::string changed = text;

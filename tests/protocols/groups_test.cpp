@@ -186,6 +186,19 @@ TEST(Groups, OfSimulatedParticipantsAreEquallyOftenOfEitherSex) {
   }
 }
 
+// A part of the places has the allocations of these places, however the study is divided.
+TEST(Groups, AreAllocatedToPlacesAsToSimulatedParticipants) {
+  const Protocol protocol = read_grouped(grouped());
+  const std::vector<Allocation> places = allocations_in_turn(protocol, "run", 12);
+  ASSERT_EQ(places.size(), 12U);
+  for (int n = 0; n < 12; ++n) {
+    const Allocation expected = allocation_in_turn(protocol, n);
+    const Allocation& place = places[static_cast<std::size_t>(n)];
+    EXPECT_EQ(place.group, expected.group) << n;
+    EXPECT_EQ(place.counterbalance_row, expected.counterbalance_row) << n;
+  }
+}
+
 std::string permuted(const std::string& further) {
   return replaced(
       grouped(), R"({"factor": "training"},)",
@@ -207,6 +220,16 @@ TEST(PermutedBlocks, ContainEveryGroupEquallyOften) {
     orders.insert(order);
   }
   EXPECT_EQ(orders.size(), 6U) << "4!/(2!·2!) orders";
+}
+
+TEST(PermutedBlocks, AllocateThePlacesOfAStudyInTheSequenceOfTheMode) {
+  const Protocol protocol = read_grouped(permuted(R"(, "seed": 4, "block_sizes": [4])"));
+  const std::vector<Allocation> places = allocations_in_turn(protocol, "run", 8);
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_EQ(places[i].group, permuted_group(protocol, "run", i)) << i;
+  }
+  EXPECT_EQ(allocations_in_turn(protocol, "simulate", 8)[7].group,
+            allocation_in_turn(protocol, 7).group);
 }
 
 TEST(PermutedBlocks, HaveRandomSizesUnlessOneIsStated) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A study's authors, license and ethics approval: stated when it is made, changed later, exported, and asked for where they are
-missing. Argument: the program asperity."""
+"""A study's authors, license, ethics approval and dealt places: stated when it is made, changed later, exported, and asked for where
+they are missing. Argument: the program asperity."""
 import json
 import pathlib
 import subprocess
@@ -38,6 +38,20 @@ with tempfile.TemporaryDirectory() as folder:
     assert refused.returncode == 2 and not (folder / "blank").exists(), refused
     asperity("metadata", study, "--license", "  CC0-1.0 ")
     assert stated(study) == (["Doe, Jane", "Roe, Richard"], "CC0-1.0", None)
+
+    # Places of a whole study, which are dealt to the study of a station.
+    def places():
+        return json.loads(asperity("metadata", study, "--json").stdout)["dealt_places"]
+
+    assert places() == [] and "places" not in asperity("metadata", study).stdout
+    assert "dealt places     1-12\n" in asperity("metadata", study, "--deal", "1-12").stdout
+    asperity("metadata", study, "--deal", "25-30", "--license", "CC0-1.0")
+    assert places() == ["1-12", "25-30"]
+    taken = subprocess.run([PROGRAM, "metadata", study, "--deal", "12-13"], text=True, capture_output=True, check=False)
+    assert taken.returncode == 1 and "the places 1-12 are dealt to the study" in taken.stderr, taken
+    wrong = subprocess.run([PROGRAM, "metadata", study, "--deal", "12-1"], text=True, capture_output=True, check=False)
+    assert wrong.returncode == 2 and "write FROM-TO, such as 13-24" in wrong.stderr, wrong
+    assert places() == ["1-12", "25-30"]
 
     asperity("new", bare)
     assert stated(bare) == ([], None, None)

@@ -5,6 +5,7 @@
 #include <set>
 #include <system_error>
 
+#include "app/study_files/dealt_places.h"
 #include "app/study_files/study_protocols.h"
 #include "app/tasks/protocol_files.h"
 #include "protocols/file/stored_protocol.h"
@@ -71,6 +72,7 @@ void read_sessions(StartFacts& facts, const Study& study) {
          .group = of_this_name.contains(row.protocol_id) ? row.group_level : std::nullopt});
   }
   facts.unfinished = unfinished_sessions(study, protocol);
+  facts.has_dealt_places = !dealt_places(study.folder()).empty();
   const int rows = counterbalance_rows(protocol);
   for (const SessionMode mode : {SessionMode::run, SessionMode::pilot, SessionMode::simulate}) {
     facts.rows_used[mode] = study.counterbalance_counts(protocol.name, rows, mode);

@@ -54,6 +54,8 @@ struct StartFacts {
   std::vector<SessionBefore> sessions{};
   /// How often each counterbalancing row of the protocol was used, by mode; of a valid one.
   std::map<SessionMode, std::vector<int>> rows_used{};
+  /// The study is that of a station: its sessions in the mode run have the rows of the places that are dealt to it.
+  bool has_dealt_places = false;
   std::vector<UnfinishedSession> unfinished{};  ///< of this very protocol
 };
 

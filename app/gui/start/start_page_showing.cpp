@@ -240,6 +240,10 @@ QString StartPage::session_text() const {
   const std::vector<int>& used = facts_.rows_used.at(mode_);
   const auto rows = static_cast<int>(used.size());
   if (rows <= 1) return tr("%1 No counterbalancing.").arg(number);
+  if (facts_.has_dealt_places && mode_ == SessionMode::run) {
+    return tr("%1 Counterbalancing row of the participant's place among those dealt to this study.")
+        .arg(number);
+  }
   const auto least = std::min_element(used.begin(), used.end()) - used.begin();
   return tr("%1 Counterbalancing row %2 of %3, the least used one.")
       .arg(number)

@@ -13401,6 +13401,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>%1 Keine Ausbalancierung.</translation>
     </message>
     <message>
+        <source>%1 Counterbalancing row of the participant&apos;s place among those dealt to this study.</source>
+        <translation>%1 Zeile der Ausbalancierung: die des Platzes der Versuchsperson unter denen, die dieser Studie zugeteilt sind.</translation>
+    </message>
+    <message>
         <source>%1 Counterbalancing row %2 of %3, the least used one.</source>
         <translation>%1 Zeile %2 von %3 der Ausbalancierung, die bisher am seltensten verwendete.</translation>
     </message>

@@ -1,0 +1,18 @@
+// Compares the stored groups and counterbalancing rows of a study that is divided among stations with the places of its participants.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/records/recorded_attempt.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+/// What contradicts the places that are dealt to stations (allocations_in_turn), as sentences: another group, or another row of
+/// the counterbalancing, than that of the place of the session. Later sessions of a participant have those of the first one, and
+/// are not compared, because the protocol may have a new version.
+std::vector<std::string> place_problems(const Study& study, PlansOfSessions& plans);
+
+}  // namespace asperity
