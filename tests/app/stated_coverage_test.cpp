@@ -78,6 +78,8 @@ TEST(StatedCoverage, OfOneParticipantOrMeansOfThemIsThatOfTheSimulations) {
   for (int i = 0; i < 6; ++i) {
     tasks += "a,p" + std::to_string(i) + ",yesno," + std::to_string(12 + i) + ",20,5,20\n";
   }
+  EXPECT_THAT(method_of(findings_of("response_times", "subject,time_s\nA,1\nB,2\n"), "geomean"),
+              HasSubstr(span_of_coverage("response_times", "geomean")));
   EXPECT_THAT(method_of(findings_of("dprime", tasks), "dprime.mean"),
               HasSubstr(span_of_coverage("sensitivity", "dprime.mean")));
 }

@@ -115,7 +115,8 @@ bool add_geometric_mean(const std::string& quantity, const std::string& key,
                         FindingList& findings) {
   const GeometricMean mean = geometric_mean(of_participants, scale.confidence);
   Basis basis{.n = mean.n,
-              .method = scale.method + "; t interval on the log scale",
+              .method = scale.method + "; t interval on the log scale" +
+                        (mean.interval ? scale.coverage : std::string()),
               .unit = scale.unit,
               .interval = mean.interval};
   if (mean.interval) basis.confidence = scale.confidence;

@@ -88,7 +88,8 @@ void add_mean_share(const std::string& quantity, const std::string& key,
 struct GeometricScale {
   double confidence = 0.95;
   std::string unit = "1";
-  std::string method{};  ///< the quantity that is averaged
+  std::string method{};    ///< the quantity that is averaged
+  std::string coverage{};  ///< of the interval, as `simulated_coverage`
 };
 bool add_geometric_mean(const std::string& quantity, const std::string& key,
                         std::span<const double> of_participants, const GeometricScale& scale,

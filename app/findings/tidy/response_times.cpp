@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/findings/tidy/finding_list.h"
+#include "app/findings/tidy/simulated_coverage.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "app/findings/tidy/time_column.h"
 
@@ -51,7 +52,8 @@ void add_condition(const std::string& key, const std::vector<std::string>& parti
       "geomean", key, means,
       {.confidence = confidence,
        .unit = "s",
-       .method = "geometric mean over participants of their geometric mean response times"},
+       .method = "geometric mean over participants of their geometric mean response times",
+       .coverage = simulated_coverage({92, 96})},
       findings);
   if (!has_interval) add_no_interval("geomean", key, means.size(), findings);
   for (std::size_t i = 0; i < participants.size(); ++i) {
