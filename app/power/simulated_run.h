@@ -1,0 +1,40 @@
+// Simulates one study of a protocol from its response tables, and analyses it as the protocol declares.
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+class PowerModel;
+
+/// What one declared test of a family, or the family after its correction, gave in one simulated study.
+///
+/// The tests of a family follow each other, in the order of the analysis, and the family itself follows them: its row has
+/// no `test` and no `p`, and its `corrected_p` is the smallest one of its tests, so that the family has a significant test
+/// exactly where this is below the level of significance.
+struct SimulatedOutcome {
+  std::string family{};  ///< name of the family: "ratings", "pairs and preference"
+  std::string
+      test{};  ///< name of the test in it, with its subject: "rated_pairs rough: metal|stone"
+  std::optional<double>
+      p{};  ///< as the analysis states it, uncorrected; none where it gave a status
+  std::optional<double> corrected_p{};  ///< after the family's correction
+  /// The effect with its 95 % confidence interval, in the unit of the analysis; none where it states none.
+  std::optional<double> estimate{};
+  std::optional<double> lower{};
+  std::optional<double> upper{};
+  std::string status{};  ///< code of the status, empty where there is none
+};
+
+/// Simulates study number `run` with so many participants, and analyses it. Deterministic: a function of the model, the number
+/// of participants, the seed and the run, whichever other runs are simulated. Safe to call from several threads.
+///
+/// Errors: std::invalid_argument for fewer than one participant or a run below 0.
+std::vector<SimulatedOutcome> simulate_and_analyse(const PowerModel& model, int participants,
+                                                   std::uint64_t seed, std::int64_t run);
+
+}  // namespace asperity
