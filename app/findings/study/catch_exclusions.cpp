@@ -129,18 +129,32 @@ GatheredAnswers without_participants(GatheredAnswers gathered,
   return gathered;
 }
 
-void analyze_with_exclusions(const GatheredAnswers& gathered, AnalysisOutcome& outcome,
-                             void (*analyze)(const GatheredAnswers&, AnalysisOutcome&)) {
-  const std::optional<CatchExclusion>& rule = gathered.declared.exclude;
-  if (!rule) return analyze(gathered, outcome);
-  const std::vector<CatchErrors> all = catch_errors(gathered);
+std::set<std::string> excluded_by_rule(const GatheredAnswers& gathered) {
   std::set<std::string> excluded{};
+  const std::optional<CatchExclusion>& rule = gathered.declared.exclude;
+  if (!rule) return excluded;
+  const std::vector<CatchErrors> all = catch_errors(gathered);
   for (const AnsweringPerson& person : gathered.people) {
     const auto own = std::find_if(all.begin(), all.end(), [&person](const CatchErrors& each) {
       return each.participant == person.label;
     });
     if (own != all.end() && is_excluded(*rule, *own)) excluded.insert(person.label);
   }
+  return excluded;
+}
+
+GatheredAnswers without_excluded(const GatheredAnswers& gathered) {
+  const std::set<std::string> excluded = excluded_by_rule(gathered);
+  if (excluded.empty() || excluded.size() == gathered.people.size()) return gathered;
+  return without_participants(gathered, excluded);
+}
+
+void analyze_with_exclusions(const GatheredAnswers& gathered, AnalysisOutcome& outcome,
+                             void (*analyze)(const GatheredAnswers&, AnalysisOutcome&)) {
+  const std::optional<CatchExclusion>& rule = gathered.declared.exclude;
+  if (!rule) return analyze(gathered, outcome);
+  const std::vector<CatchErrors> all = catch_errors(gathered);
+  const std::set<std::string> excluded = excluded_by_rule(gathered);
   if (excluded.empty() || excluded.size() == gathered.people.size()) {
     analyze(gathered, outcome);
     if (!excluded.empty()) {

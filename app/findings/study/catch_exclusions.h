@@ -52,6 +52,12 @@ class CatchDecisions final {
 GatheredAnswers without_participants(GatheredAnswers gathered,
                                      const std::set<std::string>& participants);
 
+/// The participants whom the declared rule excludes; all of them where it excludes every one.
+std::set<std::string> excluded_by_rule(const GatheredAnswers& gathered);
+
+/// The responses on which the results of `analyze_with_exclusions` are based.
+GatheredAnswers without_excluded(const GatheredAnswers& gathered);
+
 /// Runs `analyze` on the responses without the participants whom the declared rule excludes, and a second time on all
 /// responses: the tables of thresholds, their means and the tests of the second run are added with names that end in
 /// `kWithExcluded`, and their findings with such an analysis. Adds the table `kExclusions`. Without a rule, or if it excludes no

@@ -81,8 +81,8 @@ void test_places(const GatheredAnswers& gathered, const DiscriminationResults& r
   tests.add("order", results.name, FoundNumbers(findings), "friedman.p");
 }
 
-void test_order(const GatheredAnswers& gathered, const DiscriminationResults& results,
-                StudyTests& tests, AnalysisOutcome& outcome) {
+void test_order_of_two(const GatheredAnswers& gathered, const DiscriminationResults& results,
+                       StudyTests& tests, AnalysisOutcome& outcome) {
   ScoreRows scores(gathered);
   std::size_t with_both = 0;
   for (const OrderOfPerson& own : results.orders) {
@@ -104,7 +104,19 @@ void test_order(const GatheredAnswers& gathered, const DiscriminationResults& re
   keep_tests(findings, true, outcome);
   const FoundNumbers found(findings);
   tests.add("order", results.name, found, kWilcoxonP, both(kFirst, kSecond));
+  tests.state_effect(FoundNumbers(results.order).find("order.difference", results.name));
   drop_ties(with_both, both(kFirst, kSecond), found, tests);
+}
+
+/// Of a design in which a surface is chosen.
+void test_order(const GatheredAnswers& gathered, const DiscriminationResults& results,
+                StudyTests& tests, AnalysisOutcome& outcome) {
+  const DiscriminationDesign& design = *results.study.task.design;
+  if (design.is_choice_of_three()) {
+    test_places(gathered, results, tests, outcome);
+  } else if (!design.has_noise()) {
+    test_order_of_two(gathered, results, tests, outcome);
+  }
 }
 
 /// The participants' numbers of one threshold by condition, as scores.
@@ -246,6 +258,60 @@ void remark_on_direction(const DiscriminationResults& results, AnalysisOutcome& 
       results.name.empty() ? remark : phrase("Analysis", "%1: %2").with(results.name, remark));
 }
 
+/// Whether no response is a choice between surfaces, whose order could matter.
+bool are_of_detection(const std::vector<DiscriminationStudy>& studies) {
+  return std::all_of(studies.begin(), studies.end(),
+                     [](const auto& each) { return each.task.design->has_noise(); });
+}
+
+bool have_conditions(const std::vector<DiscriminationStudy>& studies) {
+  return std::any_of(studies.begin(), studies.end(),
+                     [](const auto& each) { return each.conditions.size() > 1; });
+}
+
+void set_default_of_designs(const std::vector<DiscriminationStudy>& studies, StudyTests& tests) {
+  if (!are_of_detection(studies)) return;
+  tests.set_default_family(have_conditions(studies) ? std::vector<std::string>{"conditions"}
+                                                    : std::vector<std::string>{});
+}
+
+/// Tests of the family that these designs do not have.
+void add_tests_without_design(const std::vector<DiscriminationStudy>& studies, StudyTests& tests) {
+  if (are_of_detection(studies) && tests.is_in_family("order") && tests.find("order") == nullptr) {
+    tests.add_untested("order", "", "no_choice_of_surface");
+  }
+  const bool has_comparison = std::any_of(
+      studies.begin(), studies.end(), [](const auto& each) { return !each.task.is_performance; });
+  if (!has_comparison && tests.is_in_family("point_of_subjective_equality")) {
+    tests.add_untested("point_of_subjective_equality", "", "no_point_of_equality");
+  }
+  if (tests.is_in_family("conditions") && tests.find("conditions") == nullptr &&
+      !have_conditions(studies)) {
+    tests.add_untested("conditions", "", "one_condition");
+  }
+}
+
+std::vector<StudyTest> test_responses(const GatheredAnswers& gathered) {
+  StudyTests tests(gathered);
+  const std::vector<DiscriminationStudy> studies = discrimination_studies(gathered);
+  if (studies.empty()) return std::move(tests).take_family();
+  set_default_of_designs(studies, tests);
+  const bool needs_thresholds =
+      tests.is_in_family("conditions") || tests.is_in_family("point_of_subjective_equality");
+  AnalysisOutcome unused{};
+  for (const DiscriminationStudy& study : studies) {
+    const DiscriminationResults results(
+        gathered, study, studies.size() > 1,
+        needs_thresholds ? ThresholdDetail::estimates : ThresholdDetail::none);
+    if (tests.is_in_family("order")) test_order(gathered, results, tests, unused);
+    if (!needs_thresholds) continue;
+    test_conditions(gathered, results, tests, unused);
+    if (!study.task.is_performance) test_equality(gathered, results, tests, unused);
+  }
+  add_tests_without_design(studies, tests);
+  return std::move(tests).take_family();
+}
+
 void analyze_responses(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   const std::vector<DiscriminationStudy> studies = discrimination_studies(gathered);
   remark_on_left_out(studies, outcome);
@@ -262,15 +328,7 @@ void analyze_responses(const GatheredAnswers& gathered, AnalysisOutcome& outcome
     all.emplace_back(gathered, study, studies.size() > 1);
   }
   StudyTests tests(gathered);
-  const bool is_detection = std::all_of(
-      all.begin(), all.end(), [](const auto& each) { return each.study.task.design->has_noise(); });
-  if (is_detection) {  // no response is a choice between two surfaces, whose order could matter
-    const bool has_conditions = std::any_of(
-        all.begin(), all.end(), [](const auto& each) { return each.conditions.size() > 1; });
-    tests.set_default_family(has_conditions ? std::vector<std::string>{"conditions"}
-                                            : std::vector<std::string>{});
-  }
-  bool has_comparison = false;
+  set_default_of_designs(studies, tests);
   for (const DiscriminationResults& results : all) {
     keep_findings(results.fit.thresholds, outcome);
     // A reason why a function could not be fitted is the status of its thresholds.
@@ -284,29 +342,13 @@ void analyze_responses(const GatheredAnswers& gathered, AnalysisOutcome& outcome
     keep_findings(results.compared, outcome);
     keep_findings(results.unsure, outcome);
     remark_on_unsure(results, outcome);
-    const DiscriminationDesign& design = *results.study.task.design;
-    if (design.is_choice_of_three()) {
-      test_places(gathered, results, tests, outcome);
-    } else if (!design.has_noise()) {
-      test_order(gathered, results, tests, outcome);
-    }
+    test_order(gathered, results, tests, outcome);
     test_conditions(gathered, results, tests, outcome);
     if (results.study.task.is_performance) continue;
-    has_comparison = true;
     remark_on_direction(results, outcome);
     test_equality(gathered, results, tests, outcome);
   }
-  if (is_detection && tests.is_in_family("order") && tests.find("order") == nullptr) {
-    tests.add_untested("order", "", "no_choice_of_surface");
-  }
-  if (!has_comparison && tests.is_in_family("point_of_subjective_equality")) {
-    tests.add_untested("point_of_subjective_equality", "", "no_point_of_equality");
-  }
-  if (tests.is_in_family("conditions") && tests.find("conditions") == nullptr &&
-      std::all_of(all.begin(), all.end(),
-                  [](const auto& each) { return each.conditions.size() < 2; })) {
-    tests.add_untested("conditions", "", "one_condition");
-  }
+  add_tests_without_design(studies, tests);
   add_discrimination_tables(gathered, all, outcome);
   add_choice_model(gathered, studies, outcome);
   add_sensitivity(gathered, all, outcome);
@@ -317,6 +359,10 @@ void analyze_responses(const GatheredAnswers& gathered, AnalysisOutcome& outcome
 }
 
 }  // namespace
+
+std::vector<StudyTest> test_discrimination(const GatheredAnswers& gathered) {
+  return test_responses(without_excluded(gathered));
+}
 
 void analyze_discrimination(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   analyze_with_exclusions(gathered, outcome, analyze_responses);

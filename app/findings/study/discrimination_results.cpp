@@ -230,7 +230,8 @@ std::vector<Finding> unsure_rates(const DiscriminationResults& results) {
 }  // namespace
 
 DiscriminationResults::DiscriminationResults(const GatheredAnswers& gathered,
-                                             const DiscriminationStudy& of, bool is_one_of_several)
+                                             const DiscriminationStudy& of, bool is_one_of_several,
+                                             ThresholdDetail detail)
     : study(of), name(is_one_of_several ? of.task.name : std::string()) {
   for (const std::string& condition : of.conditions) {
     conditions.push_back(name.empty()         ? condition
@@ -238,11 +239,18 @@ DiscriminationResults::DiscriminationResults(const GatheredAnswers& gathered,
                                               : name + ": " + condition);
   }
   functions = functions_of(gathered, of, conditions);
-  std::vector<DiscriminationData> data{};
-  for (const Function& function : functions) data.push_back(function.data);
-  fit = fit_discrimination(of.task, data);
-  means = means_of(*this);
-  compared = compared_thresholds(*this);
+  if (detail != ThresholdDetail::none) {
+    std::vector<DiscriminationData> data{};
+    for (const Function& function : functions) {
+      DiscriminationData& own = data.emplace_back(function.data);
+      if (detail == ThresholdDetail::complete) continue;
+      own.placed.reset();
+      own.needs_intervals = false;
+    }
+    fit = fit_discrimination(of.task, data);
+    if (detail == ThresholdDetail::complete) means = means_of(*this);
+    compared = compared_thresholds(*this);
+  }
   if (of.task.design == &two_alternatives()) orders = orders_of(of);
   if (of.task.design->is_choice_of_three()) places = places_of(of);
   order = places.empty() ? order_findings(orders, name) : place_findings(places, name);

@@ -62,10 +62,17 @@ inline constexpr std::array kThresholdColumns{
                     "geomean.jnd.posterior"},
     ThresholdColumn{"weber", "weber", "mean.weber", "geomean.weber"}};
 
+/// What is computed of the thresholds.
+enum class ThresholdDetail {
+  complete,
+  estimates,  ///< without intervals and without means
+  none,       ///< no function is fitted
+};
+
 /// The results of one task.
 struct DiscriminationResults {
   DiscriminationResults(const GatheredAnswers& gathered, const DiscriminationStudy& of,
-                        bool is_one_of_several);
+                        bool is_one_of_several, ThresholdDetail detail = ThresholdDetail::complete);
 
   const DiscriminationStudy& study;
   /// Of the task where there are several, otherwise empty.

@@ -312,7 +312,9 @@ class Gathering {
     gathered.count.participants = participants_.size();
     gathered.recorded_participants = recorded_participants_.size();
     gathered.only_accompanies = has_accompanying_ones_ && !has_own_questions_;
-    gathered.sources = count_protocols(texts_of_sources_);
+    // A single file does not have to be read again.
+    gathered.sources = texts_of_sources_.size() < 2 ? texts_of_sources_.size()
+                                                    : count_protocols(texts_of_sources_);
     if (!gathered.declared_alike) gathered.declared = {};
     return std::move(gathered);
   }
@@ -553,6 +555,29 @@ class Gathering {
   bool has_accompanying_ones_ = false;
 };
 
+/// By name, version and group of the protocol, and by kind.
+using Gatherings =
+    std::map<std::tuple<std::string, std::string, AnswerGroup, std::string>, Gathering>;
+
+/// The gathering of the responses of a session to the questions of a kind, which has its protocol declared.
+Gathering& gathering_of(Gatherings& groups, const ProtocolRow& of, AnswerGroup group,
+                        const std::string& kind, const StoredProtocol& specified) {
+  Gathering& gathering = groups[std::tuple(of.name, of.version, group, kind)];
+  gathering.gathered.protocol = of.name;
+  gathering.gathered.version = of.version;
+  gathering.gathered.kind = kind;
+  gathering.gathered.design = of.design;
+  gathering.gathered.group = group;
+  gathering.declare(of, specified);
+  return gathering;
+}
+
+std::vector<GatheredAnswers> gathered_in(Gatherings groups) {
+  std::vector<GatheredAnswers> all{};
+  for (auto& [key, gathering] : groups) all.push_back(std::move(gathering).finish());
+  return all;
+}
+
 /// Reads the responses of one session after another. In large studies most of the time of an
 /// analysis is spent reading from SQLite: every other session is therefore read on a separate
 /// thread, at the same time as the preceding one.
@@ -641,7 +666,7 @@ std::uint32_t GatheredAnswers::level(const GatheredAnswer& answer, std::string_v
 std::vector<GatheredAnswers> gather_answers(const Study& study,
                                             const std::optional<std::string>& protocol,
                                             const std::stop_token& stop) {
-  std::map<std::tuple<std::string, std::string, AnswerGroup, std::string>, Gathering> groups{};
+  Gatherings groups{};
   std::map<std::int64_t, ProtocolRow> protocols{};
   struct ReadProtocol {
     StoredProtocol specified{};
@@ -673,13 +698,7 @@ std::vector<GatheredAnswers> gather_answers(const Study& study,
     const std::vector<PresentedMatch> matches =
         counted_matches(study, session, given, found->second.specified);
     for (const auto& [kind, questions] : found->second.asked) {
-      Gathering& gathering = groups[std::tuple(of.name, of.version, group, kind)];
-      gathering.gathered.protocol = of.name;
-      gathering.gathered.version = of.version;
-      gathering.gathered.kind = kind;
-      gathering.gathered.design = of.design;
-      gathering.gathered.group = group;
-      gathering.declare(of, found->second.specified);
+      Gathering& gathering = gathering_of(groups, of, group, kind, found->second.specified);
       gathering.add_session(session, participant, given, questions);
       if (gathering.needs_felt_octaves()) {
         gathering.add_recordings(study, session, given, questions, stop);
@@ -687,9 +706,40 @@ std::vector<GatheredAnswers> gather_answers(const Study& study,
       gathering.add_matches(session, matches, questions);
     }
   }
-  std::vector<GatheredAnswers> all{};
-  for (auto& [key, gathering] : groups) all.push_back(std::move(gathering).finish());
-  return all;
+  return gathered_in(std::move(groups));
+}
+
+struct SessionGathering::OfProtocol::Asked {
+  std::map<std::string, QuestionsOfKind> by_kind{};
+};
+
+SessionGathering::OfProtocol::OfProtocol(ProtocolRow of)
+    : row(std::move(of)),
+      specified(stored_protocol(row.source)),
+      asked(std::make_unique<const Asked>(Asked{questions_by_kind(specified, row.kind)})) {}
+
+SessionGathering::OfProtocol::~OfProtocol() = default;
+
+struct SessionGathering::Groups {
+  Gatherings by_key{};
+};
+
+SessionGathering::SessionGathering(const OfProtocol& protocol)
+    : protocol_(protocol), groups_(std::make_unique<Groups>()) {}
+
+SessionGathering::~SessionGathering() = default;
+
+void SessionGathering::add(const ParticipantRow& participant, const SessionRow& session,
+                           const SessionAnswers& answers) {
+  const AnswerGroup group = group_of(participant, session);
+  for (const auto& [kind, questions] : protocol_.asked->by_kind) {
+    gathering_of(groups_->by_key, protocol_.row, group, kind, protocol_.specified)
+        .add_session(session, participant, answers, questions);
+  }
+}
+
+std::vector<GatheredAnswers> SessionGathering::finish() && {
+  return gathered_in(std::move(groups_->by_key));
 }
 
 }  // namespace asperity

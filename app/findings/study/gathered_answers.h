@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -253,6 +254,34 @@ struct GatheredAnswers {
 std::vector<GatheredAnswers> gather_answers(const Study& study,
                                             const std::optional<std::string>& protocol,
                                             const std::stop_token& stop);
+
+/// Gathers the responses of sessions that are in memory as `gather_answers` does those of a study, except for recordings.
+class SessionGathering final {
+ public:
+  /// The stored protocol of all its sessions, which is read once. It must outlive the gatherings.
+  struct OfProtocol {
+    explicit OfProtocol(ProtocolRow of);
+    ~OfProtocol();
+
+    ProtocolRow row{};
+    StoredProtocol specified{};
+    struct Asked;
+    std::unique_ptr<const Asked> asked;  ///< the questions by kind
+  };
+
+  explicit SessionGathering(const OfProtocol& protocol);
+  ~SessionGathering();
+  /// The sessions of a participant follow each other.
+  void add(const ParticipantRow& participant, const SessionRow& session,
+           const SessionAnswers& answers);
+  /// By group and kind; empty ones are absent.
+  std::vector<GatheredAnswers> finish() &&;
+
+ private:
+  struct Groups;
+  const OfProtocol& protocol_;
+  std::unique_ptr<Groups> groups_;
+};
 
 /// The response of a participant who does not choose, where the protocol allows it.
 inline constexpr std::string_view kCannotTell = kCannotTellOption;

@@ -126,6 +126,10 @@ void GatheredExploration::end_participant(const GatheredAnswers& gathered) {
   if (ended_answers_ == gathered.answers.size()) return;
   const std::size_t person = gathered.answers.back().person;
   const std::size_t first_surface = contact_s_.size() - of_participant_.size();
+  if (of_participant_.empty() && first_surface < gathered.surfaces.size()) {
+    ended_answers_ = gathered.answers.size();  // the exploration was not read
+    return;
+  }
   OwnConditions conditions(gathered);
   for (; ended_answers_ < gathered.answers.size(); ++ended_answers_) {
     const GatheredAnswer& answer = gathered.answers[ended_answers_];

@@ -102,7 +102,54 @@ void add_estimates(const GatheredAnswers& gathered, const std::vector<Estimated>
   outcome.tables.push_back(std::move(persons));
 }
 
+/// Findings, tables and figures list the conditions in one order, independent of the order of sessions.
+void sort_by_condition(const std::vector<std::string>& conditions,
+                       std::vector<Estimated>& estimates) {
+  std::stable_sort(estimates.begin(), estimates.end(),
+                   [&conditions](const Estimated& one, const Estimated& other) {
+                     const auto place = [&conditions](const Estimated& estimate) {
+                       return std::find(conditions.begin(), conditions.end(), estimate.condition);
+                     };
+                     return place(one) < place(other);
+                   });
+}
+
+/// `found`: of the family `magnitude`.
+void add_peak_tests(const FoundNumbers& found, StudyTests& tests) {
+  for (const Finding* ratio : found.all("peakratio.p")) {
+    const std::size_t bar = ratio->key.find('|');
+    const bool has_both = has_interior_maximum(found, ratio->key.substr(0, bar)) &&
+                          has_interior_maximum(found, ratio->key.substr(bar + 1));
+    if (has_both) {
+      tests.add("peaks", ratio->key, found, ratio->quantity, ratio->key);
+    } else {
+      tests.add_untested("peaks", ratio->key, kNotBothPeaks);
+    }
+  }
+}
+
 }  // namespace
+
+std::vector<StudyTest> test_magnitude(const GatheredAnswers& gathered) {
+  if (!gathered.estimation.items.empty()) return test_stimulus_estimates(gathered);
+  StudyTests tests(gathered);
+  AnalysisOutcome unused{};
+  std::vector<Estimated> estimates = estimates_in(gathered, unused);
+  if (estimates.empty()) return std::move(tests).take_family();
+  const std::vector<std::string> conditions =
+      conditions_of(estimates, gathered.estimation.conditions);
+  sort_by_condition(conditions, estimates);
+  const std::vector<std::string> spacings = levels_of(estimates, &Estimated::spacing);
+  const std::vector<Finding> anova =
+      analysis_of(kAnova, "rmanova", anova_table(gathered, estimates, conditions, spacings));
+  add_effect_tests(FoundNumbers(anova), conditions.size(), kEffects, tests);
+  if (tests.is_in_family("peaks")) {
+    const std::vector<Finding> curves =
+        analysis_of(kRoughness, "magnitude", curves_table(gathered, estimates));
+    add_peak_tests(FoundNumbers(curves), tests);
+  }
+  return std::move(tests).take_family();
+}
 
 void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   if (!gathered.estimation.items.empty()) {
@@ -113,15 +160,7 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   if (estimates.empty()) return;
   const std::vector<std::string> conditions =
       conditions_of(estimates, gathered.estimation.conditions);
-  // Findings, tables and figures list the conditions in one order, independent of the order of
-  // sessions.
-  std::stable_sort(estimates.begin(), estimates.end(),
-                   [&conditions](const Estimated& one, const Estimated& other) {
-                     const auto place = [&conditions](const Estimated& estimate) {
-                       return std::find(conditions.begin(), conditions.end(), estimate.condition);
-                     };
-                     return place(one) < place(other);
-                   });
+  sort_by_condition(conditions, estimates);
   const std::vector<std::string> spacings = levels_of(estimates, &Estimated::spacing);
   const std::vector<Finding> roughness =
       analysis_of(kRoughness, "magnitude", curves_table(gathered, estimates));
@@ -157,16 +196,7 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   }
   StudyTests tests(gathered);
   add_effect_tests(found_anova, conditions.size(), kEffects, tests);
-  for (const Finding* ratio : found.all("peakratio.p")) {
-    const std::size_t bar = ratio->key.find('|');
-    const bool has_both = has_interior_maximum(found, ratio->key.substr(0, bar)) &&
-                          has_interior_maximum(found, ratio->key.substr(bar + 1));
-    if (has_both) {
-      tests.add("peaks", ratio->key, found, ratio->quantity, ratio->key);
-    } else {
-      tests.add_untested("peaks", ratio->key, kNotBothPeaks);
-    }
-  }
+  add_peak_tests(found, tests);
   tests.finish(outcome);
   ask_effect({"spacing", phrase("Analysis", "Does roughness depend on the spacing?"), kRoughness,
               spacings},

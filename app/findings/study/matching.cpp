@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -35,6 +36,12 @@ std::optional<Finding> in_units(const Finding* finding, double unit) {
   return scaled;
 }
 
+bool are_of_equal_size(const std::vector<MatchedTrial>& assignments) {
+  return std::all_of(assignments.begin(), assignments.end(), [&assignments](const auto& each) {
+    return each.items() == assignments.front().items();
+  });
+}
+
 /// Correctly matched items and all items of each of the gathered people, in their order.
 std::vector<HitCount> items_of_people(const GatheredAnswers& gathered,
                                       const std::vector<MatchedTrial>& assignments) {
@@ -46,7 +53,64 @@ std::vector<HitCount> items_of_people(const GatheredAnswers& gathered,
   return own;
 }
 
+/// The tests of all items, of whole trials and, of the textures of `felt`, of single ones. `found`: of the family `matching`.
+void add_matching_tests(const std::vector<MatchedTrial>& assignments,
+                        const std::set<std::string>& felt, const FoundNumbers& found,
+                        StudyTests& tests) {
+  const std::size_t items = assignments.front().items();
+  const auto is_against = [&](double chance) {
+    if (are_of_equal_size(assignments)) tests.state_chance(chance);
+  };
+  const double chance_of_item = 1.0 / static_cast<double>(items);
+  tests.add("items", "", found, "relabel.p.greater");
+  is_against(chance_of_item);
+  tests.add("whole", "", found, "perfect.relabel.p.greater");
+  is_against(1.0 / static_cast<double>(permutations(items)));
+  for (const std::string& texture : felt) {
+    tests.add("textures", texture, found, "texture.relabel.p.greater", texture);
+    is_against(chance_of_item);
+  }
+}
+
+/// The textures with responses.
+std::set<std::string> felt_in(std::span<const Finding> findings) {
+  std::set<std::string> felt{};
+  for (const Finding& finding : findings) {
+    if (finding.quantity == "texture.prop") felt.insert(finding.key);
+  }
+  return felt;
+}
+
+std::vector<Finding> matching_findings_of(const GatheredAnswers& gathered,
+                                          const std::vector<MatchedTrial>& assignments,
+                                          const char* parts) {
+  std::vector<const MatchedTrial*> all{};
+  for (const MatchedTrial& assignment : assignments) all.push_back(&assignment);
+  return analysis_of("matching", "matching", matched_trials_table(gathered, all, parts));
+}
+
 }  // namespace
+
+std::vector<StudyTest> test_matching(const GatheredAnswers& gathered) {
+  StudyTests tests(gathered);
+  AnalysisOutcome unused{};
+  const std::vector<MatchedTrial> assignments = matched_trials(gathered, unused);
+  if (assignments.empty()) return std::move(tests).take_family();
+  const bool needs_all = tests.is_in_family("whole") || tests.is_in_family("textures") ||
+                         tests.is_in_family(kSexesTest);
+  const std::vector<Finding> findings =
+      matching_findings_of(gathered, assignments, needs_all ? "summary" : "totals");
+  const FoundNumbers found(findings);
+  add_matching_tests(assignments, felt_in(findings), found, tests);
+  if (found.find("group.perm.p.two", "F-M") != nullptr) {
+    tests.add("sexes", "F|M", found, "group.perm.p.two", "F-M");
+  }
+  if (tests.is_in_family(kGroupsTest)) {
+    PairComparisons(gathered, pairs_of_groups(gathered), items_of_people(gathered, assignments))
+        .add_tests(tests, unused);
+  }
+  return std::move(tests).take_family();
+}
 
 void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   const std::vector<MatchedTrial> assignments = matched_trials(gathered, outcome);
@@ -60,22 +124,17 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   add_matching_tables(gathered, assignments, outcome);
   add_confusions(gathered, assignments, outcome);
 
-  std::vector<const MatchedTrial*> all{};
-  for (const MatchedTrial& assignment : assignments) all.push_back(&assignment);
-  const std::vector<Finding> findings =
-      analysis_of("matching", "matching", matched_trials_table(gathered, all, "summary"));
+  const std::vector<Finding> findings = matching_findings_of(gathered, assignments, "summary");
   const FoundNumbers found(findings);
   keep_findings(findings, outcome);
   const std::size_t items = assignments.front().items();
-  const auto [least, most] = std::minmax_element(
-      assignments.begin(), assignments.end(),
-      [](const MatchedTrial& a, const MatchedTrial& b) { return a.items() < b.items(); });
-  const std::size_t fewest = least->items();
-  const bool equal_size = fewest == most->items();
-  std::set<std::string> felt{};
-  for (const Finding& finding : findings) {
-    if (finding.quantity == "texture.prop") felt.insert(finding.key);
-  }
+  const std::size_t fewest = std::min_element(assignments.begin(), assignments.end(),
+                                              [](const MatchedTrial& a, const MatchedTrial& b) {
+                                                return a.items() < b.items();
+                                              })
+                                 ->items();
+  const bool equal_size = are_of_equal_size(assignments);
+  const std::set<std::string> felt = felt_in(findings);
   add_confused_pairs({felt.begin(), felt.end()}, found, outcome);
   if (equal_size) add_right_items(items, found, outcome);
   const std::array<PersonsRow, 1> persons{PersonsRow{"all", ""}};
@@ -89,18 +148,7 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   add_measures(found, measures, outcome);
 
   StudyTests tests(gathered);
-  const auto is_against = [&](double chance) {
-    if (equal_size) tests.state_chance(chance);
-  };
-  const double chance_of_item = 1.0 / static_cast<double>(items);
-  tests.add("items", "", found, "relabel.p.greater");
-  is_against(chance_of_item);
-  tests.add("whole", "", found, "perfect.relabel.p.greater");
-  is_against(1.0 / static_cast<double>(permutations(items)));
-  for (const std::string& texture : felt) {
-    tests.add("textures", texture, found, "texture.relabel.p.greater", texture);
-    is_against(chance_of_item);
-  }
+  add_matching_tests(assignments, felt, found, tests);
   if (found.find("group.perm.p.two", "F-M") != nullptr) {
     tests.add("sexes", "F|M", found, "group.perm.p.two", "F-M");
   }

@@ -486,7 +486,77 @@ void ask_consistency(const ConsistencyOfPeople& people, AnalysisOutcome& outcome
   keep_findings(made, outcome);
 }
 
+/// `found`: of `pair_findings`.
+void add_tests_of_pairs(const PairedStudy& study, const FoundNumbers& found, StudyTests& tests) {
+  const Selection& choices = study.choices;
+  for (const ItemPair& pair : pairs_offered(choices)) {
+    const std::string& first = choices.items[pair.first];
+    const std::string& second = choices.items[pair.second];
+    const std::string about = both(first, second);
+    if (!study.shares.contains({pair.first, pair.second})) {
+      tests.add_untested("pairs", about, "only_ties");
+      continue;
+    }
+    tests.add("pairs", about, found, "signflip.p.two", about);
+    const std::size_t compared = study.people_who_compared({pair.first, pair.second});
+    tests.leave_out(
+        compared - std::min(compared, tests.tests().back().n),
+        phrase("Analysis",
+               "Participants who tied %1 and %2 in every comparison are left out of the "
+               "test of this pair")
+            .with(first, second));
+  }
+}
+
+/// `found`: of the family `rating` on `scores`. Returns whether there is a test.
+bool add_preference_test(const PairedStudy& study, const PairScores& scores,
+                         const FoundNumbers& found, StudyTests& tests) {
+  const bool is_testable = study.by_person.size() >= scores.left_out + 2;
+  if (is_testable) {
+    tests.add("preference", "", found, "friedman.p");
+  } else {
+    tests.add_untested(
+        "preference", "",
+        study.by_person.size() == 1 ? StudyTests::kOneParticipantAlone : "pairs_incomplete");
+  }
+  tests.leave_out(
+      scores.left_out,
+      phrase("Analysis",
+             "Participants who did not compare every pair equally often are left out of "
+             "the test of the preference"));
+  return is_testable;
+}
+
+std::vector<Finding> findings_of_positions(const Selection& choices) {
+  return analysis_of(
+      "position", "selection",
+      choices_table(
+          choices, numbers_up_to(2),
+          [&choices](const GatheredAnswer& answer) { return choices.position(answer); }, "1"));
+}
+
 }  // namespace
+
+std::vector<StudyTest> test_paired_comparison(const GatheredAnswers& gathered) {
+  StudyTests tests(gathered);
+  const Selection choices(gathered);
+  if (choices.items.size() < 2) return std::move(tests).take_family();
+  const PairedStudy study(choices);
+  if (tests.is_in_family("pairs")) {
+    const std::vector<Finding> findings = pair_findings("choice", choices, "pairs");
+    add_tests_of_pairs(study, FoundNumbers(findings), tests);
+  }
+  if (tests.is_in_family("preference")) {
+    PairScores scores = pair_scores_of(study);
+    const std::vector<Finding> findings = analysis_of(kScores, "rating", std::move(scores.input));
+    add_preference_test(study, scores, FoundNumbers(findings), tests);
+  }
+  if (tests.is_in_family("position")) {
+    const std::vector<Finding> findings = findings_of_positions(choices);
+    tests.add("position", "", FoundNumbers(findings), "relabel.exact.p");
+  }
+  return std::move(tests).take_family();
+}
 
 void analyze_paired_comparison(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   const Selection choices(gathered);
@@ -502,23 +572,7 @@ void analyze_paired_comparison(const GatheredAnswers& gathered, AnalysisOutcome&
   const std::vector<Finding> of_pairs = pair_findings("choice", choices);
   const FoundNumbers found_pairs(of_pairs);
   keep_findings(of_pairs, outcome);
-  for (const ItemPair& pair : pairs_offered(choices)) {
-    const std::string& first = choices.items[pair.first];
-    const std::string& second = choices.items[pair.second];
-    const std::string about = both(first, second);
-    if (!study.shares.contains({pair.first, pair.second})) {
-      tests.add_untested("pairs", about, "only_ties");
-      continue;
-    }
-    tests.add("pairs", about, found_pairs, "signflip.p.two", about);
-    const std::size_t compared = study.people_who_compared({pair.first, pair.second});
-    tests.leave_out(
-        compared - std::min(compared, tests.tests().back().n),
-        phrase("Analysis",
-               "Participants who tied %1 and %2 in every comparison are left out of the "
-               "test of this pair")
-            .with(first, second));
-  }
+  add_tests_of_pairs(study, found_pairs, tests);
 
   PairScores scores = pair_scores_of(study);
   std::vector<Finding> of_scores = analysis_of(kScores, "rating", std::move(scores.input));
@@ -526,28 +580,14 @@ void analyze_paired_comparison(const GatheredAnswers& gathered, AnalysisOutcome&
     if (finding.quantity == "mean.score") limit_to_proportions(finding, scores.trials);
   }
   const FoundNumbers found_scores(of_scores);
-  if (study.by_person.size() < scores.left_out + 2) {
-    tests.add_untested(
-        "preference", "",
-        study.by_person.size() == 1 ? StudyTests::kOneParticipantAlone : "pairs_incomplete");
-  } else {
+  if (add_preference_test(study, scores, found_scores, tests)) {
     // The pairs are tested by their own comparisons.
     keep_findings(of_scores, outcome, [](const Finding& finding) {
       return !finding.quantity.starts_with("wilcoxon.");
     });
-    tests.add("preference", "", found_scores, "friedman.p");
   }
-  tests.leave_out(
-      scores.left_out,
-      phrase("Analysis",
-             "Participants who did not compare every pair equally often are left out of "
-             "the test of the preference"));
 
-  const std::vector<Finding> of_positions = analysis_of(
-      "position", "selection",
-      choices_table(
-          choices, numbers_up_to(2),
-          [&choices](const GatheredAnswer& answer) { return choices.position(answer); }, "1"));
+  const std::vector<Finding> of_positions = findings_of_positions(choices);
   const FoundNumbers found_positions(of_positions);
   // Those of single textures concern the item that was presented first.
   keep_findings(of_positions, outcome, [](const Finding& finding) {

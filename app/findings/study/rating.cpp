@@ -136,6 +136,16 @@ void add_tests(const RatedScale& scale, bool is_only_scale, const FoundNumbers& 
   }
 }
 
+std::vector<Finding> findings_of_items(const GatheredAnswers& gathered, const RatedScale& scale) {
+  TidyInput input = table_of(gathered, scale, "subject", "item");
+  input.options.set("items", scale.items);
+  return findings_of(kRatings, "rating", scale, std::move(input));
+}
+
+void add_untested_scale(const RatedScale& scale, StudyTests& tests) {
+  tests.add_untested("ratings", scale.name, "only one item was rated on this scale");
+}
+
 void ask_about(const RatedScale& scale, const FoundNumbers& found, const StudyTests& tests,
                AnalysisOutcome& outcome) {
   std::vector<std::pair<const Finding*, std::string>> means{};
@@ -182,6 +192,24 @@ void ask_about(const RatedScale& scale, const FoundNumbers& found, const StudyTe
 
 }  // namespace
 
+std::vector<StudyTest> test_ratings(const GatheredAnswers& gathered) {
+  const std::vector<RatedScale> scales = rated_scales(gathered);
+  StudyTests tests(gathered);
+  for (const RatedScale& scale : scales) {
+    if (scale.items.size() < 2) {
+      add_untested_scale(scale, tests);
+      continue;
+    }
+    if (tests.is_in_family("ratings") || tests.is_in_family("rated_pairs")) {
+      const std::vector<Finding> findings = findings_of_items(gathered, scale);
+      add_tests(scale, scales.size() == 1, FoundNumbers(findings), tests);
+    }
+    if (tests.is_in_family("rating_model")) add_rating_model_test(gathered, scale, tests);
+  }
+  if (tests.is_in_family("accompanying_scales")) AccompanyingScales(gathered).add_tests(tests);
+  return std::move(tests).take_family();
+}
+
 void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   const std::vector<RatedScale> scales = rated_scales(gathered);
   const AccompanyingScales accompanying(gathered);
@@ -204,12 +232,10 @@ void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   std::vector<std::pair<const RatedScale*, std::vector<Finding>>> all{};
   for (const RatedScale& scale : scales) {
     if (scale.items.size() < 2) {
-      tests.add_untested("ratings", scale.name, "only one item was rated on this scale");
+      add_untested_scale(scale, tests);
       continue;
     }
-    TidyInput input = table_of(gathered, scale, "subject", "item");
-    input.options.set("items", scale.items);
-    std::vector<Finding> findings = findings_of(kRatings, "rating", scale, std::move(input));
+    std::vector<Finding> findings = findings_of_items(gathered, scale);
     const FoundNumbers found(findings);
     add_means(scale, found, ratings.table);
     add_tests(scale, scales.size() == 1, found, tests);

@@ -122,17 +122,23 @@ void RatingModels::add(const GatheredAnswers& gathered, const RatedScale& scale,
     add_odds(scale, FoundNumbers(model), ordinal_.table);
     keep_findings(model, outcome, is_of_odds);
   }
-  const std::vector<Finding> anova =
+  const std::vector<Finding> anova = add_rating_model_test(gathered, scale, tests);
+  add_differences(scale, FoundNumbers(anova), differences_.table);
+  keep_findings(anova, outcome, is_of_differences);
+}
+
+std::vector<Finding> add_rating_model_test(const GatheredAnswers& gathered, const RatedScale& scale,
+                                           StudyTests& tests) {
+  std::vector<Finding> anova =
       findings_of(kDifferences, "rmanova", scale, means_of(gathered, scale));
   const FoundNumbers found(anova);
-  add_differences(scale, found, differences_.table);
   const std::string effect = both(scale.name, kRatedItem);
   if (found.find("F", effect) != nullptr) {
     tests.add(kModelTest, scale.name, found, p_of(found, effect), effect);
   } else {
     tests.add(kModelTest, scale.name, found, "status", scale.name);
   }
-  keep_findings(anova, outcome, is_of_differences);
+  return anova;
 }
 
 void RatingModels::report(AnalysisOutcome& outcome) && {

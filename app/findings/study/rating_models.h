@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <vector>
+
 #include "app/findings/study/analysis_outcome.h"
 #include "app/findings/study/gathered_answers.h"
 #include "app/findings/study/rated_scales.h"
@@ -28,5 +30,9 @@ class RatingModels final {
   NamedTable ordinal_{};
   NamedTable differences_{};
 };
+
+/// The analysis of variance of a scale with at least two items: adds the test `rating_model`, and returns the findings.
+std::vector<Finding> add_rating_model_test(const GatheredAnswers& gathered, const RatedScale& scale,
+                                           StudyTests& tests);
 
 }  // namespace asperity

@@ -179,7 +179,72 @@ void ask_information(const FoundNumbers& found, AnalysisOutcome& outcome) {
       "measures", bits, CountedUnit::answers);
 }
 
+/// Whether the responses can be analysed together: every trial showed the same pictures, among them those of all textures felt.
+bool have_common_chance(const RecognitionPictures& pictures) {
+  const bool all_shown = std::includes(pictures.all.begin(), pictures.all.end(),
+                                       pictures.felt.begin(), pictures.felt.end());
+  return pictures.always_the_same && all_shown && pictures.all.size() > 1;
+}
+
+double chance_of_pictures(const RecognitionPictures& pictures) {
+  return 1.0 / static_cast<double>(pictures.all.size());
+}
+
+/// `found`: of the family `recognition`, none where there is no common chance.
+void add_right_test(const GatheredAnswers& gathered, const RecognitionPictures& pictures,
+                    const FoundNumbers& found, StudyTests& tests) {
+  const char* of_right = gathered.people.size() > 1 ? "subj.t.p.two" : "pc.p.greater";
+  tests.add("right", "", found, found.find(of_right) != nullptr ? of_right : "subj.t");
+  if (pictures.always_the_same) tests.state_chance(chance_of_pictures(pictures));
+}
+
+void add_texture_tests(const GatheredAnswers& gathered, const std::vector<JudgedAnswer>& judged,
+                       const RecognitionPictures& pictures, StudyTests& tests) {
+  std::vector<Finding> textures{};
+  if (have_common_chance(pictures)) {
+    textures = analysis_of("textures", "proportion",
+                           judged_textures_table(gathered, judged, pictures.all.size()));
+  }
+  const FoundNumbers found(textures);
+  for (const std::string& texture : pictures.felt) {
+    tests.add("textures", texture, found, "p.greater", texture);
+    if (pictures.always_the_same) tests.state_chance(chance_of_pictures(pictures));
+  }
+}
+
+PairComparisons comparisons_of_people(const GatheredAnswers& gathered,
+                                      const std::vector<JudgedAnswer>& judged) {
+  std::vector<ParticipantPair> pairs = pairs_of_groups(gathered);
+  pairs.insert(pairs.begin(), women_and_men(gathered));
+  return {gathered, pairs, responses_of_people(gathered, judged)};
+}
+
 }  // namespace
+
+std::vector<StudyTest> test_recognition(const GatheredAnswers& gathered) {
+  StudyTests tests(gathered);
+  AnalysisOutcome unused{};
+  const std::vector<JudgedAnswer> judged = judged_answers(gathered, unused);
+  if (judged.empty()) return std::move(tests).take_family();
+  const RecognitionPictures pictures = pictures_in(gathered, judged);
+  std::vector<Finding> findings{};
+  const bool needs_information = tests.is_in_family("information");
+  if (have_common_chance(pictures) && (tests.is_in_family("right") || needs_information)) {
+    TidyInput input =
+        judged_trials_table(gathered, judged, {pictures.all.begin(), pictures.all.end()});
+    input.options.set("parts", std::string(needs_information ? "all" : "participants"));
+    findings = analysis_of("recognition", "recognition", std::move(input));
+  }
+  const FoundNumbers found(findings);
+  add_right_test(gathered, pictures, found, tests);
+  tests.state_effect(found.find("subj.mean"));
+  tests.add("information", "", found, "G.perm.p");
+  if (tests.is_in_family("textures")) add_texture_tests(gathered, judged, pictures, tests);
+  if (tests.is_in_family(kSexesTest) || tests.is_in_family(kGroupsTest)) {
+    comparisons_of_people(gathered, judged).add_tests(tests, unused);
+  }
+  return std::move(tests).take_family();
+}
 
 void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   const std::vector<JudgedAnswer> judged = judged_answers(gathered, outcome);
@@ -192,9 +257,7 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   const std::vector<std::string> labels(pictures.all.begin(), pictures.all.end());
   std::vector<Finding> findings{};
   std::vector<Finding> similarity{};
-  const bool all_shown = std::includes(pictures.all.begin(), pictures.all.end(),
-                                       pictures.felt.begin(), pictures.felt.end());
-  if (pictures.always_the_same && all_shown && labels.size() > 1) {
+  if (have_common_chance(pictures)) {
     findings =
         analysis_of("recognition", "recognition", judged_trials_table(gathered, judged, labels));
     if (pictures.felt.size() == labels.size()) {
@@ -233,25 +296,10 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   if (!findings.empty()) add_measures(found, kMeasures, outcome);
   add_similarity_tables(pictures.felt, found_similarity, outcome);
 
-  const char* of_right = people > 1 ? "subj.t.p.two" : "pc.p.greater";
-  const double chance =
-      1.0 / static_cast<double>(labels.size());  // where every trial shows the same pictures
-  tests.add("right", "", found, found.find(of_right) != nullptr ? of_right : "subj.t");
-  if (pictures.always_the_same) tests.state_chance(chance);
+  add_right_test(gathered, pictures, found, tests);
   tests.add("information", "", found, "G.perm.p");
-  std::vector<Finding> textures{};
-  if (!findings.empty()) {
-    textures = analysis_of("textures", "proportion",
-                           judged_textures_table(gathered, judged, labels.size()));
-  }
-  const FoundNumbers found_textures(textures);
-  for (const std::string& texture : pictures.felt) {
-    tests.add("textures", texture, found_textures, "p.greater", texture);
-    if (pictures.always_the_same) tests.state_chance(chance);
-  }
-  std::vector<ParticipantPair> pairs = pairs_of_groups(gathered);
-  pairs.insert(pairs.begin(), women_and_men(gathered));
-  const PairComparisons compared(gathered, pairs, responses_of_people(gathered, judged));
+  add_texture_tests(gathered, judged, pictures, tests);
+  const PairComparisons compared = comparisons_of_people(gathered, judged);
   compared.add_tests(tests, outcome);
   tests.finish(outcome);
   ask_right(labels.size(), found, tests, outcome);
@@ -268,7 +316,7 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   }
   if (pictures.always_the_same) {
     ask_other_textures({.responses = responses,
-                        .chance = chance,
+                        .chance = chance_of_pictures(pictures),
                         .proportion = phrase("Analysis", "the proportion correct")},
                        outcome);
   } else {

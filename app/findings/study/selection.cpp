@@ -213,19 +213,19 @@ void test_textures(const Selection& selection, StudyTests& tests, AnalysisOutcom
 }
 
 /// The findings of the family `selection` on the choices: for each pair separately where trials
-/// offer different items.
-std::vector<Finding> choice_findings(const Selection& selection) {
+/// offer different items. `parts`: those of the family's findings that are needed.
+std::vector<Finding> choice_findings(const Selection& selection, const char* parts = "all") {
   constexpr const char* kName = "choice";
   constexpr const char* kFamily = "selection";
   if (selection.items.size() < 2) return {};
   if (selection.all_offered) {
-    return analysis_of(kName, kFamily,
-                       choices_table(
-                           selection, selection.items,
-                           [&](const GatheredAnswer& answer) { return selection.chosen(answer); },
-                           selection.target()));
+    TidyInput choices = choices_table(
+        selection, selection.items,
+        [&](const GatheredAnswer& answer) { return selection.chosen(answer); }, selection.target());
+    choices.options.set("parts", std::string(parts));
+    return analysis_of(kName, kFamily, std::move(choices));
   }
-  return pair_findings(kName, selection);
+  return pair_findings(kName, selection, parts);
 }
 
 /// Each participant's proportions: of every item, or of the first of every pair.
@@ -252,7 +252,62 @@ void add_untestable(StudyTests& tests) {
   }
 }
 
+void add_choice_tests(const Selection& selection, const FoundNumbers& found, StudyTests& tests) {
+  const bool only_target = tests.is_in_family("target_pairs");
+  for (const ItemPair& pair : pairs_offered(selection)) {
+    const std::string& first = selection.items[pair.first];
+    const std::string& second = selection.items[pair.second];
+    const bool of_target = first == selection.target() || second == selection.target();
+    tests.add(only_target && of_target ? "target_pairs" : "pairs", first + '|' + second, found,
+              "signflip.p.two", first + '|' + second);
+  }
+}
+
+std::vector<Finding> position_findings(const Selection& selection) {
+  return analysis_of(
+      "position", "selection",
+      choices_table(
+          selection, numbers_up_to(selection.positions),
+          [&](const GatheredAnswer& answer) { return selection.position(answer); }, "1"));
+}
+
+PairComparisons comparisons_of_groups(const Selection& selection) {
+  return {
+      selection.gathered,
+      selection.has_target() ? pairs_of_groups(selection.gathered) : std::vector<ParticipantPair>{},
+      target_choices_of_people(selection)};
+}
+
+/// Whether every trial presents the same number of surfaces, and more than one.
+bool present_equally_many(const Selection& selection) {
+  const auto& answers = selection.gathered.answers;
+  return selection.positions > 1 &&
+         std::all_of(answers.begin(), answers.end(), [&selection](const GatheredAnswer& answer) {
+           return answer.surface_count == selection.positions;
+         });
+}
+
 }  // namespace
+
+std::vector<StudyTest> test_selection(const GatheredAnswers& gathered) {
+  StudyTests tests(gathered);
+  const Selection selection(gathered);
+  if (selection.items.empty()) return std::move(tests).take_family();
+  AnalysisOutcome unused{};
+  const bool needs_all = tests.is_in_family("preference") && selection.all_offered;
+  const std::vector<Finding> choice = choice_findings(selection, needs_all ? "all" : "pairs");
+  const FoundNumbers found(choice);
+  add_choice_tests(selection, found, tests);
+  if (!selection.all_offered) add_untestable(tests);
+  if (needs_all && !choice.empty()) tests.add("preference", "", found, "relabel.exact.p");
+  if (tests.is_in_family("position") && present_equally_many(selection)) {
+    const std::vector<Finding> position = position_findings(selection);
+    tests.add("position", "", FoundNumbers(position), "relabel.exact.p");
+  }
+  if (tests.is_in_family("textures")) test_textures(selection, tests, unused);
+  if (tests.is_in_family(kGroupsTest)) comparisons_of_groups(selection).add_tests(tests, unused);
+  return std::move(tests).take_family();
+}
 
 void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   const Selection selection(gathered);
@@ -300,36 +355,23 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   keep_findings(choice, outcome);
   add_shares_of_persons(selection, found, outcome);
 
-  const bool only_target = tests.is_in_family("target_pairs");
-  for (const ItemPair& pair : pairs_offered(selection)) {
-    const std::string& first = selection.items[pair.first];
-    const std::string& second = selection.items[pair.second];
-    const bool of_target = first == selection.target() || second == selection.target();
-    tests.add(only_target && of_target ? "target_pairs" : "pairs", first + '|' + second, found,
-              "signflip.p.two", first + '|' + second);
-  }
+  add_choice_tests(selection, found, tests);
   if (selection.all_offered) {
     if (!choice.empty()) tests.add("preference", "", found, "relabel.exact.p");
   } else {
     add_untestable(tests);
   }
 
-  const bool same_size = counts.choices.outcomes().has_value() && selection.positions > 1;
+  const bool same_size = present_equally_many(selection);
   std::vector<Finding> position{};
   if (same_size) {
-    position = analysis_of(
-        "position", "selection",
-        choices_table(
-            selection, numbers_up_to(selection.positions),
-            [&](const GatheredAnswer& answer) { return selection.position(answer); }, "1"));
+    position = position_findings(selection);
     keep_findings(position, outcome);
   }
   const FoundNumbers found_position(position);
   if (same_size) tests.add("position", "", found_position, "relabel.exact.p");
   test_textures(selection, tests, outcome);
-  const PairComparisons groups(
-      gathered, selection.has_target() ? pairs_of_groups(gathered) : std::vector<ParticipantPair>{},
-      target_choices_of_people(selection));
+  const PairComparisons groups = comparisons_of_groups(selection);
   groups.add_tests(tests, outcome);
 
   add_positions(counts, outcome);
@@ -356,7 +398,7 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
                                    .shown = reading_percent});
   }
 
-  const std::string pairs = only_target ? "target_pairs" : "pairs";
+  const std::string pairs = tests.is_in_family("target_pairs") ? "target_pairs" : "pairs";
   const FoundNumbers found_scale(scale);
   // The main comparison comes first: the pairs, where trials present different models.
   if (selection.all_offered) ask_preference(selection, found, found_scale, tests, outcome);

@@ -150,12 +150,15 @@ TidyInput choices_between(const Selection& selection, const ItemPair& pair) {
                               selection.items[pair.first]);
 }
 
-std::vector<Finding> pair_findings(const char* analysis, const Selection& selection) {
+std::vector<Finding> pair_findings(const char* analysis, const Selection& selection,
+                                   const char* parts) {
   std::vector<Finding> of_pairs{};
   for (const ItemPair& pair : pairs_offered(selection)) {
     const std::string& first = selection.items[pair.first];
     const std::string& second = selection.items[pair.second];
-    for (Finding& finding : analysis_of(analysis, "selection", choices_between(selection, pair))) {
+    TidyInput choices = choices_between(selection, pair);
+    choices.options.set("parts", std::string(parts));
+    for (Finding& finding : analysis_of(analysis, "selection", std::move(choices))) {
       const std::string& quantity = finding.quantity;
       const bool is_of_pair =
           quantity.starts_with("signflip.") || quantity.starts_with("pairwise.");

@@ -80,8 +80,10 @@ std::vector<ItemPair> pairs_offered(const Selection& selection);
 TidyInput choices_between(const Selection& selection, const ItemPair& pair);
 
 /// The findings of the family `selection` for each pair separately, of the trials that offered both:
-/// keys are both names together, for a proportion the name of its item first.
-std::vector<Finding> pair_findings(const char* analysis, const Selection& selection);
+/// keys are both names together, for a proportion the name of its item first. `parts`: those of the family's findings that
+/// are needed.
+std::vector<Finding> pair_findings(const char* analysis, const Selection& selection,
+                                   const char* parts = "all");
 
 /// For the family `paired`: comparisons of two; "cannot tell" is a tie too.
 TidyInput comparisons_of(const Selection& selection);

@@ -269,6 +269,7 @@ void add_exponent_tests(const Compared& compared, const FoundNumbers& found, Stu
     const std::string about = about_condition(compared, condition);
     if (found.find("exponent.p", condition) != nullptr) {
       tests.add("exponent", about, found, "exponent.p", condition);
+      tests.state_effect(found.find("exponent.mean", condition));
     } else if (found.find("exponent.t", condition) != nullptr) {
       tests.add("exponent", about, found, "exponent.t", condition);
     } else {
@@ -312,7 +313,53 @@ void ask_exponents(const Compared& compared, const FoundNumbers& found, const St
                kExponents, first);
 }
 
+/// Findings, tables and figures have one order, independent of that of the sessions.
+void sort_estimates(const std::vector<std::string>& conditions,
+                    const std::vector<std::string>& stimuli, std::vector<Estimated>& estimates) {
+  std::stable_sort(estimates.begin(), estimates.end(), [&](const Estimated& a, const Estimated& b) {
+    const auto place = [](const std::vector<std::string>& names, const std::string& name) {
+      return std::find(names.begin(), names.end(), name) - names.begin();
+    };
+    return std::pair(place(conditions, a.condition), place(stimuli, a.spacing)) <
+           std::pair(place(conditions, b.condition), place(stimuli, b.spacing));
+  });
+}
+
+std::vector<Finding> anova_of(const Compared& compared) {
+  if (compared.stimuli.size() < 2) return {};
+  return analysis_of(kAnova, "rmanova",
+                     anova_table(compared.gathered, compared.estimates, compared.conditions,
+                                 compared.stimuli, "stimulus"));
+}
+
+std::vector<Finding> curves_of(const Compared& compared) {
+  return analysis_of(kStimulusEstimates, "magnitude",
+                     items_table(compared.gathered, compared.estimates, compared.predictor));
+}
+
 }  // namespace
+
+std::vector<StudyTest> test_stimulus_estimates(const GatheredAnswers& gathered) {
+  StudyTests tests(gathered);
+  AnalysisOutcome unused{};
+  std::vector<Estimated> estimates = estimates_in(gathered, unused);
+  if (estimates.empty()) return std::move(tests).take_family();
+  const std::vector<std::string> conditions =
+      conditions_of(estimates, gathered.estimation.conditions);
+  const std::vector<std::string> stimuli = stimuli_in(estimates, gathered.estimation.item_levels);
+  const std::map<std::string, double> predictor = predictor_of(gathered, stimuli, unused);
+  sort_estimates(conditions, stimuli, estimates);
+  const Compared compared{gathered, estimates, conditions, stimuli, predictor};
+  const std::vector<Finding> anova = anova_of(compared);
+  if (!anova.empty()) {
+    add_effect_tests(FoundNumbers(anova), conditions.size(), kEffectsOfStimuli, tests);
+  }
+  if (tests.is_in_family("exponent")) {
+    const std::vector<Finding> curves = curves_of(compared);
+    add_exponent_tests(compared, FoundNumbers(curves), tests);
+  }
+  return std::move(tests).take_family();
+}
 
 void analyze_stimulus_estimates(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   std::vector<Estimated> estimates = estimates_in(gathered, outcome);
@@ -321,17 +368,9 @@ void analyze_stimulus_estimates(const GatheredAnswers& gathered, AnalysisOutcome
       conditions_of(estimates, gathered.estimation.conditions);
   const std::vector<std::string> stimuli = stimuli_in(estimates, gathered.estimation.item_levels);
   const std::map<std::string, double> predictor = predictor_of(gathered, stimuli, outcome);
-  // Findings, tables and figures have one order, independent of that of the sessions.
-  std::stable_sort(estimates.begin(), estimates.end(), [&](const Estimated& a, const Estimated& b) {
-    const auto place = [](const std::vector<std::string>& names, const std::string& name) {
-      return std::find(names.begin(), names.end(), name) - names.begin();
-    };
-    return std::pair(place(conditions, a.condition), place(stimuli, a.spacing)) <
-           std::pair(place(conditions, b.condition), place(stimuli, b.spacing));
-  });
+  sort_estimates(conditions, stimuli, estimates);
   const Compared compared{gathered, estimates, conditions, stimuli, predictor};
-  const std::vector<Finding> means =
-      analysis_of(kStimulusEstimates, "magnitude", items_table(gathered, estimates, predictor));
+  const std::vector<Finding> means = curves_of(compared);
   const FoundNumbers found(means);
   add_stimulus_means(compared, found, outcome);
   add_exponents(compared, found, outcome);
@@ -340,11 +379,7 @@ void analyze_stimulus_estimates(const GatheredAnswers& gathered, AnalysisOutcome
     outcome.unit_of_predictor = unit_of_predictor(gathered.estimation);
   }
   StudyTests tests(gathered);
-  std::vector<Finding> anova{};
-  if (stimuli.size() > 1) {
-    anova = analysis_of(kAnova, "rmanova",
-                        anova_table(gathered, estimates, conditions, stimuli, "stimulus"));
-  }
+  const std::vector<Finding> anova = anova_of(compared);
   const FoundNumbers found_anova(anova);
   if (!anova.empty()) {
     add_anova(found_anova, outcome, kEffectsOfStimuli);

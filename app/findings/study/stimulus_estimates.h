@@ -2,8 +2,11 @@
 
 #pragma once
 
+#include <vector>
+
 #include "app/findings/study/analysis_outcome.h"
 #include "app/findings/study/gathered_answers.h"
+#include "app/findings/study/study_test.h"
 
 namespace asperity {
 
@@ -15,5 +18,7 @@ namespace asperity {
 /// by least squares per participant: the exponent n is the mean over the participants, with a t-based CI and a t test
 /// against 0. A predictor that is not above 0 for every stimulus is not used, which a remark states.
 void analyze_stimulus_estimates(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
+/// The tests of its family alone (StudyAnalysis::test_family).
+std::vector<StudyTest> test_stimulus_estimates(const GatheredAnswers& gathered);
 
 }  // namespace asperity

@@ -5,10 +5,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/findings/study/analysis_outcome.h"
 #include "app/findings/study/estimate_sentences.h"
 #include "app/findings/study/gathered_answers.h"
+#include "app/findings/study/study_test.h"
 #include "app/words/phrase.h"
 #include "protocols/design/protocol.h"
 
@@ -50,6 +52,9 @@ struct StudyAnalysis {
 
   /// Tables, findings and questions of the responses of one group.
   void (*analyze)(const GatheredAnswers& gathered, AnalysisOutcome& outcome) = nullptr;
+  /// The tests of the family with their correction, as `analyze` reports them, and nothing else that it computes, for
+  /// analyses of many simulated studies. Null where only `analyze` has them.
+  std::vector<StudyTest> (*test_family)(const GatheredAnswers& gathered) = nullptr;
   /// The estimates in a sentence; null where the tests state them.
   EstimateSentence (*estimates)(const AnalysisOutcome& outcome) = nullptr;
 };

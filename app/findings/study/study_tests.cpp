@@ -302,6 +302,12 @@ void StudyTests::add_untested(const std::string& name, const std::string& about,
 
 void StudyTests::state_chance(double chance) { tests_.back().chance = chance; }
 
+void StudyTests::state_effect(const Finding* effect) {
+  if (effect == nullptr || !effect->value) return;
+  tests_.back().in_units =
+      Test::Effect{.value = *effect->value, .low = effect->low, .high = effect->high};
+}
+
 void StudyTests::leave_out(std::size_t participants, const Phrase& why) {
   tests_.back().left_out = participants;
   tests_.back().why_left_out = why;
@@ -539,13 +545,24 @@ std::optional<std::size_t> StudyTests::required_participants(const Test& test) c
   return std::nullopt;
 }
 
-void StudyTests::finish(AnalysisOutcome& outcome) {
-  if (family_.empty() && tests_.empty()) return;
+void StudyTests::add_missing() {
   for (const std::string& name : family_) {
     const bool is_added = std::any_of(tests_.begin(), tests_.end(),
                                       [&name](const Test& test) { return test.name == name; });
     if (!is_added) add_untested(name, "", reason_for(name));
   }
+}
+
+std::vector<StudyTests::Test> StudyTests::take_family() && {
+  add_missing();
+  adjust();
+  std::erase_if(tests_, [this](const Test& test) { return !is_in_family(test.name); });
+  return std::move(tests_);
+}
+
+void StudyTests::finish(AnalysisOutcome& outcome) {
+  if (family_.empty() && tests_.empty()) return;
+  add_missing();
   adjust();
   const std::size_t in_family = tests_in_family();
   NamedTable made{StudyTests::kTable, phrase("Analysis", "Tests"), {}, note_on_family(in_family)};

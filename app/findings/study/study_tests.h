@@ -51,9 +51,14 @@ class StudyTests final {
   void drop_ties(std::size_t participants) { tests_.back().ties = participants; }
   /// Sets the proportion expected under guessing for the same test.
   void state_chance(double chance);
+  /// Of the same test: the effect in the unit of the responses, with its interval. Null: there is none.
+  void state_effect(const Finding* effect);
   /// Adjusts, and appends the table `kTable` with its findings. A test that the protocol declares
   /// and that was not added is a row without a p. Without a test no table is appended.
   void finish(AnalysisOutcome& outcome);
+  /// Adjusts, and returns the tests of the family alone, in the order in which they were added: what `finish` reports of
+  /// them, without tables and sentences.
+  std::vector<Test> take_family() &&;
 
   const Test* find(std::string_view name, std::string_view about = {}) const;
   std::span<const Test> tests() const noexcept { return tests_; }
@@ -64,6 +69,8 @@ class StudyTests final {
  private:
   /// Sets the name of the family from its tests.
   void name_family();
+  /// Adds the tests of the family that were not added, with the reason why there are none.
+  void add_missing();
   /// Applies Holm's correction to the p of the family, and to the smallest attainable ones.
   void adjust();
   /// The smallest number of participants with a difference other than zero with which a test that permutes signs can be

@@ -79,6 +79,13 @@ class Recognition final {
   Recognition(const Trials& trials, double confidence)
       : trials_(trials), confidence_(confidence), right_(right_answers(trials.counts)) {}
 
+  /// The proportions correct of the participants, and their test against the chance level.
+  std::vector<Finding> findings_of_participants() {
+    shares();
+    participants();
+    return list_.take();
+  }
+
   std::vector<Finding> findings() {
     counts();
     shares();
@@ -394,6 +401,12 @@ class Recognition final {
 }  // namespace
 
 std::vector<Finding> recognition_findings(const TidyInput& input) {
+  const std::string parts = input.options.text_or("parts", "all");
+  if (parts != "all" && parts != "participants") {
+    throw std::runtime_error(
+        "the option \"parts\" is \"" + parts +
+        "\"; it must be all or participants (the proportions correct of the participants alone)");
+  }
   const Trials trials = read_trials(input);
   if (trials.counts.sum() == 0.0) {
     FindingList list{};
@@ -403,7 +416,8 @@ std::vector<Finding> recognition_findings(const TidyInput& input) {
               "estimated: add responses");
     return list.take();
   }
-  return Recognition(trials, input.options.confidence()).findings();
+  Recognition recognition(trials, input.options.confidence());
+  return parts == "participants" ? recognition.findings_of_participants() : recognition.findings();
 }
 
 }  // namespace asperity

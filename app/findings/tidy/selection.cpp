@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -305,7 +306,7 @@ void add_concordance(const CountMatrix& counts, double confidence, FindingList& 
   findings.number("relabel.W", "", friedman_test(judgements).concordance, basis);
 }
 
-void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList& findings) {
+void add_sign_flip_tests(const Choices& read, const CountMatrix& counts, FindingList& findings) {
   const auto n = static_cast<std::size_t>(counts.rows());
   std::vector<std::string> pairs{};
   std::vector<double> p{};
@@ -350,6 +351,10 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
     findings.number("signflip.p.two.holm", pairs[i], adjusted[i],
                     {.n = n, .method = method + ", Holm-corrected over the pairs"});
   }
+}
+
+void add_test_of_totals(const Choices& read, const CountMatrix& counts, FindingList& findings) {
+  const auto n = static_cast<std::size_t>(counts.rows());
   const RelabellingTest relabelling = relabelling_test(counts);
   findings.number("relabel.exact.p", "", relabelling.p,
                   {.n = n,
@@ -465,9 +470,18 @@ void add_cochran(const Choices& read, FindingList& findings) {
 
 std::vector<Finding> selection_findings(const TidyInput& input) {
   const Choices read = choices_in(input);
+  const std::string parts = input.options.text_or("parts", "all");
+  if (parts != "all" && parts != "pairs") {
+    throw std::runtime_error("the option \"parts\" is \"" + parts +
+                             "\"; it must be all or pairs (the sign-flip tests of pairs alone)");
+  }
   FindingList findings{};
-  add_blocks(read, findings);
   const CountMatrix counts = counts_by_participant(read);
+  if (parts == "pairs") {
+    if (counts.rows() > 0) add_sign_flip_tests(read, counts, findings);
+    return findings.take();
+  }
+  add_blocks(read, findings);
   findings.count("subj.n", "", static_cast<std::uint64_t>(counts.rows()),
                  {.n = static_cast<std::size_t>(counts.rows()),
                   .method = "participants with at least one choice"});
@@ -477,7 +491,8 @@ std::vector<Finding> selection_findings(const TidyInput& input) {
     add_person_shares(read, counts, j, findings);
   }
   add_own_shares(read, findings);
-  add_label_tests(read, counts, findings);
+  add_sign_flip_tests(read, counts, findings);
+  add_test_of_totals(read, counts, findings);
   add_cochran(read, findings);
   return findings.take();
 }

@@ -135,7 +135,8 @@ constexpr std::array kFamilies{
         "items (all that were rated), conf", rating_findings, "items,conf"},
     TidyFamily{"recognition",
                "subject,stimulus,response: one trial per row, response empty where there is none",
-               "labels: names of the stimuli, in order; conf", recognition_findings, "labels,conf"},
+               "labels: names of the stimuli, in order; conf; parts: all, participants",
+               recognition_findings, "labels,conf,parts"},
     TidyFamily{"response_times",
                "subject,time_s and one column per factor: one response per row, time_s empty where "
                "there is no response time",
@@ -160,8 +161,8 @@ constexpr std::array kFamilies{
                "", seedpaper_findings, "", 3},
     TidyFamily{"selection",
                "subject,sample,choice: the best of several, empty where none was chosen",
-               "renderers (all that can be chosen), target (one of them), conf", selection_findings,
-               "renderers,target,conf"},
+               "renderers (all that can be chosen), target (one of them), conf; parts: all, pairs",
+               selection_findings, "renderers,target,conf,parts"},
     TidyFamily{
         "similarity",
         "subject,first,second,dissimilarity: one judgement of a pair per row, first and second in "

@@ -230,6 +230,7 @@ const StudyAnalysis& discrimination_analysis() {
                                        .task_for_paper = paper_task_of_discrimination,
                                        .fit_for_paper = paper_fit_of_discrimination,
                                        .analyze = analyze_discrimination,
+                                       .test_family = test_discrimination,
                                        .estimates = thresholds_sentence};
   return kAnalysis;
 }

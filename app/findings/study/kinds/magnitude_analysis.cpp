@@ -138,6 +138,7 @@ const StudyAnalysis& magnitude_analysis() {
           "cells.",
       .transformation_of = transformation_of_magnitude,
       .analyze = analyze_magnitude,
+      .test_family = test_magnitude,
       .estimates = exponents_sentence};
   return kAnalysis;
 }

@@ -52,7 +52,8 @@ const StudyAnalysis& matching_analysis() {
                                        .claims = kMatchingClaims,
                                        .task = task_of_matching,
                                        .task_for_paper = paper_task_of_matching,
-                                       .analyze = analyze_matching};
+                                       .analyze = analyze_matching,
+                                       .test_family = test_matching};
   return kAnalysis;
 }
 

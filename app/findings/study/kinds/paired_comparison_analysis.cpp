@@ -75,6 +75,7 @@ const StudyAnalysis& paired_comparison_analysis() {
                                        .task = task_of_pairs,
                                        .task_for_paper = paper_task_of_pairs,
                                        .analyze = analyze_paired_comparison,
+                                       .test_family = test_paired_comparison,
                                        .estimates = pairs_sentence};
   return kAnalysis;
 }

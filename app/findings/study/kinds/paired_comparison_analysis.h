@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <vector>
+
 #include "app/findings/study/study_analysis.h"
 
 namespace asperity {
@@ -10,6 +12,9 @@ namespace asperity {
 /// chosen (Friedman's test), a Bradley–Terry scale with its order effect, ties and goodness of fit, and the consistency
 /// of each participant (circular triads).
 void analyze_paired_comparison(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
+
+/// The tests of its family alone (StudyAnalysis::test_family).
+std::vector<StudyTest> test_paired_comparison(const GatheredAnswers& gathered);
 
 const StudyAnalysis& paired_comparison_analysis();
 

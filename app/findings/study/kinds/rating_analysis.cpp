@@ -57,6 +57,7 @@ const StudyAnalysis& rating_analysis() {
       .transformation =
           "Each participant's ratings of an item were averaged before they were analysed.",
       .analyze = analyze_rating,
+      .test_family = test_ratings,
       .estimates = rating_estimates_sentence};
   return kAnalysis;
 }

@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <vector>
+
 #include "app/findings/study/study_analysis.h"
 
 namespace asperity {
@@ -10,6 +12,9 @@ namespace asperity {
 /// the agreement of the participants. A participant's ratings of an item are averaged over its trials
 /// first. Scales that accompany a question of another kind are reported apart (accompanying_scales.h).
 void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
+
+/// The tests of its family alone (StudyAnalysis::test_family).
+std::vector<StudyTest> test_ratings(const GatheredAnswers& gathered);
 
 const StudyAnalysis& rating_analysis();
 

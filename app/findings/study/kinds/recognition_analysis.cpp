@@ -64,7 +64,8 @@ const StudyAnalysis& recognition_analysis() {
                                        .claims = kRecognitionClaims,
                                        .task = task_of_recognition,
                                        .task_for_paper = paper_task_of_recognition,
-                                       .analyze = analyze_recognition};
+                                       .analyze = analyze_recognition,
+                                       .test_family = test_recognition};
   return kAnalysis;
 }
 

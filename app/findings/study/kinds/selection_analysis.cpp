@@ -72,6 +72,7 @@ const StudyAnalysis& selection_analysis() {
                                        .task = task_of_selection,
                                        .task_for_paper = paper_task_of_selection,
                                        .analyze = analyze_selection,
+                                       .test_family = test_selection,
                                        .estimates = choices_sentence};
   return kAnalysis;
 }

@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <vector>
+
 #include "app/findings/study/study_analysis.h"
 
 namespace asperity {
@@ -10,6 +12,9 @@ namespace asperity {
 /// 1 divided by the number felt), and each pair of items among the choices of either. "Cannot tell"
 /// is counted and is not part of the proportions.
 void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
+
+/// The tests of its family alone (StudyAnalysis::test_family).
+std::vector<StudyTest> test_selection(const GatheredAnswers& gathered);
 
 const StudyAnalysis& selection_analysis();
 
