@@ -14,6 +14,7 @@
 
 #include "protocols/design/block_factors.h"
 #include "protocols/design/wording.h"
+#include "protocols/kinds/discrimination_responses.h"
 
 namespace asperity {
 
@@ -334,7 +335,8 @@ const ExperimentKind& discrimination_kind() {
                                     .item_of = item_of_discrimination,
                                     .correct_of = correct_of_discrimination,
                                     .check_block = check_block_of_discrimination,
-                                    .judge = judge_discrimination};
+                                    .judge = judge_discrimination,
+                                    .responses = &discrimination_responses()};
   return kKind;
 }
 

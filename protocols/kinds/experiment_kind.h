@@ -71,6 +71,8 @@ struct Judgement {
   const VirtualResponse* rated = nullptr;
 };
 
+struct ResponseTable;
+
 /// A kind of experiment. Everything that differs between kinds before the data are analysed is here;
 /// the counterpart for the analysis is StudyAnalysis (app/findings/study/study_analysis.h).
 ///
@@ -114,10 +116,20 @@ struct ExperimentKind {
 
   /// The response of a virtual participant.
   VirtualResponse (*judge)(const Judgement& judgement) = nullptr;
+  /// How responses are simulated without rendering (response_table.h); null where they cannot be.
+  const ResponseTable* responses = nullptr;
 };
 
 /// Null where the kind has no test of this name.
 const KindTest* find_test(const ExperimentKind& kind, std::string_view name) noexcept;
+
+/// The test that is the family where a protocol declares none: the first one of the kind; of estimates of stimuli without
+/// spacings that of the stimuli, or of the predictor.
+std::string_view default_test_of(const ExperimentKind& kind,
+                                 const EstimationDeclaration& estimation) noexcept;
+/// The tests of the kind that are corrected together: those of the declared family, or the default one where it has none.
+std::vector<std::string> family_of(const ExperimentKind& kind, const AnalysisDeclaration& analysis,
+                                   const EstimationDeclaration& estimation);
 
 /// Whether the analysis of the kind compares the groups to which a protocol assigns participants (its test `groups`).
 bool compares_groups(const ExperimentKind& kind, const AnalysisDeclaration& analysis) noexcept;

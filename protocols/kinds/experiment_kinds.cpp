@@ -37,6 +37,21 @@ const KindTest* find_test(const ExperimentKind& kind, std::string_view name) noe
   return found == kind.tests.end() ? nullptr : &*found;
 }
 
+std::string_view default_test_of(const ExperimentKind& kind,
+                                 const EstimationDeclaration& estimation) noexcept {
+  if (estimation.items.empty()) return kind.tests.front().name;
+  return estimation.predictor.empty() ? "stimuli" : "exponent";
+}
+
+std::vector<std::string> family_of(const ExperimentKind& kind, const AnalysisDeclaration& analysis,
+                                   const EstimationDeclaration& estimation) {
+  std::vector<std::string> family = analysis.family;
+  std::erase_if(family,
+                [&kind](const std::string& name) { return find_test(kind, name) == nullptr; });
+  if (family.empty()) family.emplace_back(default_test_of(kind, estimation));
+  return family;
+}
+
 bool compares_groups(const ExperimentKind& kind, const AnalysisDeclaration& analysis) noexcept {
   const KindTest* const test = find_test(kind, "groups");
   return test != nullptr && (!test->needs_target || analysis.target.has_value());

@@ -10,6 +10,7 @@
 
 #include "protocols/design/wording.h"
 #include "protocols/kinds/estimation.h"
+#include "protocols/kinds/magnitude_responses.h"
 
 namespace asperity {
 
@@ -155,7 +156,8 @@ const ExperimentKind& magnitude_kind() {
                                     .check = check_estimation,
                                     .check_block = check_block_of_magnitude,
                                     .check_trial = check_trial_of_magnitude,
-                                    .judge = judge_magnitude};
+                                    .judge = judge_magnitude,
+                                    .responses = &magnitude_responses()};
   return kKind;
 }
 

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "protocols/kinds/expected_textures.h"
+#include "protocols/kinds/picture_responses.h"
 
 namespace asperity {
 
@@ -89,7 +90,8 @@ const ExperimentKind& matching_kind() {
                                     .item_of = item_of_matching,
                                     .correct_of = correct_of_matching,
                                     .check_block = check_block_of_matching,
-                                    .judge = judge_matching};
+                                    .judge = judge_matching,
+                                    .responses = &matching_responses()};
   return kKind;
 }
 

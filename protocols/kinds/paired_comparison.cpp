@@ -9,6 +9,7 @@
 
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"
+#include "protocols/kinds/choice_responses.h"
 #include "protocols/kinds/expected_textures.h"
 #include "protocols/kinds/realism.h"
 
@@ -146,7 +147,8 @@ const ExperimentKind& paired_comparison_kind() {
                                     .check = check_pairs_of_protocol,
                                     .check_block = check_block_of_pairs,
                                     .check_trial = check_trial_of_pairs,
-                                    .judge = judge_pair};
+                                    .judge = judge_pair,
+                                    .responses = &paired_comparison_responses()};
   return kKind;
 }
 

@@ -9,6 +9,8 @@
 #include <optional>
 #include <string>
 
+#include "protocols/kinds/rating_responses.h"
+
 namespace asperity {
 
 namespace {
@@ -85,7 +87,8 @@ const ExperimentKind& rating_kind() {
                                     .tests = kRatingTests,
                                     .item_of = item_of_rating,
                                     .check_block = check_block_of_rating,
-                                    .judge = judge_rating};
+                                    .judge = judge_rating,
+                                    .responses = &rating_responses()};
   return kKind;
 }
 

@@ -8,6 +8,7 @@
 #include "protocols/design/block_factors.h"
 #include "protocols/design/wording.h"
 #include "protocols/kinds/expected_textures.h"
+#include "protocols/kinds/picture_responses.h"
 
 namespace asperity {
 
@@ -96,7 +97,8 @@ const ExperimentKind& recognition_kind() {
                                     .correct_of = correct_of_recognition,
                                     .check_block = check_block_of_recognition,
                                     .check_trial = check_trial_of_recognition,
-                                    .judge = judge_recognition};
+                                    .judge = judge_recognition,
+                                    .responses = &recognition_responses()};
   return kKind;
 }
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "protocols/kinds/choice_responses.h"
 #include "protocols/kinds/expected_textures.h"
 #include "protocols/kinds/realism.h"
 
@@ -102,7 +103,8 @@ const ExperimentKind& selection_kind() {
                                     .item_of = item_of_selection,
                                     .check_block = check_block_of_selection,
                                     .check_trial = check_trial_of_selection,
-                                    .judge = judge_selection};
+                                    .judge = judge_selection,
+                                    .responses = &selection_responses()};
   return kKind;
 }
 

@@ -224,11 +224,7 @@ StudyTests::StudyTests(const GatheredAnswers& gathered)
   is_declared_ = !family_.empty();
   is_of_other_kinds_ = family_.empty() && !gathered.declared.family.empty();
   if (family_.empty() && kind != nullptr && !gathered.only_accompanies) {
-    // Estimates of stimuli that have no spacings are compared by stimulus, or with a predictor.
-    const EstimationDeclaration& estimation = gathered.estimation;
-    family_.emplace_back(estimation.items.empty()       ? kind->tests.front().name
-                         : estimation.predictor.empty() ? "stimuli"
-                                                        : "exponent");
+    family_.emplace_back(default_test_of(*kind, gathered.estimation));
   }
   name_family();
 }

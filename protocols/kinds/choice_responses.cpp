@@ -1,0 +1,105 @@
+#include "protocols/kinds/choice_responses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kTarget = "target";
+constexpr const char* kDifference = "difference";
+
+/// The declared target, if the block presents it.
+bool is_about_target(const TabulatedQuestion& asked) {
+  const auto& target = asked.protocol.analysis.target;
+  return target && std::find(asked.items.begin(), asked.items.end(), *target) != asked.items.end();
+}
+
+void add_choice_parameters(const TabulatedQuestion& asked, ParameterList& list) {
+  if (is_about_target(asked)) {
+    list.effect({.effect = {.name = kTarget,
+                            .unit = "log-odds",
+                            .meaning = "log-odds of a choice of the target over each other item"},
+                 .tests = {"target_pairs", "pairs", "preference"},
+                 .sd_unit = "log-odds",
+                 .sd_meaning = "SD over participants of the log-odds between any two items",
+                 .usual_sd = 1.0});
+  } else {
+    list.effect({.effect = {.name = kDifference,
+                            .unit = "log-odds",
+                            .meaning = "log-odds of a choice of the last item over the first; the "
+                                       "items are equally spaced"},
+                 .tests = {"pairs", "preference"},
+                 .sd_unit = "log-odds",
+                 .sd_meaning = "SD over participants of the log-odds between any two items",
+                 .usual_sd = 1.0});
+  }
+  list.effect({.effect = {.name = "order",
+                          .unit = "log-odds",
+                          .meaning = "log-odds in favour of the surface that is presented first"},
+               .tests = {"position"},
+               .sd_unit = "log-odds",
+               .sd_meaning = "SD over participants of the log-odds in favour of the first surface",
+               .usual_sd = 0.3});
+  if (!asked.question.tie.empty()) {
+    list.assumed({.name = "tie_within",
+                  .range = ParameterRange::not_negative,
+                  .unit = "log-odds",
+                  .meaning = "difference of the utilities below which the response is a tie",
+                  .value = 0.3});
+  }
+  list.lapse();
+}
+
+std::vector<ResponseParameter> parameters_of_choice(const TabulatedQuestion& asked) {
+  ParameterList list(asked);
+  add_choice_parameters(asked, list);
+  return list.take();
+}
+
+double utility_of_item(const TabulatedTrial& trial, const std::string& item) {
+  const bool is_of_target = is_about_target(trial.asked);
+  const char* const effect = is_of_target ? kTarget : kDifference;
+  const double place = !is_of_target ? place_among(trial.asked.items, item)
+                       : item == trial.asked.protocol.analysis.target ? 1.0
+                                                                      : 0.0;
+  const double sd = trial.values.at(std::string(effect) + "_sd");
+  return trial.values.at(effect) * place + trial.own_of(effect, item, sd / std::numbers::sqrt2);
+}
+
+Answer choose_surface(const TabulatedTrial& trial) {
+  Random noise = trial.of_response.split("choice");
+  const auto& surfaces = trial.trial.presentations;
+  if (trial.lapses()) return ChosenOption{static_cast<std::size_t>(noise.below(surfaces.size()))};
+  const double order = trial.own("order");
+  std::vector<double> utilities{};
+  for (const PlannedPresentation& surface : surfaces) {
+    utilities.push_back(utility_of_item(trial, surface.item) + (utilities.empty() ? order : 0.0) +
+                        gumbel(noise));
+  }
+  const bool can_tie = !trial.asked.question.tie.empty() && surfaces.size() == 2;
+  if (can_tie && std::abs(utilities[0] - utilities[1]) < trial.values.at("tie_within")) {
+    return ChosenOption{surfaces.size()};  // the option after the surfaces
+  }
+  const auto greatest = std::max_element(utilities.begin(), utilities.end());
+  return ChosenOption{static_cast<std::size_t>(greatest - utilities.begin())};
+}
+
+}  // namespace
+
+const ResponseTable& selection_responses() {
+  static constexpr ResponseTable kTable{.parameters = parameters_of_choice,
+                                        .respond = choose_surface};
+  return kTable;
+}
+
+const ResponseTable& paired_comparison_responses() {
+  static constexpr ResponseTable kTable{.parameters = parameters_of_choice,
+                                        .respond = choose_surface};
+  return kTable;
+}
+
+}  // namespace asperity

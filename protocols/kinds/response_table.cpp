@@ -1,0 +1,176 @@
+#include "protocols/kinds/response_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "protocols/answers/stored_number.h"
+#include "protocols/kinds/experiment_kind.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kLeastUniform = 0x1p-54;  // a uniform number may be 0
+
+/// Numbers ascending and before other names.
+bool is_named_before(const std::string& one, const std::string& other) {
+  const std::optional<double> first = stored_number(one);
+  const std::optional<double> second = stored_number(other);
+  if (first && second && *first != *second) return *first < *second;
+  if (first.has_value() != second.has_value()) return first.has_value();
+  return one < other;
+}
+
+/// The order of the levels in the protocol; levels that it does not list, by name.
+std::vector<std::string> ordered_levels(const Protocol& protocol, const std::string& factor,
+                                        const std::set<std::string>& levels) {
+  std::vector<std::string> ordered(levels.begin(), levels.end());
+  std::sort(ordered.begin(), ordered.end(), is_named_before);
+  const auto declared = protocol.factors.find(factor);
+  if (declared == protocol.factors.end()) return ordered;
+  const auto place = [&declared](const std::string& level) {
+    const auto& all = declared->second.levels;
+    return std::find_if(all.begin(), all.end(),
+                        [&level](const Level& each) { return text_of(each) == level; }) -
+           all.begin();
+  };
+  std::stable_sort(ordered.begin(), ordered.end(),
+                   [&place](const auto& a, const auto& b) { return place(a) < place(b); });
+  return ordered;
+}
+
+}  // namespace
+
+bool is_in_range(ParameterRange range, double value) noexcept {
+  if (!std::isfinite(value)) return false;
+  switch (range) {
+    case ParameterRange::any:
+      return true;
+    case ParameterRange::not_negative:
+      return value >= 0.0;
+    case ParameterRange::positive:
+      return value > 0.0;
+    case ParameterRange::proportion:
+      return value >= 0.0 && value <= 1.0;
+  }
+  return false;
+}
+
+std::string text_of(ParameterRange range) {
+  switch (range) {
+    case ParameterRange::any:
+      return "a finite number";
+    case ParameterRange::not_negative:
+      return "0 or a number above 0";
+    case ParameterRange::positive:
+      return "above 0";
+    case ParameterRange::proportion:
+      return "from 0 to 1";
+  }
+  return "a number";
+}
+
+TabulatedQuestion tabulated_question(const Protocol& protocol, const Protocol::Block& block,
+                                     const Protocol::TrialQuestionTemplate& question,
+                                     const std::vector<Trial>& possible) {
+  TabulatedQuestion asked{.protocol = protocol, .block = block, .question = question};
+  const ExperimentKind& kind = *kind_of_question(kind_of(block), question.form);
+  asked.family =
+      family_of(kind, protocol.analysis, protocol.estimation.value_or(EstimationDeclaration{}));
+  std::set<std::string> items{};
+  std::map<std::string, std::set<std::string>> levels{};
+  for (const Trial& trial : possible) {
+    if (trial.block != block.name) continue;
+    for (const PlannedPresentation& surface : trial.presentations) items.insert(surface.item);
+    for (const auto& [factor, level] : trial.factors) levels[factor].insert(text_of(level));
+  }
+  asked.items.assign(items.begin(), items.end());
+  std::sort(asked.items.begin(), asked.items.end(), is_named_before);
+  for (const auto& [factor, all] : levels) {
+    const bool is_drawn =
+        std::find(block.drawn.begin(), block.drawn.end(), factor) != block.drawn.end();
+    const bool is_varied = block.vary && block.vary->factor == factor;
+    if (all.size() < 2 || is_drawn || is_varied) continue;
+    asked.factors.emplace_back(factor, ordered_levels(protocol, factor, all));
+  }
+  if (block.vary) asked.values = block.vary->values();
+  return asked;
+}
+
+double ResponseValues::at(std::string_view name) const {
+  for (const auto& [known, value] : values_) {
+    if (known == name) return value;
+  }
+  throw std::logic_error("the response table has no parameter \"" + std::string(name) +
+                         "\"; add it to the parameters of its kind");
+}
+
+double TabulatedTrial::own(std::string_view name) const {
+  const double sd = values.at(std::string(name) + "_sd");
+  return values.at(name) + sd * of_participant.split(name).normal();
+}
+
+double TabulatedTrial::own_of(std::string_view name, std::string_view level, double sd) const {
+  return sd * of_participant.split(name).split(level).normal();
+}
+
+bool TabulatedTrial::lapses() const {
+  return of_response.split("lapse").uniform() < values.at("lapse");
+}
+
+double TabulatedTrial::place_of(std::string_view factor) const {
+  const auto level = trial.factors.find(factor);
+  const auto known = std::find_if(asked.factors.begin(), asked.factors.end(),
+                                  [factor](const auto& each) { return each.first == factor; });
+  if (level == trial.factors.end() || known == asked.factors.end()) return 0.0;
+  return place_among(known->second, text_of(level->second));
+}
+
+double place_among(const std::vector<std::string>& names, std::string_view name) noexcept {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (names.size() < 2 || found == names.end()) return 0.0;
+  return static_cast<double>(found - names.begin()) / static_cast<double>(names.size() - 1) - 0.5;
+}
+
+void ParameterList::effect(Effect effect) {
+  ResponseParameter& mean = effect.effect;
+  for (const std::string& test : effect.tests) {
+    if (std::find(asked_.family.begin(), asked_.family.end(), test) == asked_.family.end())
+      continue;
+    mean.tests += (mean.tests.empty() ? "" : ", ") + test;
+  }
+  ResponseParameter sd{.name = mean.name + "_sd",
+                       .range = ParameterRange::not_negative,
+                       .unit = effect.sd_unit,
+                       .meaning = effect.sd_meaning};
+  if (mean.tests.empty()) {
+    mean.value = mean.null_value;
+    sd.value = effect.usual_sd;
+  } else {
+    mean.part = ResponseParameter::Part::effect;
+    sd.part = ResponseParameter::Part::effect_sd;
+  }
+  parameters_.push_back(std::move(mean));
+  parameters_.push_back(std::move(sd));
+}
+
+void ParameterList::lapse() {
+  assumed({.name = "lapse",
+           .range = ParameterRange::proportion,
+           .meaning = "probability of a response that does not depend on the surfaces",
+           .value = 0.02});
+}
+
+double logistic(Random& random) {
+  const double u = std::max(random.uniform(), kLeastUniform);
+  return std::log(u) - std::log1p(-u);
+}
+
+double gumbel(Random& random) {
+  return -std::log(-std::log(std::max(random.uniform(), kLeastUniform)));
+}
+
+}  // namespace asperity
