@@ -1,65 +1,44 @@
-// The assumptions from which studies of a protocol are simulated without rendering.
+// A protocol with all assumptions from which its studies are simulated without rendering.
 
 #pragma once
 
-#include <map>
-#include <optional>
-#include <string>
+#include <memory>
 #include <vector>
 
+#include "app/power/assumption.h"
 #include "protocols/design/protocol.h"
 
 namespace asperity {
 
-/// A number that simulated responses depend on, of one question of one block.
-struct Assumption {
-  /// The part that it has in a response table.
-  enum class Part {
-    effect,  ///< what a test of the protocol is to find; `null_value` where there is nothing to find
-    effect_sd,  ///< how far participants (or textures) differ in an effect: it has to be stated
-    other,  ///< anything else: criterion, noise, lapses, order effects, their standard deviations
-  };
-  std::string name{};  ///< "BLOCK.QUESTION.PARAMETER", "comparisons.rougher.order"
-  Part part = Part::other;
-  std::optional<double> value{};  ///< none: it has to be stated
-  std::string unit{};             ///< "1" for a pure number
-  std::string source{};           ///< "assumed", or where the value is from
-  std::string meaning{};          ///< a clause
-  double null_value = 0.0;        ///< of an effect
-  std::string tests{};  ///< of an effect: the names of the tests that it concerns, "order"
-};
+struct PowerTables;
 
-/// All assumptions of a protocol, with the values that are usually assumed: effects and their standard deviations have none.
+/// All assumptions of a protocol: of the questions of its main blocks, and of blocks with a procedure. Effects that a test of the
+/// declared family concerns, and their standard deviations, have no value.
 ///
-/// Errors: std::runtime_error for a kind of trial without a response table, and for a procedure whose levels an external
-/// program states; the message names block, kind and remedy.
+/// Errors: std::runtime_error for a question whose responses cannot be simulated without rendering, and for a procedure whose levels an
+/// external program states; the message names the block, the kind and the remedy.
 std::vector<Assumption> assumptions_of(const Protocol& protocol);
 
-/// The assumptions with those that a JSON file states in their place: an array of objects with "name", "value" and "source",
-/// and optionally "unit", which must be equal. Errors: std::runtime_error naming the file, the entry and the remedy.
-std::vector<Assumption> with_assumptions_of_file(std::vector<Assumption> assumptions,
-                                                 const std::string& path);
-/// The text of such a file, with all assumptions; a missing value is null.
-std::string json_of(const std::vector<Assumption>& assumptions);
-
-/// A protocol with all its assumptions, checked. Shared by all simulated runs, and never changed.
+/// A protocol with all its assumptions, checked. It is shared by all simulated runs and threads, and never changed.
 class PowerModel final {
  public:
-  /// Errors: std::runtime_error listing the assumptions without a value (with the remedy), those that the protocol does not
-  /// have, and values out of range.
-  PowerModel(Protocol protocol, std::vector<Assumption> assumptions);
+  /// Errors: as `assumptions_of`; std::runtime_error listing assumptions without a value, with a value out of range, without a source,
+  /// missing ones, and those that the protocol does not have.
+  PowerModel(const Protocol& protocol, std::vector<Assumption> assumptions);
 
-  const Protocol& protocol() const noexcept { return protocol_; }
+  const Protocol& protocol() const noexcept;
   const std::vector<Assumption>& assumptions() const noexcept { return assumptions_; }
-  /// Number of participants in one round of counterbalancing rows and groups.
-  int multiple() const noexcept { return multiple_; }
-  /// The same model with all effects at their null value, and the standard deviations of the effects kept.
+  /// The number of participants with which every row of counterbalancing occurs equally often in every group.
+  int multiple() const noexcept;
+  /// The same model with every effect at its null value; the standard deviations of the effects are kept.
   PowerModel at_null() const;
+  /// Of the simulation.
+  const PowerTables& tables() const noexcept { return *tables_; }
 
  private:
-  Protocol protocol_;
   std::vector<Assumption> assumptions_{};
-  int multiple_ = 1;
+  /// Shared by copies, because it does not change and refers to itself.
+  std::shared_ptr<const PowerTables> tables_{};
 };
 
 }  // namespace asperity

@@ -31,15 +31,11 @@ TrialOutcome outcome_of(const Protocol& protocol, const Trial& trial, const Atte
       dimension.is_relative_amplitude()
           ? std::get<double>(trial.factors.at(dimension.factor))
           : number_of(parameter_values_in(varied->parameters_json), dimension.parameter);
-  const auto outcome = [&] {
-    if (is_missing) return LevelOutcome::incorrect;
-    if (response->answer == kCannotTellOption) return LevelOutcome::unsure;
-    // Of three surfaces, the varied one is not always the correct response.
-    const bool chose_varied = block.design->is_choice_of_three() ? response->correct.value_or(false)
-                                                                 : response->answer == varied->item;
-    return forced_outcome(chose_varied != judged->asks_for_less);
-  };
-  return {.answer = TrialOutcome::Answer{.value = value, .outcome = outcome()}};
+  const LevelOutcome outcome =
+      is_missing ? LevelOutcome::incorrect
+                 : level_outcome_of(block, *judged, varied->item,
+                                    {.answer = response->answer, .correct = response->correct});
+  return {.answer = TrialOutcome::Answer{.value = value, .outcome = outcome}};
 }
 
 std::optional<LevelAnswer> level_answer_of(const Protocol& protocol, const Trial& trial,

@@ -429,6 +429,16 @@ void Course::advance(const TrialOutcome& outcome) {
   proceed();
 }
 
+LevelOutcome level_outcome_of(const Protocol::Block& block,
+                              const Protocol::TrialQuestionTemplate& judged,
+                              const std::string& varied_item, const AnsweredItem& response) {
+  if (response.answer == kCannotTellOption) return LevelOutcome::unsure;
+  // Of three surfaces, the varied one is not always the correct response.
+  const bool chose_varied = block.design->is_choice_of_three() ? response.correct.value_or(false)
+                                                               : response.answer == varied_item;
+  return forced_outcome(chose_varied != judged.asks_for_less);
+}
+
 void Course::supply(const NextStep& step) {
   if (!requested_) {
     throw std::logic_error(

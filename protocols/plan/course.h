@@ -27,6 +27,12 @@ struct TrialOutcome {
   std::optional<Answer> answer{};
 };
 
+/// What a response to the judged question of a block means for the levels of its procedure. `varied_item`: the item of the surface
+/// whose parameter is varied.
+LevelOutcome level_outcome_of(const Protocol::Block& block,
+                              const Protocol::TrialQuestionTemplate& judged,
+                              const std::string& varied_item, const AnsweredItem& response);
+
 /// The trial sequence of one session.
 ///
 /// A session without procedures has its complete plan from the beginning. Otherwise the plan ends with the first trial

@@ -1,0 +1,104 @@
+#include "app/power/power_tables.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <variant>
+
+#include "protocols/design/block_factors.h"
+#include "protocols/plan/plan.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kRemedy =
+    "; simulate the studies on the full physics with --physics, or power another protocol";
+
+[[noreturn]] void refuse(const Protocol::Block& block, const std::string& why) {
+  throw std::runtime_error("studies of the block \"" + block.name +
+                           "\" cannot be simulated from response tables: " + why + kRemedy);
+}
+
+void refuse_external_levels(const Protocol::Block& block) {
+  if (!block.procedure) return;
+  for (const ProcedureSettings& settings : block.procedure->tracks) {
+    if (std::holds_alternative<External>(settings)) {
+      refuse(block, "an external program states its levels");
+    }
+  }
+}
+
+TabulatedBlock::OfQuestion tabulated(const Protocol& protocol, const Protocol::Block& block,
+                                     const Protocol::TrialQuestionTemplate& question,
+                                     const std::vector<Trial>& possible) {
+  const ExperimentKind& of_block = kind_of(block);
+  const ExperimentKind& kind = *kind_of_question(of_block, question.form);
+  if (kind.responses == nullptr) {
+    refuse(block, "the kind \"" + std::string(kind.name) + "\" has no response table");
+  }
+  TabulatedBlock::OfQuestion made{.asked = tabulated_question(protocol, block, question, possible),
+                                  .table = kind.responses,
+                                  .is_of_block = &kind == &of_block};
+  if (made.table->refusal != nullptr) {
+    const std::string why = made.table->refusal(made.asked);
+    if (!why.empty()) refuse(block, why);
+  }
+  return made;
+}
+
+ProtocolRow row_of(const Protocol& protocol) {
+  return {.id = 1,
+          .name = protocol.name,
+          .version = protocol.version,
+          .kind = protocol.kind,
+          .design = text_of(protocol.design),
+          .source_sha256 = "simulated",
+          .source = protocol.source};
+}
+
+}  // namespace
+
+bool has_simulated_responses(const Protocol::Block& block) noexcept {
+  return block.phase == Phase::main || block.procedure.has_value();
+}
+
+std::map<std::string, TabulatedBlock, std::less<>> tabulated_blocks(const Protocol& protocol) {
+  const std::vector<Trial> possible = possible_trials(protocol);
+  std::map<std::string, TabulatedBlock, std::less<>> blocks{};
+  for (const auto& [name, block] : protocol.blocks) {
+    if (!has_simulated_responses(block) || runs_of(protocol, block).empty()) continue;
+    refuse_external_levels(block);
+    for (const Protocol::TrialQuestionTemplate& question : block.questions) {
+      blocks[name].questions.push_back(tabulated(protocol, block, question, possible));
+    }
+  }
+  return blocks;
+}
+
+std::string assumption_name(const TabulatedQuestion& asked, const std::string& parameter) {
+  return asked.block.name + '.' + asked.question.name + '.' + parameter;
+}
+
+PowerTables::PowerTables(const Protocol& of, std::span<const Assumption> assumptions)
+    : protocol(of), blocks(tabulated_blocks(protocol)), gathered(row_of(protocol)) {
+  for (const auto& [name, block] : blocks) {
+    for (const TabulatedBlock::OfQuestion& question : block.questions) {
+      OfQuestion& made = with_values[name].emplace_back(OfQuestion{.tabulated = &question});
+      for (const ResponseParameter& parameter : question.table->parameters(question.asked)) {
+        const std::string full = assumption_name(question.asked, parameter.name);
+        const auto stated =
+            std::find_if(assumptions.begin(), assumptions.end(),
+                         [&full](const Assumption& each) { return each.name == full; });
+        made.values.set(parameter.name, stated->value.value());
+      }
+    }
+  }
+}
+
+const std::vector<PowerTables::OfQuestion>* PowerTables::questions_of(
+    std::string_view block) const {
+  const auto found = with_values.find(block);
+  return found == with_values.end() ? nullptr : &found->second;
+}
+
+}  // namespace asperity

@@ -1,0 +1,124 @@
+#include "app/power/simulated_run.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/random.h"
+#include "app/findings/study/study_analysis.h"
+#include "app/power/power_model.h"
+#include "app/power/power_tables.h"
+#include "app/power/simulated_session.h"
+#include "protocols/plan/groups.h"
+
+namespace asperity {
+
+namespace {
+
+/// With leading zeros, so that participants are in the order of their labels.
+std::string label_of_participant(int number) {
+  std::string digits = std::to_string(number + 1);
+  if (digits.size() < 6) digits.insert(0, 6 - digits.size(), '0');
+  return "p" + digits;
+}
+
+/// The effect in its unit where the analysis states one, or otherwise the effect size.
+std::optional<StudyTest::Effect> effect_of(const StudyTest& test) {
+  if (test.in_units) return test.in_units;
+  return test.estimate && test.estimate->low ? test.estimate : test.effect;
+}
+
+SimulatedOutcome outcome_of_test(const std::string& family, const StudyTest& test) {
+  SimulatedOutcome outcome{.family = family,
+                           .test = test.about.empty() ? test.name : test.name + ' ' + test.about,
+                           .p = test.p,
+                           .corrected_p = test.adjusted};
+  if (!test.p) outcome.status = test.status;
+  if (const auto effect = effect_of(test)) {
+    outcome.estimate = effect->value;
+    outcome.lower = effect->low;
+    outcome.upper = effect->high;
+  }
+  return outcome;
+}
+
+/// The names of its tests, each once.
+std::string name_of_family(const std::vector<StudyTest>& tests) {
+  std::vector<std::string> names{};
+  std::string text{};
+  for (const StudyTest& test : tests) {
+    if (std::find(names.begin(), names.end(), test.name) != names.end()) continue;
+    names.push_back(test.name);
+    text += (text.empty() ? "" : ", ") + test.name;
+  }
+  return text;
+}
+
+void add_outcomes(const std::vector<StudyTest>& tests, std::vector<SimulatedOutcome>& outcomes) {
+  if (tests.empty()) return;
+  SimulatedOutcome of_family{.family = name_of_family(tests)};
+  for (const StudyTest& test : tests) {
+    const SimulatedOutcome& own = outcomes.emplace_back(outcome_of_test(of_family.family, test));
+    if (!own.corrected_p) continue;
+    of_family.corrected_p =
+        std::min(of_family.corrected_p.value_or(*own.corrected_p), *own.corrected_p);
+  }
+  if (!of_family.corrected_p) of_family.status = tests.front().status;
+  outcomes.push_back(std::move(of_family));
+}
+
+std::vector<GatheredAnswers> simulated_study(const PowerTables& tables, int participants,
+                                             const Random& of_study) {
+  const Protocol& protocol = tables.protocol;
+  SessionGathering gathering(tables.gathered);
+  for (int number = 0; number < participants; ++number) {
+    const ParticipantRow person{.label = label_of_participant(number),
+                                .is_virtual = true,
+                                .sex = number % 2 == 0 ? "F" : "M"};
+    const Random of_participant =
+        of_study.split("participant").split(static_cast<std::uint64_t>(number));
+    const Allocation in_turn = allocation_in_turn(protocol, number);
+    for (int session = 1; session <= protocol.sessions; ++session) {
+      const Random of_session =
+          of_participant.split("session").split(static_cast<std::uint64_t>(session));
+      Allocation allocation = in_turn;
+      allocation.seed = Random(of_session).bits();
+      SessionRow row{.participant = person.label,
+                     .session = session,
+                     .protocol_id = tables.gathered.row.id,
+                     .mode = SessionMode::simulate,
+                     .state = SessionState::completed};
+      if (!allocation.group.empty()) row.group_level = allocation.group;
+      gathering.add(person, row,
+                    simulated_session({.tables = tables,
+                                       .allocation = std::move(allocation),
+                                       .of_study = of_study.split("textures"),
+                                       .of_participant = of_participant.split("differences"),
+                                       .of_session = of_session}));
+    }
+  }
+  return std::move(gathering).finish();
+}
+
+}  // namespace
+
+std::vector<SimulatedOutcome> simulate_and_analyse(const PowerModel& model, int participants,
+                                                   std::uint64_t seed, std::int64_t run) {
+  if (participants < 1) {
+    throw std::invalid_argument("participants must be at least 1, not " +
+                                std::to_string(participants));
+  }
+  if (run < 0) throw std::invalid_argument("run must be at least 0, not " + std::to_string(run));
+  const Random of_study =
+      Random(seed).split("simulated study").split(static_cast<std::uint64_t>(run));
+  std::vector<SimulatedOutcome> outcomes{};
+  for (const GatheredAnswers& gathered : simulated_study(model.tables(), participants, of_study)) {
+    const StudyAnalysis* const analysis = find_analysis(gathered.kind);
+    if (gathered.answers.empty() || analysis == nullptr || analysis->test_family == nullptr)
+      continue;
+    add_outcomes(analysis->test_family(gathered), outcomes);
+  }
+  return outcomes;
+}
+
+}  // namespace asperity
