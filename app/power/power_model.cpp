@@ -82,7 +82,7 @@ PowerModel::PowerModel(const Protocol& protocol, std::vector<Assumption> assumpt
 
 const Protocol& PowerModel::protocol() const noexcept { return tables_->protocol; }
 
-int PowerModel::multiple() const noexcept {
+int PowerModel::multiple() const {
   const auto groups = static_cast<int>(groups_of(protocol()).size());
   return counterbalance_rows(protocol()) * std::max(groups, 1);
 }

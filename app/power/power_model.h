@@ -29,7 +29,7 @@ class PowerModel final {
   const Protocol& protocol() const noexcept;
   const std::vector<Assumption>& assumptions() const noexcept { return assumptions_; }
   /// The number of participants with which every row of counterbalancing occurs equally often in every group.
-  int multiple() const noexcept;
+  int multiple() const;
   /// The same model with every effect at its null value; the standard deviations of the effects are kept.
   PowerModel at_null() const;
   /// Of the simulation.

@@ -12,6 +12,7 @@
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/kinds/experiment_kind.h"
+#include "protocols/kinds/response_table.h"
 #include "renderers/built_in_models.h"
 
 namespace asperity {
@@ -37,6 +38,9 @@ TEST(Kinds, HaveTheirPartsAndAreFoundByName) {
     EXPECT_NE(kind->check_block, nullptr);
     EXPECT_NE(kind->judge, nullptr);
     EXPECT_EQ(kind->has_correct_responses, kind->correct_of != nullptr);
+    if (kind->responses == nullptr) continue;  // studies are simulated on the full physics only
+    EXPECT_NE(kind->responses->parameters, nullptr);
+    EXPECT_NE(kind->responses->respond, nullptr);
   }
   EXPECT_EQ(find_kind("telepathy"), nullptr);
 }
@@ -50,6 +54,8 @@ TEST(Kinds, HaveAnAnalysisAndNoAnalysisIsWithoutAKind) {
     EXPECT_EQ(analysis.kind, kind.id) << "both registries have one order";
     EXPECT_FALSE(analysis.name.empty());
     EXPECT_NE(analysis.analyze, nullptr);
+    EXPECT_EQ(analysis.test_family != nullptr, kind.responses != nullptr)
+        << "simulated studies are analysed by the tests of their family";
     EXPECT_NE(analysis.task, nullptr);
     EXPECT_NE(analysis.task_for_paper, nullptr);
     for (const KindTest& test : kind.tests) {

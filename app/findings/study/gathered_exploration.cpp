@@ -89,9 +89,11 @@ class OwnConditions final {
   std::map<ExploredCondition, OwnExplorations> by_condition_{};
 };
 
-/// Nothing where NaN stands for none.
-std::optional<double> stored_number_or_none(double value) {
-  return std::isnan(value) ? std::nullopt : std::optional(value);
+/// Nothing where NaN stands for none, and where the exploration was not read.
+template <typename Number>
+std::optional<double> number_at(const std::vector<Number>& numbers, std::size_t surface) {
+  if (surface >= numbers.size() || std::isnan(numbers[surface])) return std::nullopt;
+  return static_cast<double>(numbers[surface]);
 }
 
 }  // namespace
@@ -162,15 +164,15 @@ void GatheredExploration::end_participant(const GatheredAnswers& gathered) {
 }
 
 std::optional<double> GatheredExploration::contact_s(std::size_t surface) const {
-  return stored_number_or_none(contact_s_[surface]);
+  return number_at(contact_s_, surface);
 }
 
 std::optional<double> GatheredExploration::force_N(std::size_t surface) const {
-  return stored_number_or_none(force_N_[surface]);
+  return number_at(force_N_, surface);
 }
 
 std::optional<double> GatheredExploration::speed_m_per_s(std::size_t surface) const {
-  return stored_number_or_none(speed_m_per_s_[surface]);
+  return number_at(speed_m_per_s_, surface);
 }
 
 std::span<const OwnValue> GatheredExploration::own_values(const ExploredCondition& condition,

@@ -550,9 +550,9 @@ void StudyTests::add_missing() {
 }
 
 std::vector<StudyTests::Test> StudyTests::take_family() && {
+  std::erase_if(tests_, [this](const Test& test) { return !is_in_family(test.name); });
   add_missing();
   adjust();
-  std::erase_if(tests_, [this](const Test& test) { return !is_in_family(test.name); });
   return std::move(tests_);
 }
 
