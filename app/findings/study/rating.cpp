@@ -120,9 +120,13 @@ void add_agreement(const RatedScale& scale, const FoundNumbers& found, Table& ta
   }
 }
 
+void add_test_of_items(const RatedScale& scale, const FoundNumbers& found, StudyTests& tests) {
+  tests.add("ratings", scale.name, found, "friedman.p", scale.name);
+}
+
 void add_tests(const RatedScale& scale, bool is_only_scale, const FoundNumbers& found,
                StudyTests& tests) {
-  tests.add("ratings", scale.name, found, "friedman.p", scale.name);
+  add_test_of_items(scale, found, tests);
   for (std::size_t a = 0; a < scale.items.size(); ++a) {
     for (std::size_t b = a + 1; b < scale.items.size(); ++b) {
       const std::string pair = scale.items[a] + '|' + scale.items[b];
@@ -136,9 +140,12 @@ void add_tests(const RatedScale& scale, bool is_only_scale, const FoundNumbers& 
   }
 }
 
-std::vector<Finding> findings_of_items(const GatheredAnswers& gathered, const RatedScale& scale) {
+/// `parts`: those of the family's findings that are needed.
+std::vector<Finding> findings_of_items(const GatheredAnswers& gathered, const RatedScale& scale,
+                                       const char* parts = "all") {
   TidyInput input = table_of(gathered, scale, "subject", "item");
   input.options.set("items", scale.items);
+  input.options.set("parts", std::string(parts));
   return findings_of(kRatings, "rating", scale, std::move(input));
 }
 
@@ -200,9 +207,12 @@ std::vector<StudyTest> test_ratings(const GatheredAnswers& gathered) {
       add_untested_scale(scale, tests);
       continue;
     }
-    if (tests.is_in_family("ratings") || tests.is_in_family("rated_pairs")) {
+    if (tests.is_in_family("rated_pairs")) {
       const std::vector<Finding> findings = findings_of_items(gathered, scale);
       add_tests(scale, scales.size() == 1, FoundNumbers(findings), tests);
+    } else if (tests.is_in_family("ratings")) {
+      const std::vector<Finding> findings = findings_of_items(gathered, scale, "items");
+      add_test_of_items(scale, FoundNumbers(findings), tests);
     }
     if (tests.is_in_family("rating_model")) add_rating_model_test(gathered, scale, tests);
   }

@@ -107,6 +107,11 @@ void add_pairs(const std::vector<std::string>& items, const Eigen::MatrixXd& sco
 
 std::vector<Finding> rating_findings(const TidyInput& input) {
   const std::vector<std::string> items = input.options.texts("items");
+  const std::string parts = input.options.text_or("parts", "all");
+  if (parts != "all" && parts != "items") {
+    throw std::runtime_error("the option \"parts\" is \"" + parts +
+                             "\"; it must be all or items (without the tests of pairs)");
+  }
   if (items.size() < 2) {
     throw std::runtime_error("the option \"items\" must name at least two items, not " +
                              std::to_string(items.size()) + "; add the others");
@@ -139,7 +144,7 @@ std::vector<Finding> rating_findings(const TidyInput& input) {
                      .undefined = "no participant rated every item: add the missing ratings, or "
                                   "leave out items"});
   }
-  add_pairs(items, scores, findings);
+  if (parts == "all") add_pairs(items, scores, findings);
   return findings.take();
 }
 
