@@ -132,7 +132,8 @@ constexpr std::array kFamilies{
     TidyFamily{
         "rating",
         "subject,item,score: one score per subject and item, the larger the better, ties allowed",
-        "items (all that were rated), conf; parts: all, items", rating_findings, "items,conf,parts"},
+        "items (all that were rated), conf; parts: all, items", rating_findings,
+        "items,conf,parts"},
     TidyFamily{"recognition",
                "subject,stimulus,response: one trial per row, response empty where there is none",
                "labels: names of the stimuli, in order; conf; parts: all, participants",
