@@ -16,13 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool is_named(const Assumption& assumption, std::string_view name) {
-  const std::string& full = assumption.name;
-  if (full == name) return true;
-  return full.size() > name.size() && full.ends_with(name) &&
-         full[full.size() - name.size() - 1] == '.';
-}
-
 const char* text_of(Assumption::Part part) {
   switch (part) {
     case Assumption::Part::effect:
@@ -82,6 +75,13 @@ void check_unit(const Json& entry, const std::string& name, std::span<const Assu
 }
 
 }  // namespace
+
+bool is_named(const Assumption& assumption, std::string_view name) {
+  const std::string& full = assumption.name;
+  if (full == name) return true;
+  return full.size() > name.size() && full.ends_with(name) &&
+         full[full.size() - name.size() - 1] == '.';
+}
 
 void set_assumption(std::span<Assumption> assumptions, std::string_view name, double value,
                     const std::string& source) {

@@ -31,8 +31,11 @@ struct Assumption {
 /// The source of a value that nobody has stated.
 inline constexpr const char* kAssumed = "assumed";
 
-/// Sets the value and the source of those whose name is `name`, or ends with it after a point: "order" sets the order effect of
-/// every question that has one. Errors: std::runtime_error where there are none, listing the names; an empty source.
+/// Whether the name is `name`, or ends with it after a point: "order" is the order effect of every question that has one.
+bool is_named(const Assumption& assumption, std::string_view name);
+
+/// Sets the value and the source of those that are named `name`. Errors: std::runtime_error where there are none, listing the
+/// names; an empty source.
 void set_assumption(std::span<Assumption> assumptions, std::string_view name, double value,
                     const std::string& source);
 
