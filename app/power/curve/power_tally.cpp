@@ -1,0 +1,72 @@
+#include "app/power/curve/power_tally.h"
+
+#include <algorithm>
+
+#include "app/findings/study/study_test.h"
+
+namespace asperity {
+
+bool is_significant(const SimulatedOutcome& outcome) noexcept {
+  const std::optional<double>& p = outcome.corrected_p ? outcome.corrected_p : outcome.p;
+  return p && *p < StudyTest::kLevel;
+}
+
+PowerTally::PowerTally(PowerOrder order)
+    : order_(std::move(order)),
+      studies_(static_cast<std::size_t>(studies_per_run(order_)), std::uint64_t{0}) {}
+
+std::size_t PowerTally::test_of(const SimulatedOutcome& outcome) {
+  const auto [place, is_new] = places_.try_emplace({outcome.family, outcome.test}, tests_.size());
+  if (is_new) {
+    tests_.push_back(place->first);
+    counts_.emplace_back(studies_.size());
+  }
+  return place->second;
+}
+
+void PowerTally::add(const StudyPlace& place, std::span<const SimulatedOutcome> outcomes) {
+  const std::size_t cell = place.effect * order_.participants.size() + place.size;
+  ++studies_[cell];
+  for (const SimulatedOutcome& outcome : outcomes) {
+    Counts& counts = counts_[test_of(outcome)][cell];
+    if (outcome.p || outcome.corrected_p) ++counts.with_p;
+    if (is_significant(outcome)) ++counts.significant;
+    // Limits that the analysis does not state, or states as NaN, give no width.
+    if (outcome.lower && outcome.upper && *outcome.upper >= *outcome.lower) {
+      counts.widths.add(*outcome.upper - *outcome.lower);
+    }
+  }
+}
+
+std::vector<PowerCurve> PowerTally::curves() const {
+  std::vector<PowerCurve> curves{};
+  const std::size_t sizes = order_.participants.size();
+  for (std::size_t effect = 0; effect < order_.effects.size(); ++effect) {
+    for (std::size_t test = 0; test < tests_.size(); ++test) {
+      PowerCurve curve{.effect = order_.effects[effect],
+                       .family = tests_[test].first,
+                       .test = tests_[test].second};
+      std::vector<StudiesOfSize> of_sizes{};
+      for (std::size_t size = 0; size < sizes; ++size) {
+        const std::size_t cell = effect * sizes + size;
+        const Counts& counts = counts_[test][cell];
+        const std::uint64_t studies = studies_[cell];
+        if (studies == 0) continue;
+        of_sizes.push_back({.participants = order_.participants[size],
+                            .significant = {.hits = counts.significant, .trials = studies}});
+        curve.sizes.push_back({.studies = studies,
+                               .significant = counts.significant,
+                               .without_p = studies - counts.with_p,
+                               .median_width = counts.widths.quantile(0.5),
+                               .p90_width = counts.widths.quantile(0.9)});
+      }
+      if (of_sizes.empty()) continue;
+      const std::vector<PowerOfSize> fitted = monotone_power(of_sizes);
+      for (std::size_t i = 0; i < fitted.size(); ++i) curve.sizes[i].power = fitted[i];
+      curves.push_back(std::move(curve));
+    }
+  }
+  return curves;
+}
+
+}  // namespace asperity

@@ -1,0 +1,72 @@
+// Counts the significant studies of every test, effect and number of participants.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/power/positive_quantiles.h"
+#include "analysis/power/smallest_sample.h"
+#include "app/power/curve/power_order.h"
+#include "app/power/simulated_run.h"
+
+namespace asperity {
+
+/// Of one test with one number of participants.
+struct TestAtSize {
+  PowerOfSize power{};  ///< of all studies: one without a p is not significant
+  std::uint64_t studies = 0;
+  std::uint64_t significant = 0;
+  std::uint64_t without_p = 0;  ///< the analysis gave a status
+  /// Of the confidence interval of the effect, over the studies that have one; nothing without any.
+  std::optional<double> median_width{};
+  std::optional<double> p90_width{};
+};
+
+/// The power of a test, or of the tests of a family together, over the numbers of participants.
+struct PowerCurve {
+  std::string effect{};
+  std::string family{};
+  std::string test{};  ///< empty: at least one test of the family is significant
+  std::vector<TestAtSize> sizes{};
+};
+
+/// Whether a study is significant: its p is below StudyTest::kLevel after the correction of the family; without a correction
+/// the p itself.
+bool is_significant(const SimulatedOutcome& outcome) noexcept;
+
+/// Memory: a count and the quantiles of widths for each test, effect and number of participants, whatever the number of runs.
+class PowerTally final {
+ public:
+  explicit PowerTally(PowerOrder order);
+
+  /// Studies by ascending place: tests are listed in the order in which they appear first.
+  void add(const StudyPlace& place, std::span<const SimulatedOutcome> outcomes);
+
+  /// By effect, then test; a size without studies is left out, and an effect without any.
+  std::vector<PowerCurve> curves() const;
+
+ private:
+  struct Counts {
+    std::uint64_t significant = 0;
+    std::uint64_t with_p = 0;
+    PositiveQuantiles widths{};
+  };
+  using Test = std::pair<std::string, std::string>;  // family and test
+
+  std::size_t test_of(const SimulatedOutcome& outcome);
+
+  PowerOrder order_;
+  std::map<Test, std::size_t> places_{};
+  std::vector<Test> tests_{};
+  std::vector<std::uint64_t> studies_{};       ///< by effect and size
+  std::vector<std::vector<Counts>> counts_{};  ///< by test; by effect and size
+};
+
+}  // namespace asperity

@@ -1,0 +1,82 @@
+#include "app/power/curve/study_rows.h"
+
+#include <cmath>
+#include <vector>
+
+#include "app/words/text_parts.h"
+#include "results_schema/tables/table.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kMissing = "n/a";
+
+const std::vector<std::string>& columns() {
+  static const std::vector<std::string> kColumns{"run",   "effect", "participants", "family",
+                                                 "test",  "p",      "corrected_p",  "estimate",
+                                                 "lower", "upper",  "status"};
+  return kColumns;
+}
+
+Cell cell_of(const std::optional<double>& number) {
+  return number ? Cell(*number) : Cell(std::monostate{});
+}
+
+/// False for a text that is not a number and not missing.
+bool read(const std::string& text, std::optional<double>& number) {
+  if (text == kMissing) return true;
+  number = number_in(text);
+  return number.has_value();
+}
+
+/// Nothing for what is not a whole number.
+std::optional<std::int64_t> whole_number_in(const std::string& text) {
+  const std::optional<double> number = number_in(text);
+  if (!number || *number != std::floor(*number)) return std::nullopt;
+  return static_cast<std::int64_t>(*number);
+}
+
+}  // namespace
+
+std::string study_columns() {
+  const std::string header = tsv_of({.columns = columns()});
+  return header.substr(0, header.find('\n'));
+}
+
+std::string rows_of(const PowerOrder& order, const StudyPlace& place,
+                    std::span<const SimulatedOutcome> outcomes) {
+  Table table{.columns = columns()};
+  for (const SimulatedOutcome& outcome : outcomes) {
+    table.rows.push_back({place.run, order.effects[place.effect],
+                          std::int64_t{order.participants[place.size]}, outcome.family,
+                          outcome.test, cell_of(outcome.p), cell_of(outcome.corrected_p),
+                          cell_of(outcome.estimate), cell_of(outcome.lower), cell_of(outcome.upper),
+                          outcome.status});
+  }
+  const std::string text = tsv_of(table);
+  return text.substr(text.find('\n') + 1);
+}
+
+bool StudyRow::is_of(const PowerOrder& order, const StudyPlace& place) const {
+  return run == place.run && effect == order.effects[place.effect] &&
+         participants == order.participants[place.size];
+}
+
+std::optional<StudyRow> study_row_in(std::string_view line) {
+  const std::vector<std::string> cells = parts_of(std::string(line), '\t');
+  if (cells.size() != columns().size()) return std::nullopt;
+  const auto run = whole_number_in(cells[0]);
+  const auto participants = whole_number_in(cells[2]);
+  if (!run || !participants) return std::nullopt;
+  StudyRow row{.run = *run,
+               .effect = cells[1],
+               .participants = static_cast<int>(*participants),
+               .outcome = {.family = cells[3], .test = cells[4], .status = cells[10]}};
+  const bool is_read = read(cells[5], row.outcome.p) && read(cells[6], row.outcome.corrected_p) &&
+                       read(cells[7], row.outcome.estimate) && read(cells[8], row.outcome.lower) &&
+                       read(cells[9], row.outcome.upper);
+  return is_read ? std::optional(row) : std::nullopt;
+}
+
+}  // namespace asperity
