@@ -6217,6 +6217,30 @@
         <source>%1 Thin pale lines: the responses of individual participants in each run of the block.</source>
         <translation>%1 Dünne blasse Linien: die Antworten einzelner Versuchspersonen in jedem Lauf des Blocks.</translation>
     </message>
+    <message>
+        <source>at least one test of the family %1</source>
+        <translation>mindestens ein Test der Familie %1</translation>
+    </message>
+    <message>
+        <source>Power over the number of participants</source>
+        <translation>Teststärke nach der Anzahl der Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>Marks: proportions of significant simulated studies, with 95 % Monte-Carlo CIs (Clopper–Pearson). Lines: monotone fits (isotonic regression). Dashed lines: powers of 80 % and 90 %.</source>
+        <translation>Marken: Anteile signifikanter simulierter Studien mit 95-%-Monte-Carlo-KI (Clopper–Pearson). Linien: monotone Anpassungen (isotone Regression). Gestrichelt: Teststärken von 80 % und 90 %.</translation>
+    </message>
+    <message>
+        <source>participants</source>
+        <translation>Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>There is no power curve, because no study was simulated.</source>
+        <translation>Es gibt keine Teststärkekurve, weil keine Studie simuliert wurde.</translation>
+    </message>
+    <message>
+        <source>90 %</source>
+        <translation>90 %</translation>
+    </message>
 </context>
 <context>
     <name>FitTable</name>
