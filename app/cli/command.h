@@ -40,6 +40,7 @@ void add_gather(CLI::App& program, Job& job);
 void add_metadata(CLI::App& program, Job& job);
 void add_models(CLI::App& program, Job& job);
 void add_new(CLI::App& program, Job& job);
+void add_power(CLI::App& program, Job& job);
 void add_render(CLI::App& program, Job& job);
 void add_replay(CLI::App& program, Job& job);
 /// Absent without Qt.

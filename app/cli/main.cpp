@@ -77,6 +77,7 @@ int main(int argc, char** argv) {
   add_check(program, job);
   add_run(program, job);
   add_simulate(program, job);
+  add_power(program, job);
   add_analyze(program, job);
 #ifdef ASPERITY_WITH_WINDOWS
   add_report(program, job);

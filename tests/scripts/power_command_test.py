@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+"""asperity power: assumptions, simulated studies that are kept and extended, refusals. Argument: the program asperity."""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = sys.argv[1]
+PROTOCOL = ROOT / "protocols" / "library" / "amplitude_jnd.json"
+EFFECT = "comparisons.rougher.order"
+STATED = ("--effect", "order=0.5,null", "--assume", "order_sd=0.3")
+
+
+def power(*arguments):
+    return subprocess.run([PROGRAM, "power", PROTOCOL, *map(str, arguments)], text=True, capture_output=True, check=False)
+
+
+def done(*arguments):
+    result = power(*arguments)
+    assert result.returncode == 0, result.stderr
+    return result
+
+
+def refused(status, sentence, *arguments):
+    result = power(*arguments)
+    assert result.returncode == status and sentence in result.stderr, (status, sentence, result)
+
+
+def simulated(folder, runs, *arguments):
+    return done("--participants", "4:6:2", "--seed", 3, "--runs", runs, *STATED, "--out", folder, *arguments)
+
+
+listed = {entry["name"]: entry for entry in json.loads(done("--list-assumptions").stdout)}
+assert listed[EFFECT]["part"] == "effect" and listed[EFFECT]["value"] is None, listed[EFFECT]
+assert listed[EFFECT + "_sd"]["value"] is None, listed[EFFECT + "_sd"]
+
+with tempfile.TemporaryDirectory() as folder:
+    folder = pathlib.Path(folder)
+    whole, grown = folder / "whole", folder / "grown"
+    document = json.loads(simulated(whole, 6, "--jobs", 1, "--json", "--dropout", 0.2).stdout)
+    assert document["format"] == "asperity.power/1" and document["runs"] == 6, document
+    # Two effects and two numbers of participants; a row for each test and one for the family.
+    rows = document["power"]
+    tests = {(row["family"], row["test"]) for row in rows}
+    assert len(rows) == 4 * len(tests) and all(row["studies"] == 6 for row in rows), rows
+    assert {row["effect"] for row in rows} == {f"{EFFECT}=0.5", f"{EFFECT}=0"}, rows
+    assert len((whole / "studies.tsv").read_text().splitlines()) == 1 + 6 * 4 * len(tests)
+    assert [sentence["power"] for sentence in document["sentences"]] == [0.8, 0.9], document["sentences"]
+    assert all(f"{EFFECT} = 0.5 d′" in sentence["text"] for sentence in document["sentences"]), document["sentences"]
+    assert {path.name for path in whole.iterdir()} == {"studies.tsv", "studies.tsv.json", "power.tsv", "sample_size.tsv", "assumptions.json"}
+
+    simulated(grown, 2, "--jobs", 2)
+    plot = ("--plot", folder / "power.svg") if "--plot" in done("--help").stdout else ()
+    printed = simulated(grown, 6, "--jobs", 2, *plot).stdout
+    assert not plot or plot[1].stat().st_size > 0
+    assert (grown / "studies.tsv").read_bytes() == (whole / "studies.tsv").read_bytes()
+    assert "min a session" in printed and f"{EFFECT}_sd" in printed, printed
+
+    refused(1, "which differ in the seed; repeat the command with the same inputs", "--participants", "4:6:2", "--seed", 4, "--runs", 6,
+            *STATED, "--out", grown)
+    done("--participants", "4:6:2", "--seed", 4, "--runs", 2, *STATED, "--out", grown, "--force")
+
+    # The list of assumptions, with the missing values, is a file of assumptions; a value from a pilot is marked.
+    for name, value in ((EFFECT, 0.5), (EFFECT + "_sd", 0.3)):
+        listed[name].update(value=value, source="pilot of 8 participants")
+    stated = folder / "assumptions.json"
+    stated.write_text(json.dumps(list(listed.values())), encoding="utf-8")
+    marked = done("--participants", 4, "--seed", 3, "--runs", 2, "--assumptions", stated)
+    assert f"the effect {EFFECT} is taken from a pilot (pilot of 8 participants)" in marked.stderr, marked.stderr
+
+refused(1, f"{EFFECT} has no value", "--participants", 4, "--seed", 3, "--assume", "order_sd=0.3")
+refused(2, f"its effects are {EFFECT} (d′)", "--participants", 4, "--seed", 3, "--effect", "difference=1")
+refused(2, "write NAME=VALUE", "--participants", 4, "--seed", 3, "--effect", "order")
+refused(2, "--assume ordre_sd=1", "--participants", 4, "--seed", 3, "--assume", "ordre_sd=1")
+refused(2, "write FROM:TO:STEP", "--participants", "6:4:2", "--seed", 3, *STATED)
+refused(2, "requires --participants and --seed", "--participants", 4)
