@@ -10,6 +10,7 @@
 #include "app/findings/study/analysis_outcome.h"
 #include "app/findings/study/estimate_sentences.h"
 #include "app/findings/study/gathered_answers.h"
+#include "app/findings/study/shown_parameters.h"
 #include "app/findings/study/study_test.h"
 #include "app/words/phrase.h"
 #include "protocols/design/protocol.h"
@@ -55,6 +56,9 @@ struct StudyAnalysis {
   /// The tests of the family with their correction, as `analyze` reports them, and nothing else that it computes, for
   /// analyses of many simulated studies. Null where only `analyze` has them.
   std::vector<StudyTest> (*test_family)(const GatheredAnswers& gathered) = nullptr;
+  /// What the responses to a question show of the parameters of its response table; null where nothing.
+  ShownParameters (*shown_parameters)(const GatheredAnswers& gathered,
+                                      const TabulatedQuestion& asked) = nullptr;
   /// The estimates in a sentence; null where the tests state them.
   EstimateSentence (*estimates)(const AnalysisOutcome& outcome) = nullptr;
 };

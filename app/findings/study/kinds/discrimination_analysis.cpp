@@ -231,6 +231,7 @@ const StudyAnalysis& discrimination_analysis() {
                                        .fit_for_paper = paper_fit_of_discrimination,
                                        .analyze = analyze_discrimination,
                                        .test_family = test_discrimination,
+                                       .shown_parameters = shown_discrimination_parameters,
                                        .estimates = thresholds_sentence};
   return kAnalysis;
 }

@@ -139,6 +139,7 @@ const StudyAnalysis& magnitude_analysis() {
       .transformation_of = transformation_of_magnitude,
       .analyze = analyze_magnitude,
       .test_family = test_magnitude,
+      .shown_parameters = shown_magnitude_parameters,
       .estimates = exponents_sentence};
   return kAnalysis;
 }

@@ -58,6 +58,7 @@ const StudyAnalysis& rating_analysis() {
           "Each participant's ratings of an item were averaged before they were analysed.",
       .analyze = analyze_rating,
       .test_family = test_ratings,
+      .shown_parameters = shown_rating_parameters,
       .estimates = rating_estimates_sentence};
   return kAnalysis;
 }

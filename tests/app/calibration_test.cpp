@@ -1,0 +1,97 @@
+// Assumptions that are taken from the responses of a study are those from which the study was simulated.
+
+#include "app/power/calibration.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/power/power_model.h"
+#include "app/power/simulated_study.h"
+#include "protocols/file/protocol_reader.h"
+#include "tests/app/made_up_study.h"
+#include "tests/protocols/protocol_files.h"
+
+namespace asperity {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+struct CalibratedStudy {
+  std::vector<Assumption> assumptions{};
+
+  const Assumption& at(const std::string& name) const {
+    return *std::find_if(assumptions.begin(), assumptions.end(),
+                         [&name](const Assumption& each) { return each.name == name; });
+  }
+  double value(const std::string& name) const { return at(name).value.value(); }
+};
+
+/// The assumptions of a protocol with those of a study that was simulated from `truth`.
+CalibratedStudy calibrated_from(const std::string& name, const std::map<std::string, double>& truth,
+                                int participants) {
+  const Protocol protocol =
+      read_protocol(test::library_text(name), name, test::models_of_library());
+  std::vector<Assumption> assumptions = assumptions_of(protocol);
+  for (const auto& [parameter, value] : truth) {
+    set_assumption(assumptions, parameter, value, "the test");
+  }
+  const PowerModel model(protocol, assumptions);
+  const auto study = simulated_study(model.tables(), participants, Random(5));
+  return {calibrated(assumptions_of(protocol), protocol, study, "pilot A, 9 participants")};
+}
+
+// The tolerances are four standard errors with 150 participants, four items and six repetitions.
+TEST(Calibration, RecoversTheVariationOfRatings) {
+  const CalibratedStudy study = calibrated_from("roughness_of_photographs",
+                                                {{"level", 50.0},
+                                                 {"level_sd", 6.0},
+                                                 {"noise_sd", 8.0},
+                                                 {"difference", 10.0},
+                                                 {"difference_sd", 8.0},
+                                                 {"lapse", 0.0}},
+                                                150);
+  EXPECT_NEAR(study.value("ratings.rough.level"), 50.0, 2.2);
+  EXPECT_NEAR(study.value("ratings.rough.level_sd"), 6.0, 1.5);
+  EXPECT_NEAR(study.value("ratings.rough.noise_sd"), 8.0, 0.4);
+  EXPECT_NEAR(study.value("ratings.rough.difference_sd"), 8.0, 1.6);
+  EXPECT_EQ(study.at("ratings.rough.difference_sd").source, "pilot A, 9 participants");
+  EXPECT_FALSE(study.at("ratings.rough.difference").value) << "the researcher states the effect";
+  EXPECT_EQ(study.at("ratings.rough.lapse").source, kAssumed) << "ratings do not show lapses";
+}
+
+TEST(Calibration, RecoversThresholdsOfStaircases) {
+  const CalibratedStudy study = calibrated_from(
+      "amplitude_jnd",
+      {{"threshold", 10e-6}, {"threshold_sd", 0.2}, {"order", 0.0}, {"order_sd", 0.5}}, 24);
+  const double threshold_m = study.value("comparisons.rougher.threshold");
+  EXPECT_GT(threshold_m, 10e-6 / 1.35);
+  EXPECT_LT(threshold_m, 10e-6 * 1.35);
+  EXPECT_TRUE(study.at("comparisons.rougher.order_sd").value);
+  EXPECT_FALSE(study.at("comparisons.rougher.order").value) << "a test of the family concerns it";
+}
+
+// Some 100 easy catch trials, a fifth of which are errors.
+TEST(Calibration, RecoversLapsesFromCatchTrials) {
+  const CalibratedStudy study =
+      calibrated_from("amplitude_jnd", {{"lapse", 0.4}, {"order", 0.0}, {"order_sd", 0.1}}, 24);
+  EXPECT_NEAR(study.value("comparisons.rougher.lapse"), 0.4, 0.25);
+}
+
+TEST(Calibration, NeedsAStudyOfTheProtocol) {
+  const MadeUpStudy made{};
+  const Protocol protocol =
+      read_protocol(test::library_text("amplitude_jnd"), "file", test::models_of_library());
+  EXPECT_THAT(
+      [&] { calibrated_by_study(assumptions_of(protocol), protocol, made.folder()); },
+      ThrowsMessage<std::runtime_error>(AllOf(HasSubstr(protocol.name), HasSubstr("piloted"))));
+}
+
+}  // namespace
+}  // namespace asperity
