@@ -15,7 +15,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/levels/child_process.h"
+#include "app/processes/child_process.h"
 #include "app/session/levels/supplied_steps.h"
 #include "app/tasks/sitting.h"
 #include "app/tasks/unfinished_session.h"

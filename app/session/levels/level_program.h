@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "app/session/levels/child_process.h"
+#include "app/processes/child_process.h"
 #include "app/session/levels/external_program.h"
 #include "app/session/levels/supplied_steps.h"
 #include "app/words/phrase.h"

@@ -1,4 +1,4 @@
-#include "app/session/levels/child_process.h"
+#include "app/processes/child_process.h"
 
 #include <array>
 #include <cerrno>
