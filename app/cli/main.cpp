@@ -98,6 +98,7 @@ int main(int argc, char** argv) {
   add_sweep(program, job);
   add_gather(program, job);
   add_clean_stiffness(program, job);
+  add_submit(program, job);
   add_bench(program, job);
   add_copy(program, job);
   add_merge(program, job);

@@ -59,10 +59,11 @@ readme = " ".join((ROOT / "README.md").read_text(encoding="utf-8").split())
 if rule is None or "the package of each version stays available" not in rule[0] or rule[0].strip() not in readme:
     complaints.append(f"README.md does not contain what a new study states about versions: {made}")
 
-# Commands anywhere in the documents: lines of code blocks that begin with them.
+# Commands anywhere in the documents: lines of code blocks that begin with them. What follows -- is a command by itself.
 for path in [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md")), *sorted(ROOT.glob("*/README.md"))]:
     text = path.read_text(encoding="utf-8").replace("\\\n", " ")
-    for line in re.findall(r"^(?:    |\$ )?((?:asperity|scripts/run) .*)$", text, re.MULTILINE):
+    lines = re.findall(r"^(?:    |\$ )?((?:asperity|scripts/run) .*)$", text, re.MULTILINE)
+    for line in [("asperity " if at else "") + part for line in lines for at, part in enumerate(line.split(" -- "))]:
         match = COMMAND.match(line)
         if match is None:
             continue

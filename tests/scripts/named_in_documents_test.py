@@ -58,7 +58,7 @@ def commands(text):
     for line in joined.splitlines():
         found = re.match(r"^(?:    |\$ )?(?:asperity|scripts/run)\s+(.+)$", line) if line.startswith((" ", "$", "a", "s")) else None
         if found and not line.lstrip().startswith("asperity is"):
-            yield found.group(1).split("#")[0]
+            yield from found.group(1).split("#")[0].split(" -- ")  # after -- the command that is submitted
     for code in re.findall(r"`(?:asperity|scripts/run) ([^`]+)`", joined):
         yield code
 
