@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
 #include "protocols/kinds/experiment_kind.h"
 
@@ -14,15 +15,49 @@ namespace {
 constexpr const char* kItemDifference = "difference";
 constexpr const char* kScaleUnit = "unit of the scale";
 
-/// Whether the scale accompanies a question of another kind, which has correct responses.
-bool accompanies_correct_responses(const TabulatedQuestion& asked) {
-  const ExperimentKind& of_block = kind_of(asked.block);
-  return !std::holds_alternative<ScaleForm>(of_block.form) && of_block.has_correct_responses;
+/// Whether the scale accompanies a question of another kind.
+bool accompanies(const TabulatedQuestion& asked) {
+  return !std::holds_alternative<ScaleForm>(kind_of(asked.block).form);
 }
 
-/// The items, or where there is one the combinations of levels of the factors.
+bool accompanies_correct_responses(const TabulatedQuestion& asked) {
+  return accompanies(asked) && kind_of(asked.block).has_correct_responses;
+}
+
+/// The factors with their levels, and the varied parameter with its values.
+std::vector<std::pair<std::string, std::vector<std::string>>> rated_factors(
+    const TabulatedQuestion& asked) {
+  auto factors = asked.factors;
+  if (asked.values.size() < 2) return factors;
+  std::vector<std::string> values{};
+  for (const double value : asked.values) values.push_back(text_of(Level{value}));
+  factors.emplace_back(asked.block.vary->factor, std::move(values));
+  return factors;
+}
+
+/// Whether ratings are compared between items: the surfaces, or where they all count as one item the combinations of levels of
+/// the factors. Scales that accompany another question are only compared if the protocol has no others.
 bool has_several_items(const TabulatedQuestion& asked) {
-  return asked.block.presented.size() == 1 && (asked.items.size() > 1 || !asked.factors.empty());
+  const auto& blocks = asked.protocol.blocks;
+  const bool is_compared =
+      !accompanies(asked) || std::none_of(blocks.begin(), blocks.end(), [](const auto& each) {
+        return each.second.phase == Phase::main &&
+               std::holds_alternative<ScaleForm>(kind_of(each.second).form);
+      });
+  return is_compared && asked.block.presented.size() == 1 &&
+         (asked.items.size() > 1 || !rated_factors(asked).empty());
+}
+
+/// The tests that concern the scale: one that accompanies another question has no family by default.
+std::vector<std::string> family_of_scale(const TabulatedQuestion& asked) {
+  std::vector<std::string> family = asked.family;
+  const std::vector<std::string>& declared = asked.protocol.analysis.family;
+  if (accompanies(asked)) {
+    std::erase_if(family, [&declared](const std::string& name) {
+      return std::find(declared.begin(), declared.end(), name) == declared.end();
+    });
+  }
+  return family;
 }
 
 struct RatedItem {
@@ -40,18 +75,23 @@ RatedItem rated_item_of(const TabulatedTrial& trial) {
   RatedItem item{};
   std::size_t index = 0;
   std::size_t count = 1;
-  for (const auto& [factor, levels] : asked.factors) {
-    const std::string level = text_of(trial.trial.factors.at(factor));
-    item.name += level + '|';
-    const auto at = std::find(levels.begin(), levels.end(), level) - levels.begin();
-    index = index * levels.size() + static_cast<std::size_t>(at);
+  for (const auto& [factor, levels] : rated_factors(asked)) {
     count *= levels.size();
+    index *= levels.size();
+    const auto own = trial.trial.factors.find(factor);
+    if (own == trial.trial.factors.end()) continue;
+    const std::string level = text_of(own->second);
+    item.name += level + '|';
+    const auto place = std::find(levels.begin(), levels.end(), level);
+    if (place != levels.end()) index += static_cast<std::size_t>(place - levels.begin());
   }
   item.place = static_cast<double>(index) / static_cast<double>(count - 1) - 0.5;
   return item;
 }
 
-std::vector<ResponseParameter> parameters_of_rating(const TabulatedQuestion& asked) {
+std::vector<ResponseParameter> parameters_of_rating(const TabulatedQuestion& of) {
+  TabulatedQuestion asked = of;
+  asked.family = family_of_scale(of);
   const auto& form = std::get<ScaleForm>(asked.question.form);
   const double range = form.maximum - form.minimum;
   ParameterList list(asked);

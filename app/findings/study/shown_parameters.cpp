@@ -28,6 +28,7 @@ std::string cell_of_response(const GatheredAnswers& gathered, const GatheredAnsw
   for (const auto& [factor, levels] : asked.factors) {
     cell += gathered.word(gathered.level(answer, factor)) + '|';
   }
+  if (asked.block.vary) cell += gathered.word(gathered.level(answer, asked.block.vary->factor));
   return cell;
 }
 
