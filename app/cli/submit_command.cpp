@@ -54,8 +54,7 @@ std::filesystem::path running_program() {
   if (!program.empty()) return program;
   throw std::runtime_error(
       "the file of this program was replaced or removed since it was started, and the batch "
-      "scripts "
-      "need its path; repeat the command");
+      "scripts need its path; repeat the command");
 }
 
 /// The submission of the command line: a new one, which is written, or that of the folder.
@@ -148,7 +147,8 @@ int run_submit(const SubmitOptions& options) {
   const SubmissionState state = current_state(submission, slurm);
   const NextJobs next = options.status ? NextJobs{} : next_jobs(state);
   const bool submits = !next.is_empty();
-  if (!options.json && !state.is_untouched()) std::cout << state_text(submission, state);
+  const bool is_stated = options.status || !state.is_untouched();
+  if (!options.json && is_stated) std::cout << state_text(submission, state);
   const SubmittedJobs submitted = submits ? submit_jobs(submission, next, slurm) : SubmittedJobs{};
   if (options.json) {
     std::cout << state_json(submission, state, next, submitted).dump(2) << '\n';

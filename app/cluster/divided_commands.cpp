@@ -66,6 +66,12 @@ std::filesystem::path whole_of(const std::vector<std::string>& words) {
     refuse(command, "the option " + std::string(command.whole_option) +
                         ", which names the shards, is missing; add it to the command");
   }
+  if (const auto name = std::filesystem::path(*whole).filename(); name == "." || name == "..") {
+    refuse(command,
+           std::string(command.whole_option) + " \"" + *whole +
+               "\" has no name, from which those of the shards are made; write the name of "
+               "the folder, from the folder that contains it");
+  }
   return *whole;
 }
 

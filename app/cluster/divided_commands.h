@@ -35,8 +35,8 @@ const DividedCommand& declaration_of(const std::vector<std::string>& words);
 
 /// The value of a command's whole option ("--out FILE" or "--out=FILE"), without a slash at the end.
 ///
-/// Errors: std::invalid_argument where the option is missing, empty or given twice, or where the command has an option that the
-/// batch script gives; as declaration_of.
+/// Errors: std::invalid_argument where the option is missing, empty or given twice, where its value is "." or "..", and where the
+/// command has an option that the batch script gives; as declaration_of.
 std::filesystem::path whole_of(const std::vector<std::string>& words);
 
 }  // namespace asperity

@@ -45,6 +45,8 @@ TEST(Submission, RefusesCommandsThatCannotBeDividedOrNameNoShards) {
   EXPECT_THAT(refused({"sweep", "--model", "x"}),
               HasSubstr("--out, which names the shards, is missing"));
   EXPECT_THAT(refused({"sweep", "--out"}), HasSubstr("is missing"));
+  EXPECT_THAT(refused({"simulate", "--study", "."}), HasSubstr("--study \".\" has no name"));
+  EXPECT_THAT(refused({"simulate", "--study", "S/../"}), HasSubstr("has no name"));
   EXPECT_THAT(refused({"sweep", "--out", "a", "--out=b"}), HasSubstr("--out is given twice"));
   EXPECT_THAT(refused({"sweep", "--out", "a", "--shard", "1/2"}),
               HasSubstr("write --shards N before --"));

@@ -192,11 +192,11 @@ TEST(SubmissionState, IsStatedInLines) {
 }
 
 /// A folder with commands in place of those of Slurm: sbatch and scancel append their arguments to `calls`, sbatch prints the
-/// numbers 21, 22, …, and squeue prints `queue`.
+/// numbers 21, 22, …, and squeue appends its own to `queries` and prints `queue`.
 class FakeSlurm final {
  public:
   FakeSlurm() {
-    make("squeue", "echo \"squeue $*\" >> calls.all\ncat queue");
+    make("squeue", "echo \"squeue $*\" >> queries\ncat queue");
     make("scancel", "echo \"scancel $*\" >> calls");
     make("sbatch", "echo \"sbatch $*\" >> calls\necho $((20 + $(grep -c sbatch calls)))");
     std::ofstream(folder_ / "queue").flush();
@@ -207,14 +207,17 @@ class FakeSlurm final {
     std::filesystem::permissions(file, std::filesystem::perms::owner_all);
   }
   void queue(const std::string& lines) const { std::ofstream(folder_ / "queue") << lines; }
-  std::string calls() const {
-    std::ifstream file(folder_ / "calls");
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
+  std::string calls() const { return text_in("calls"); }
+  std::string queries() const { return text_in("queries"); }
   Slurm commands() const { return Slurm(search_path(), "none"); }
   std::string search_path() const { return folder_.path().string() + ":/usr/bin:/bin"; }
 
  private:
+  std::string text_in(const std::string& name) const {
+    std::ifstream file(folder_ / name);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
   TemporaryFolder folder_{};
 };
 
@@ -227,6 +230,9 @@ TEST(SubmittedJobs, AreRequestedOfTheCommandsOfSlurm) {
   const SubmissionState state = current_state(submission, slurm);
   const NextJobs next = next_jobs(state);
   const SubmittedJobs submitted = submit_jobs(submission, next, slurm);
+  EXPECT_EQ(fake.queries(),
+            "squeue --me --noheader --array --states=all --name=" + submission.job_name + ',' +
+                submission.gather_name() + " --format=%j|%F|%K|%T|%r\n");
   EXPECT_EQ(fake.calls(),
             "scancel 12\n"
             "sbatch --parsable --array=2-4 /home/a/sub/shards.sbatch\n"

@@ -141,6 +141,8 @@ class Submit(unittest.TestCase):
         self.assertEqual(self.calls(), [])
         self.assertIn(f"to submit them: asperity submit {self.folder}/jobs\n", written)
         self.assertIn("seq 4 | parallel ", written)
+        self.assertEqual(self.submitted("jobs", "--status"),
+                         f"{self.folder}/my table.tsv: 0 of 4 shards complete\nnot submitted: shards 1-4\n")
         self.assertEqual(self.submitted("jobs"), "submitted: job array 21 (shards 1-4) and gather job 22\n")
 
     def test_errors_state_the_remedy(self):
