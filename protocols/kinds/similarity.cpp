@@ -11,6 +11,7 @@
 #include "protocols/design/block_factors.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"
+#include "protocols/kinds/similarity_responses.h"
 
 namespace asperity {
 
@@ -108,7 +109,8 @@ const ExperimentKind& similarity_kind() {
                                     .item_of = item_of_similarity,
                                     .check = check_question_of_similarity,
                                     .check_block = check_block_of_similarity,
-                                    .judge = judge_similarity};
+                                    .judge = judge_similarity,
+                                    .responses = &similarity_responses()};
   return kKind;
 }
 

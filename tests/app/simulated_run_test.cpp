@@ -100,7 +100,7 @@ TEST(SimulatedRun, AddsParticipantsToThoseOfSmallerStudies) {
   }
 }
 
-// Library protocols of every kind with a response table, with their own procedures; psi is left to the slow tests.
+// Library protocols of every kind, with their own procedures. Psi, and the scaling of permuted ratings, would take seconds.
 TEST(SimulatedRun, AnalysesTheFamilyOfEveryLibraryProtocol) {
   for (const LibraryProtocol& each : library_protocols()) {
     const std::string name(each.name);
@@ -254,10 +254,15 @@ TEST(PowerModel, RejectsValuesOutOfRange) {
       Throws<std::runtime_error>());
 }
 
-TEST(PowerModel, RefusesAKindWithoutAResponseTable) {
-  EXPECT_THAT([] { assumptions_of(library_protocol("map_of_renderings")); },
-              ThrowsMessage<std::runtime_error>(AllOf(
-                  HasSubstr("\"ratings\""), HasSubstr("\"similarity\""), HasSubstr("--physics"))));
+TEST(PowerModel, RefusesAPredictorThatIsMeasuredOnRenderedSurfaces) {
+  nlohmann::json file = test::library_file("roughness_force");
+  file["estimation"] = {{"factor", "texture"}, {"condition", "force"}, {"predictor", "force_N"}};
+  file["analysis"]["family"] = {"exponent"};
+  const Protocol protocol =
+      read_protocol(file.dump(), "roughness_force", test::models_of_library());
+  EXPECT_THAT([&] { assumptions_of(protocol); },
+              ThrowsMessage<std::runtime_error>(
+                  AllOf(HasSubstr("\"main\""), HasSubstr("force_N"), HasSubstr("--physics"))));
 }
 
 TEST(PowerModel, KeepsStandardDeviationsWithoutEffects) {

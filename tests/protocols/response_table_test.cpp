@@ -132,9 +132,9 @@ constexpr std::uint64_t kResponses = 4000;
 /// More than four standard errors of a proportion of so many responses.
 constexpr double kTolerance = 0.032;
 
-TEST(ResponseTable, ExistsForEveryKindButSimilarity) {
+TEST(ResponseTable, ExistsForEveryKind) {
   for (const ExperimentKind* const kind : experiment_kinds()) {
-    EXPECT_EQ(kind->responses == nullptr, kind->id == "similarity") << kind->id;
+    EXPECT_NE(kind->responses, nullptr) << kind->id;
   }
 }
 
@@ -174,7 +174,7 @@ TEST(ResponseTable, NeverAssumesAnEffectOfTheFamilyOrItsStandardDeviation) {
   }
   EXPECT_EQ(with_effect,
             (std::set<std::string>{"discrimination", "magnitude", "matching", "paired_comparison",
-                                   "rating", "recognition", "selection"}));
+                                   "rating", "recognition", "selection", "similarity"}));
 }
 
 // The difference of two ratings has the variance 6² of the participants' differences and twice 4² of the noise; the
@@ -364,6 +364,29 @@ TEST(ResponseTable, EstimatesFollowThePowerFunction) {
   }
   EXPECT_NEAR(std::log10(estimates.at("spacing_35") / estimates.at("spacing_05")),
               0.5 * std::log10(7.0), 0.045);
+}
+
+// Ten items on one dimension: the most distant pair minus neighbours, and different minus identical pairs.
+TEST(ResponseTable, DissimilaritiesGrowWithTheDistanceOfTheItems) {
+  const Tabulated pairs(protocol_of(test::library_file("map_of_renderings")), "ratings",
+                        "different");
+  const std::vector<std::string>& items = pairs.asked().items;
+  ASSERT_EQ(items.size(), 10U);
+  const auto rating_of = [&](const std::string& one, const std::string& other) {
+    const auto found =
+        std::find_if(pairs.trials().begin(), pairs.trials().end(), [&](const Trial& trial) {
+          const std::string& first = trial.presentations[0].item;
+          const std::string& second = trial.presentations[1].item;
+          return (first == one && second == other) || (first == other && second == one);
+        });
+    const Values values{{"structure", 40.0},  {"level", 50.0}, {"level_sd", 0.0},
+                        {"noise_sd", 0.0},    {"lapse", 0.0},  {"identical", 45.0},
+                        {"identical_sd", 0.0}};
+    return pairs.respond(*found, values, 1).front().number.value();
+  };
+  EXPECT_NEAR(rating_of(items.front(), items.back()) - rating_of(items[0], items[1]), 40.0, 0.2);
+  EXPECT_NEAR(rating_of(items[3], items[4]), 30.0, 0.1);
+  EXPECT_NEAR(rating_of(items[2], items[2]), 5.0, 0.1);
 }
 
 TEST(ResponseTable, PlacesAreEquallySpaced) {

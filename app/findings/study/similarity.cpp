@@ -306,26 +306,20 @@ void ask_about_configuration(const FoundNumbers& found, const StudyTests& tests,
                stress);
 }
 
-}  // namespace
-
-void analyze_similarity(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
-  const std::vector<std::string> items = rated_items(gathered);
+/// `parts`: those of the family's findings that are needed.
+std::vector<Finding> findings_of_judgements(const GatheredAnswers& gathered,
+                                            const std::vector<std::string>& items,
+                                            const char* parts) {
   TidyInput input{};
   input.tables.push_back(table_of_judgements(gathered));
   TidyTable properties = properties_of_items(gathered, items);
   if (properties.rows() > 0) input.tables.push_back(std::move(properties));
   input.options.set("items", items);
-  const std::vector<Finding> findings = analysis_of(kConfiguration, "similarity", std::move(input));
-  const FoundNumbers found(findings);
-  keep_findings(findings, outcome);
-  add_pairs_table(items, found, outcome);
-  add_identical_table(found, outcome);
-  add_configuration_table(items, found, outcome);
-  add_stress_table(found, outcome);
-  add_tree_table(found, outcome);
-  add_raters_table(gathered, found, outcome);
-  add_properties_table(found, outcome);
-  StudyTests tests(gathered);
+  input.options.set("parts", std::string(parts));
+  return analysis_of(kConfiguration, "similarity", std::move(input));
+}
+
+void add_similarity_tests(const FoundNumbers& found, StudyTests& tests) {
   const Finding* const unscaled = found.find("stress.ordinal");
   if (unscaled != nullptr && !unscaled->word.empty()) {
     tests.add_untested(kConfiguration, "", unscaled->word);
@@ -338,6 +332,32 @@ void analyze_similarity(const GatheredAnswers& gathered, AnalysisOutcome& outcom
     if (property->value)
       tests.add("properties", property->key, found, "property.perm.p", property->key);
   }
+}
+
+}  // namespace
+
+std::vector<StudyTest> test_similarity(const GatheredAnswers& gathered) {
+  StudyTests tests(gathered);
+  const std::vector<Finding> findings =
+      findings_of_judgements(gathered, rated_items(gathered), "tests");
+  add_similarity_tests(FoundNumbers(findings), tests);
+  return std::move(tests).take_family();
+}
+
+void analyze_similarity(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
+  const std::vector<std::string> items = rated_items(gathered);
+  const std::vector<Finding> findings = findings_of_judgements(gathered, items, "all");
+  const FoundNumbers found(findings);
+  keep_findings(findings, outcome);
+  add_pairs_table(items, found, outcome);
+  add_identical_table(found, outcome);
+  add_configuration_table(items, found, outcome);
+  add_stress_table(found, outcome);
+  add_tree_table(found, outcome);
+  add_raters_table(gathered, found, outcome);
+  add_properties_table(found, outcome);
+  StudyTests tests(gathered);
+  add_similarity_tests(found, tests);
   tests.finish(outcome);
   for (Phrase& remark : remarks_on_configuration(found)) {
     outcome.remarks.push_back(std::move(remark));

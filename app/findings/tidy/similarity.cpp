@@ -91,12 +91,15 @@ class SimilarityFindings {
     }
   }
 
-  std::vector<Finding> take(const std::vector<Property>& properties) {
+  /// Without those on which no test depends.
+  enum class Parts { all, tests };
+
+  std::vector<Finding> take(const std::vector<Property>& properties, Parts parts) {
     const std::size_t m = judged_.items.size();
     list_.count("n.items", "", m, {.n = raters_.size(), .method = "items that were judged"});
     list_.count("n.raters", "", raters_.size(),
                 {.n = raters_.size(), .method = "participants who judged a pair of items"});
-    reliability();
+    if (parts == Parts::all) reliability();
     identical_pairs();
     if (m < kFewestItems) {
       list_.word("stress.ordinal", "", "too_few_items",
@@ -111,7 +114,7 @@ class SimilarityFindings {
       return list_.take();
     }
     mean_ = mean_of_raters(raters_);
-    dissimilarities();
+    if (parts == Parts::all) dissimilarities();
     if (!connects_all_items(mean_.weights)) {
       list_.word("stress.ordinal", "", "not_connected",
                  "the pairs that were judged do not connect all items: judge further pairs",
@@ -133,12 +136,12 @@ class SimilarityFindings {
           basis("non-metric multidimensional scaling"));
       return list_.take();
     }
-    dendrogram();
+    if (parts == Parts::all) dendrogram();
     stresses();
     choose_level_and_dimensions();
-    configuration();
+    if (parts == Parts::all) configuration();
     chance();
-    weights_of_raters();
+    if (parts == Parts::all) weights_of_raters();
     compare_with(properties);
     return list_.take();
   }
@@ -534,7 +537,14 @@ std::vector<Finding> similarity_findings(const TidyInput& input) {
   const std::vector<Property> properties = input.tables.size() > 1
                                                ? properties_in(input.table(1), judged.items)
                                                : std::vector<Property>{};
-  return SimilarityFindings(judged, input.options).take(properties);
+  using Parts = SimilarityFindings::Parts;
+  const std::string parts = input.options.text_or("parts", "all");
+  if (parts != "all" && parts != "tests") {
+    throw std::runtime_error("the option \"parts\" is \"" + parts +
+                             "\"; it must be all or tests (that on which tests depend alone)");
+  }
+  return SimilarityFindings(judged, input.options)
+      .take(properties, parts == "all" ? Parts::all : Parts::tests);
 }
 
 }  // namespace asperity

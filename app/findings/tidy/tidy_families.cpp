@@ -170,8 +170,8 @@ constexpr std::array kFamilies{
         "the order of presentation, the same item for an identical pair; and "
         "item,property,value: physical properties of the items",
         "items (all, in order); dimensions: of the configuration, by cross-validation if absent; "
-        "conf",
-        similarity_findings, "items,dimensions,conf", 2},
+        "conf; parts: all, tests",
+        similarity_findings, "items,dimensions,conf,parts", 2},
     TidyFamily{
         "staircase",
         "track,trial,response: one trial per row, response 1 for a correct one, 0 for an "

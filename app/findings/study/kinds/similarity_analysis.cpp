@@ -73,6 +73,7 @@ const StudyAnalysis& similarity_analysis() {
                                        .task_for_paper = paper_task_of_similarity,
                                        .fit_for_paper = fit_of_similarity,
                                        .analyze = analyze_similarity,
+                                       .test_family = test_similarity,
                                        .estimates = configuration_sentence};
   return kAnalysis;
 }
