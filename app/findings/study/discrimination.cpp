@@ -169,6 +169,9 @@ void test_conditions(const GatheredAnswers& gathered, const DiscriminationResult
     if (is_pair) {
       tests.add("conditions", about, found, kWilcoxonP,
                 both(results.conditions[0], results.conditions[1]));
+      tests.state_effect(
+          FoundNumbers(results.compared)
+              .find("ratio." + quantity, both(results.conditions[1], results.conditions[0])));
     } else {
       tests.add("conditions", about, found, "friedman.p");
     }
