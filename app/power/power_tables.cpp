@@ -12,7 +12,8 @@ namespace asperity {
 namespace {
 
 constexpr const char* kRemedy =
-    "; simulate the studies on the full physics with --physics, or power another protocol";
+    "; simulate such studies on the full physics with \"asperity simulate\", and analyse each of "
+    "them";
 
 [[noreturn]] void refuse(const Protocol::Block& block, const std::string& why) {
   throw std::runtime_error("studies of the block \"" + block.name +

@@ -261,8 +261,8 @@ TEST(PowerModel, RefusesAPredictorThatIsMeasuredOnRenderedSurfaces) {
   const Protocol protocol =
       read_protocol(file.dump(), "roughness_force", test::models_of_library());
   EXPECT_THAT([&] { assumptions_of(protocol); },
-              ThrowsMessage<std::runtime_error>(
-                  AllOf(HasSubstr("\"main\""), HasSubstr("force_N"), HasSubstr("--physics"))));
+              ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("\"main\""), HasSubstr("force_N"),
+                                                      HasSubstr("asperity simulate"))));
 }
 
 TEST(PowerModel, KeepsStandardDeviationsWithoutEffects) {
