@@ -54,7 +54,8 @@ struct StudyTest {
   std::optional<Effect> effect{};
   std::optional<Effect> estimate{};  ///< the proportion that is tested
   std::optional<double> chance{};    ///< the chance level of that proportion
-  std::optional<Effect> in_units{};  ///< the effect in the unit of the responses, where it was stated
+  std::optional<Effect>
+      in_units{};  ///< the effect in the unit of the responses, where it was stated
   std::optional<double> adjusted{};  ///< within the family
   bool is_alone_in_family = false;   ///< the only test of its family, so that p is not corrected
   TestRole role = TestRole::exploratory;
