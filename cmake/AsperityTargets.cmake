@@ -211,8 +211,8 @@ function(asperity_add_tests folder)
   set(timeout_s 600)
   if("long" IN_LIST ARG_LABELS)
     set(timeout_s 3600)
-  elseif(CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize=")
-    set(timeout_s 1800)  # what lasts seconds otherwise lasts minutes when every access is watched
+  elseif("slow" IN_LIST ARG_LABELS OR CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize=")
+    set(timeout_s 1800)  # computes for minutes, or is slowed down by the sanitizers
   endif()
   set(suites_file "${CMAKE_CURRENT_BINARY_DIR}/${program}_suites.cmake")
   file(CONFIGURE OUTPUT "${suites_file}" @ONLY CONTENT [[

@@ -83,10 +83,38 @@ TEST(KilledWithdrawal, IsCompletedByTheSameCommand) {
   EXPECT_GT(killed, kKills / 2);
 }
 
+constexpr int kKindsOfOutput = 4;
+
+/// The arguments of the output number i of the study, the kinds in turn.
+std::vector<std::string> output_arguments(int i, const fs::path& study, const fs::path& made) {
+  const std::vector<std::vector<std::string>> commands{
+      {"export", study, "--out", made, "--formats", "all"},
+      {"copy", study, made},
+      {"report", study, "--out", made},
+      {"merge", study, "--out", made}};
+  return commands.at(static_cast<std::size_t>(i % kKindsOfOutput));
+}
+
+/// How long each kind of output takes on this computer, with its present load.
+std::vector<microseconds> output_durations(const SmallStudy& small) {
+  std::vector<microseconds> durations{};
+  for (int kind = 0; kind < kKindsOfOutput; ++kind) {
+    const fs::path study = small.place() / ("timed_study_" + std::to_string(kind));
+    copy_study(small.study(), study);
+    const fs::path made = small.place() / ("timed_" + std::to_string(kind) + ".html");
+    const auto began = std::chrono::steady_clock::now();
+    EXPECT_EQ(asperity(output_arguments(kind, study, made)).status, 0);
+    durations.push_back(
+        std::chrono::duration_cast<microseconds>(std::chrono::steady_clock::now() - began));
+  }
+  return durations;
+}
+
 // An output is stopped at any moment, the data are deleted, and the output goes on: it does not contain them, or the
 // deletion has named it.
 TEST(WithdrawalWhileAnOutputIsMade, LeavesNoOutputThatItDoesNotName) {
   const SmallStudy small = simulated_study(2, 3, {"--recordings", "all"});
+  const std::vector<microseconds> durations = output_durations(small);
   std::mt19937 random(64);
   constexpr int kOutputs = 36;
   int overlapped = 0;
@@ -95,15 +123,11 @@ TEST(WithdrawalWhileAnOutputIsMade, LeavesNoOutputThatItDoesNotName) {
     copy_study(small.study(), study);
     const fs::path made =
         small.place() / ("made_" + std::to_string(i) + (i % 4 == 2 ? ".html" : ""));
-    const std::vector<std::vector<std::string>> commands{
-        {"export", study, "--out", made, "--formats", "all"},
-        {"copy", study, made},
-        {"report", study, "--out", made},
-        {"merge", study, "--out", made}};
     Invocation invocation{};
-    invocation.arguments = commands[static_cast<std::size_t>(i % 4)];
+    invocation.arguments = output_arguments(i, study, made);
     Program output(invocation);
-    output.read_for(microseconds(random() % 400'000));
+    const auto& duration = durations.at(static_cast<std::size_t>(i % kKindsOfOutput));
+    output.read_for(microseconds(random() % static_cast<std::uint64_t>(duration.count() + 1)));
     output.send(SIGSTOP);
     Invocation withdrawing{};
     withdrawing.arguments = deletion_arguments(study);
