@@ -71,8 +71,8 @@ std::string tsv_of(const Table& table, std::size_t* replaced) {
 }
 
 Table read_tsv(std::string_view text, const std::string& file_name) {
-  if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
-    text.remove_prefix(kByteOrderMark.size());
+  if (text.substr(0, kTableByteOrderMark.size()) == kTableByteOrderMark) {
+    text.remove_prefix(kTableByteOrderMark.size());
   }
   if (has_only_carriage_returns(text)) {
     throw ResultsError(file_name + kOnlyCarriageReturns, file_name);

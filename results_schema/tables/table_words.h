@@ -9,7 +9,7 @@ namespace asperity {
 /// What stands for a missing cell.
 inline constexpr std::string_view kMissingCell = "n/a";
 /// How some programs begin a file in UTF-8. The store uses no other folder, and states it itself.
-inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+inline constexpr std::string_view kTableByteOrderMark = "\xEF\xBB\xBF";
 
 /// Whether the lines of a table end as those of old programs, which readers of tables refuse.
 inline bool has_only_carriage_returns(std::string_view text) {
@@ -32,7 +32,7 @@ inline constexpr UnseenCharacter kUnseenCharacters[] = {
     {"\xE2\x80\x8B", "a zero-width space (U+200B)"},
     {"\xE2\x81\xA0", "a word joiner (U+2060)"},
     {"\xE3\x80\x80", "an ideographic space (U+3000)"},
-    {kByteOrderMark, "a byte order mark (U+FEFF)"}};
+    {kTableByteOrderMark, "a byte order mark (U+FEFF)"}};
 /// The minus sign of typography, as this program and word processors show it.
 inline constexpr std::string_view kMinusSign = "\xE2\x88\x92";
 

@@ -195,8 +195,8 @@ TidyTable::TidyTable(std::string whole, std::string name)
   if (text.substr(0, 2) == "\xFF\xFE" || text.substr(0, 2) == "\xFE\xFF") {
     throw ResultsError(name_ + ":1:1: the file is UTF-16; save it as UTF-8", name_);
   }
-  if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
-    text.remove_prefix(kByteOrderMark.size());
+  if (text.substr(0, kTableByteOrderMark.size()) == kTableByteOrderMark) {
+    text.remove_prefix(kTableByteOrderMark.size());
   }
   if (const std::size_t end = utf8_ends_at(text); end < text.size()) {
     const auto line =
