@@ -163,6 +163,7 @@ void transfer_files(Database& rows, const std::filesystem::path& from,
       continue;
     }
     if (!is_loose_file(relative) || stimuli.contains(relative.string())) continue;
+    if (transfer.leaves_out && transfer.leaves_out(relative)) continue;
     refuse_link(from, relative, transfer.words);
     if (entry.is_directory()) continue;
     if (!entry.is_regular_file()) refuse_special_file(from, relative, transfer.words);

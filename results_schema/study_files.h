@@ -24,6 +24,8 @@ struct FileTransfer {
   /// Throws: the other folder has a file at the new path of this one, with another content. May be empty where the other
   /// folder is new.
   std::function<void(const std::filesystem::path&)> refuse_other_content{};
+  /// Whether a file that no row names stays, because it is not true of the other folder. May be empty.
+  std::function<bool(const std::filesystem::path&)> leaves_out{};
 };
 
 /// Copies the files of the study `from` into `to`, to disk: those that the rows of `rows` name, whose SHA-256 is checked,

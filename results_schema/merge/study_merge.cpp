@@ -17,6 +17,7 @@
 #include "results_schema/hashes/seal.h"
 #include "results_schema/merge/merge_sources.h"
 #include "results_schema/merge/merged_rows.h"
+#include "results_schema/part_files.h"
 #include "results_schema/study.h"
 #include "results_schema/study_files.h"
 #include "results_schema/study_sharing.h"
@@ -68,8 +69,8 @@ class FilesOfSources final {
           source.database, source.study.folder(), to,
           {.words = kMergeWords,
            .new_path = [&](const std::filesystem::path& path) { return taken(source, path); },
-           .refuse_other_content =
-               [&](const std::filesystem::path& path) { refuse(source, path); }});
+           .refuse_other_content = [&](const std::filesystem::path& path) { refuse(source, path); },
+           .leaves_out = states_part});
     }
   }
 

@@ -14,6 +14,7 @@
 
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/hashes/sha256.h"
+#include "results_schema/part_files.h"
 #include "results_schema/recording.h"
 #include "results_schema/study.h"
 #include "tests/results_schema/failing_vfs.h"
@@ -373,6 +374,21 @@ TEST_F(StudyMerge, RefusesFilesThatDiffer) {
   write_file(b_ / "protocols" / "note.txt", "one", Overwrite::allow);
   Study::merge(std::vector<MergeSource>{{a_}, {b_}}, merged_, {});
   EXPECT_EQ(read_file(merged_ / "protocols" / "note.txt"), "one");
+}
+
+// The parts differ in them, and the whole is none of the parts.
+TEST_F(StudyMerge, LeavesOutTheFilesThatStateAPart) {
+  for (const char* const name : {kShardFile, kDealFile}) {
+    write_file(a_ / name, "one", Overwrite::refuse);
+    write_file(b_ / name, "other", Overwrite::refuse);
+    write_file(a_ / "protocols" / name, "of a user", Overwrite::refuse);
+  }
+  Study::merge(std::vector<MergeSource>{{a_}, {b_}}, merged_, {});
+  for (const char* const name : {kShardFile, kDealFile}) {
+    EXPECT_FALSE(std::filesystem::exists(merged_ / name)) << name;
+    EXPECT_EQ(read_file(merged_ / "protocols" / name), "of a user");
+    EXPECT_EQ(read_file(a_ / name), "one") << "of the study itself";
+  }
 }
 
 TEST_F(StudyMerge, RefusesWhatHasChanged) {
