@@ -13,6 +13,7 @@
 #include "app/cli/command.h"
 #include "app/cli/options/metadata_options.h"
 #include "app/cli/output/terminal.h"
+#include "app/shards/study_shard.h"
 #include "app/study_files/study_outputs.h"
 #include "results_schema/merge/study_merge.h"
 #include "results_schema/study.h"
@@ -93,6 +94,7 @@ void add_merge(CLI::App& program, Job& job) {
       for (const std::string& prefix : options->prefixes) apply_prefix(prefix, sources);
       Study::read_beside_writers();                   // ListedOutput is one, in this process
       Study::refuse_merge_to(sources, options->out);  // before one is written to
+      require_complete_divisions({options->studies.begin(), options->studies.end()});
       std::list<ListedOutput> listed{};
       for (const MergeSource& source : sources) {
         const Study study = Study::open(source.folder, Access::read_only);

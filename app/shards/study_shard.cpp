@@ -1,10 +1,10 @@
 #include "app/shards/study_shard.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -18,6 +18,26 @@ namespace {
 
 [[noreturn]] void refuse_study(const std::filesystem::path& path, const std::string& problem) {
   throw std::runtime_error(path.string() + ' ' + problem);
+}
+
+/// The shards of one computation with one number of shards.
+struct Division {
+  std::filesystem::path first{};
+  ShardIdentity of_first{};
+  std::map<int, std::filesystem::path> shards{};
+};
+
+/// "; STUDY is shard 2/3 of another simulation: …" for each shard of `other` in place of which `division` has none.
+std::string foreign_shards(const Division& other, const Division& division) {
+  if (other.of_first.shard.count != division.of_first.shard.count) return {};
+  std::string text{};
+  for (const auto& [index, study] : other.shards) {
+    if (division.shards.contains(index)) continue;
+    text += "; " + study.string() + " is shard " +
+            text_of(Shard{index, other.of_first.shard.count}) +
+            " of another simulation: " + difference(other.of_first, division.of_first);
+  }
+  return text;
 }
 
 }  // namespace
@@ -59,34 +79,32 @@ bool is_stored_study(const std::filesystem::path& study, const ShardIdentity& id
 }
 
 void require_complete_divisions(const std::vector<std::filesystem::path>& studies) {
-  struct Division {
-    std::filesystem::path first{};
-    Shard of_first{};
-    std::map<int, std::filesystem::path> shards{};
-  };
-  std::map<std::pair<std::string, int>, Division> divisions{};
+  std::vector<Division> divisions{};
   for (const std::filesystem::path& study : studies) {
     const std::optional<ShardIdentity> identity = study_shard(study);
     if (!identity) continue;
-    const auto& [whole, shard] = *identity;
-    Division& division = divisions[{whole.sha256(), shard.count}];
-    if (division.shards.empty()) {
-      division.first = study;
-      division.of_first = shard;
+    auto division = std::find_if(divisions.begin(), divisions.end(), [&](const Division& known) {
+      return belong_together(known.of_first, *identity);
+    });
+    if (division == divisions.end()) {
+      division = divisions.insert(divisions.end(), {.first = study, .of_first = *identity});
     }
-    const auto [place, is_new] = division.shards.try_emplace(shard.index, study);
+    const auto [place, is_new] = division->shards.try_emplace(identity->shard.index, study);
     if (is_new) continue;
     throw std::runtime_error(place->second.string() + " and " + study.string() +
-                             " are both shard " + text_of(shard) +
+                             " are both shard " + text_of(identity->shard) +
                              " of one simulation; name one of them");
   }
-  for (const auto& [key, division] : divisions) {
+  for (const Division& division : divisions) {
     std::set<int> present{};
     for (const auto& [index, study] : division.shards) present.insert(index);
-    const std::string missing = missing_shards(present, division.of_first, division.first);
+    const std::string missing = missing_shards(present, division.of_first.shard, division.first);
     if (missing.empty()) continue;
+    std::string foreign{};
+    for (const Division& other : divisions) foreign += foreign_shards(other, division);
     throw std::runtime_error("missing of the simulation of " + division.first.string() + ": " +
-                             missing + "; simulate what is missing, then name all shards");
+                             missing + foreign +
+                             "; simulate what is missing, then name all shards");
   }
 }
 

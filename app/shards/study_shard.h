@@ -26,7 +26,8 @@ bool is_stored_study(const std::filesystem::path& study, const ShardIdentity& id
 /// Refuses studies that are to be merged and include shards of a simulation, unless they include all shards of it, each once.
 /// Studies that are not shards are ignored.
 ///
-/// Errors: std::runtime_error naming the missing shards, or the two studies of one shard.
+/// Errors: std::runtime_error naming the missing shards, with those of another simulation in their place and the difference, or
+/// the two studies of one shard.
 void require_complete_divisions(const std::vector<std::filesystem::path>& studies);
 
 }  // namespace asperity

@@ -341,6 +341,18 @@ TEST_F(StudyShards, AreMergedOnlyIfAllAreThereOnce) {
         require_complete_divisions({one, two, three, again});
       }),
       AllOf(HasSubstr(two.string()), HasSubstr(again.string()), HasSubstr("are both shard 2/3")));
+  // Computed by another program, in place of the one that is missing.
+  const fs::path two_of_two = marked(
+      "b.shard-2-of-2",
+      {.whole = {.command = "simulate", .declaration = "{}", .results = 9, .program = "asperity 2"},
+       .shard = {2, 2}});
+  const fs::path one_of_two = marked("b.shard-1-of-2", shard_of({1, 2}));
+  EXPECT_THAT(
+      refusal_of([&] {
+        require_complete_divisions({one_of_two, two_of_two});
+      }),
+      HasSubstr(two_of_two.string() + " is shard 2/2 of another simulation: it was computed "
+                                      "by asperity 2, not by asperity 1; simulate"));
   // Of another simulation: its first shard is missing.
   const fs::path foreign = marked("other.shard-2-of-2", shard_of({2, 2}, "{\"seed\": 2}"));
   EXPECT_THAT(refusal_of([&] {
