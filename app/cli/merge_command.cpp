@@ -15,6 +15,7 @@
 #include "app/cli/output/terminal.h"
 #include "app/shards/study_shard.h"
 #include "app/study_files/study_outputs.h"
+#include "app/tasks/verify_places.h"
 #include "results_schema/merge/study_merge.h"
 #include "results_schema/study.h"
 
@@ -46,6 +47,13 @@ void apply_prefix(const std::string& stated, std::vector<MergeSource>& sources) 
 
 std::string number_of(std::int64_t count, const char* thing) {
   return counted(static_cast<std::size_t>(count), thing);
+}
+
+/// Only a warning: sessions of people cannot be run again at other places.
+void say_shared_places(const std::filesystem::path& merged) {
+  for (const std::string& warning : shared_places(Study::open(merged, Access::read_only))) {
+    say("asperity: warning: " + warning);
+  }
 }
 
 void say_what_remains(const MergedCounts& counts) {
@@ -111,6 +119,7 @@ void add_merge(CLI::App& program, Job& job) {
                 << ", " << number_of(counts.sessions, "session") << ", "
                 << number_of(counts.attempts, "attempt") << ", "
                 << number_of(counts.recordings, "recording") << '\n';
+      say_shared_places(options->out);
       say_what_remains(counts);
       return 0;
     };

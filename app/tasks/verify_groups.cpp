@@ -6,9 +6,8 @@
 #include <map>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "app/study_files/dealt_places.h"
+#include "app/tasks/session_origins.h"
 #include "protocols/plan/groups.h"
 
 namespace asperity {
@@ -46,19 +45,13 @@ std::map<std::string, std::vector<AssignedSession>> sessions_by_study(
   std::map<std::string, std::vector<AssignedSession>> by_study{};
   for (const SessionRow& session : sessions) {
     if (!session.group_level || session.mode == SessionMode::simulate) continue;
-    std::vector<EventRow> events = study.events(session.id);
+    const std::vector<EventRow> events = study.events(session.id);
     const bool is_dealt = dealt_place(events).has_value();
-    std::erase_if(events, [](const EventRow& event) { return event.kind != kMergedEvent; });
-    std::string key{};
-    by_study[key].push_back({session.id, &session, events.empty(), is_dealt});
-    for (std::size_t i = events.size(); i > 0; --i) {
-      const auto data = nlohmann::json::parse(events[i - 1].data_json, nullptr, false);
-      if (!data.is_object()) continue;
-      key += nlohmann::json{data.value("study", ""), data.value("created_utc", ""),
-                            data.value("source", 0)}
-                 .dump();
-      by_study[key].push_back(
-          {data.value("session_id", std::int64_t{0}), &session, i == 1, is_dealt});
+    const std::vector<SessionOrigin> origins = session_origins(events);
+    by_study[""].push_back({session.id, &session, origins.empty(), is_dealt});
+    for (const SessionOrigin& origin : origins) {
+      by_study[origin.key].push_back(
+          {origin.session_id, &session, &origin == &origins.front(), is_dealt});
     }
   }
   for (auto& [key, assigned] : by_study) {

@@ -15,4 +15,9 @@ namespace asperity {
 /// are not compared, because the protocol may have a new version.
 std::vector<std::string> place_problems(const Study& study, PlansOfSessions& plans);
 
+/// In a merged study, the places that participants of different stations have, as warnings: a sentence for each protocol that
+/// names the places and the participants. A participant has a place with an open or completed session, except after a
+/// withdrawal. Within one station a place can be that of two participants, of whom one dropped out and came back.
+std::vector<std::string> shared_places(const Study& study);
+
 }  // namespace asperity

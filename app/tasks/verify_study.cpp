@@ -445,6 +445,7 @@ VerifyResult verify_once(Study& study, const ModelBuilds& builds, bool replay_to
         for (const std::string& problem : place_problems(study, plans)) {
           result.problems.push_back(problem);
         }
+        for (const std::string& warning : shared_places(study)) result.remarks.push_back(warning);
       },
       result.problems);
   add_failure_of(

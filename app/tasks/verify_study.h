@@ -16,7 +16,7 @@ namespace asperity {
 struct VerifyResult {
   std::vector<std::string> problems{};  ///< a sentence each; empty: no problems
   std::size_t plugin_problems = 0;      ///< of the problems: plug-ins that are missing or differ
-  std::vector<std::string> remarks{};   ///< information for the user: leftovers of a crash
+  std::vector<std::string> remarks{};   ///< information for the user, such as leftovers of a crash
   int recordings_replayed = 0;
   int attempts_without_recording = 0;  ///< as those of most simulated participants
   std::vector<std::string> rules{};    ///< what was compared with what, one line per rule applied

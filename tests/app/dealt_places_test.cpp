@@ -3,6 +3,7 @@
 #include "app/study_files/dealt_places.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
@@ -15,9 +16,11 @@
 #include "app/session/session_setup.h"
 #include "app/tasks/verify_groups.h"
 #include "app/tasks/verify_places.h"
+#include "app/tasks/verify_study.h"
 #include "protocols/plan/groups.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
+#include "results_schema/merge/study_merge.h"
 #include "results_schema/part_files.h"
 #include "tests/app/small_study.h"
 #include "tests/support/refusal.h"
@@ -72,12 +75,12 @@ class Stations : public testing::Test {
     return study;
   }
   SessionRow begin(Study& study, const std::string& label, SessionMode mode = SessionMode::run,
-                   const std::optional<std::string>& group = {}) const {
+                   const std::optional<std::string>& group = {}) {
     if (!study.participant(label)) {
       study.add_participant({.label = label, .created_utc = "2026-01-01T00:00:00.000Z"});
     }
     const SessionConditions conditions{.mode = mode,
-                                       .seed = 1,
+                                       .seed = ++seed_,
                                        .group = group,
                                        .pacing = "stepped",
                                        .scheduling = "none",
@@ -95,7 +98,18 @@ class Stations : public testing::Test {
     return all;
   }
 
+  Study merged(const std::vector<std::string>& stations, const std::string& name) const {
+    std::vector<MergeSource> sources{};
+    for (const std::string& station : stations) sources.push_back({folder(station)});
+    Study::merge(sources, folder(name), {});
+    return Study::open(folder(name), Access::read_only);
+  }
+  VerifyResult verified(Study& study) const {
+    return verify_study(study, models_, false, {}, [](double) {});
+  }
+
   TemporaryFolder folder_{};
+  std::uint64_t seed_ = 0;  // of the last session
   ModelRegistry models_ = built_in_models();
   Protocol protocol_{};
 };
@@ -113,6 +127,66 @@ TEST_F(Stations, AreBalancedTogether) {
   EXPECT_EQ(participants,
             (std::map<GroupAndRow, int>{
                 {{"haptic", 0}, 3}, {{"haptic", 1}, 3}, {{"visual", 0}, 3}, {{"visual", 1}, 3}}));
+}
+
+TEST_F(Stations, StayBalancedWhenTheyAreMerged) {
+  for (const auto& [name, assignment] :
+       {std::pair{"balanced", R"("balanced")"},
+        std::pair{"permuted", R"("permuted_blocks", "seed": 8, "block_sizes": [4])"}}) {
+    set_assignment(assignment);
+    const std::vector<std::string> stations{std::string(name) + "A", std::string(name) + "B"};
+    for (int s = 0; s < 2; ++s) {
+      Study study = station(stations[s], {{6 * s + 1, 6 * s + 6}});
+      for (int i = 0; i < 6; ++i) begin(study, "AB"[s] + std::to_string(i));
+    }
+    Study whole = merged({stations[1], stations[0]}, name);
+    const VerifyResult result = verified(whole);
+    EXPECT_THAT(result.problems, IsEmpty()) << name;
+    EXPECT_THAT(result.remarks, IsEmpty()) << name;
+    EXPECT_THAT(dealt_places(folder(name)), IsEmpty()) << "a merged study is no station";
+    std::map<GroupAndRow, int> participants{};
+    for (const SessionRow& row : whole.sessions()) ++participants[assigned(row)];
+    EXPECT_EQ(participants,
+              (std::map<GroupAndRow, int>{
+                  {{"haptic", 0}, 3}, {{"haptic", 1}, 3}, {{"visual", 0}, 3}, {{"visual", 1}, 3}}))
+        << name;
+  }
+}
+
+// Finished sessions of people are merged in any case, and the merge and verify name the same places.
+TEST_F(Stations, WithTheSamePlacesAreNamedWhenTheyAreMerged) {
+  {
+    Study a = station("A", {{1, 4}});
+    Study b = station("B", {{2, 5}});
+    for (const char* const label : {"A1", "A2", "A3", "A4"}) begin(a, label);
+    for (const char* const label : {"B2", "B3", "B4"}) begin(b, label);
+    b.withdraw("B3", {.data = WithdrawnData::kept, .decided_by = "R. Keeper"});
+    EXPECT_THAT(shared_places(a), IsEmpty());
+  }
+  Study whole = merged({"A", "B"}, "merged");
+  const std::vector<std::string> warnings = shared_places(whole);
+  EXPECT_THAT(warnings,
+              ElementsAre(AllOf(HasSubstr("places of the protocol small: 2 (A2 and B2) and 4 (A4 "
+                                          "and B4). "),
+                                HasSubstr("--deal"))));
+  const VerifyResult result = verified(whole);
+  EXPECT_THAT(result.problems, IsEmpty());
+  EXPECT_EQ(result.remarks, warnings);
+}
+
+// A participant who dropped out comes back, after the place was given to the next one.
+TEST_F(Stations, MayThemselvesHaveAPlaceTwice) {
+  {
+    Study study = station("A", {{1, 2}});
+    const SessionRow first = begin(study, "A1");
+    study.end_session(first.id, SessionState::stopped, "2026-01-01T01:00:00.000Z");
+    ASSERT_EQ(dealt_place(study.events(begin(study, "A2").id)), 1);
+    ASSERT_EQ(dealt_place(study.events(begin(study, "A1").id)), 1);
+    EXPECT_THAT(shared_places(study), IsEmpty());
+    Study other = station("B", {{3, 4}});
+    begin(other, "B3");
+  }
+  EXPECT_THAT(shared_places(merged({"A", "B"}, "merged")), IsEmpty());
 }
 
 TEST_F(Stations, ContinueTheSequenceOfPermutedBlocks) {

@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "results_schema/study.h"
 #include "tests/journeys/program.h"
 #include "tests/journeys/small_study.h"
+#include "tests/results_schema/rows_for_tests.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity::test {
 namespace {
@@ -78,6 +81,38 @@ TEST(Merge, RefusesEqualLabelsUnlessOneIsPrefixed) {
   // Under the other label too.
   EXPECT_THAT(asperity({"withdraw", second.study(), "virtual0001"}).out,
               HasSubstr("merged study  " + merged.string()));
+}
+
+/// The study of a station with one participant, at a place that was dealt to it.
+fs::path station_with(const fs::path& study, const std::string& label, int place) {
+  EXPECT_EQ(asperity({"new", study}).status, 0);
+  EXPECT_EQ(asperity({"metadata", study, "--deal", std::to_string(place) + "-12"}).status, 0);
+  Study station = Study::open(study, Access::read_write);
+  station.add_participant({.label = label, .created_utc = "2026-03-01T09:00:00.000Z"});
+  SessionRow session = some_session(station.add_protocol(some_protocol()), label);
+  session.mode = SessionMode::run;
+  session.seed = std::to_string(int{label.front()});  // those of people differ
+  const std::string number = std::to_string(place);
+  station.add_event(station.add_session(session, some_plan(1)),
+                    {session.clock_zero_ns, kDealtEvent, number, "{\"place\":" + number + "}"});
+  return study;
+}
+
+// The places that were dealt are those of a station, and the study of all stations has none.
+TEST(Merge, WarnsOfPlacesThatTwoStationsHave) {
+  const TemporaryFolder folder;
+  const fs::path a = station_with(folder / "a", "A01", 1);
+  const fs::path b = station_with(folder / "b", "B01", 2);
+  const Outcome clean = asperity({"merge", a, b, "--out", folder / "clean"});
+  EXPECT_EQ(clean.status, 0) << clean.err;
+  EXPECT_THAT(clean.err, Not(HasSubstr("same places")));
+  EXPECT_FALSE(fs::exists(folder / "clean" / "deal.json"));
+  const fs::path c = station_with(folder / "c", "C01", 1);
+  const Outcome warned = asperity({"merge", a, b, c, "--out", folder / "warned"});
+  EXPECT_EQ(warned.status, 0) << warned.err;
+  EXPECT_THAT(warned.err,
+              HasSubstr("warning: participants of different stations have the same places of the "
+                        "protocol selection: 1 (A01 and C01). "));
 }
 
 TEST(Merge, TakesPrefixesOfItsStudiesOnly) {
