@@ -1,4 +1,5 @@
-// simulate --shard: the studies of all shards have the rows of the undivided one, and no other study is taken for one of them.
+// simulate --shard: the studies of all shards have the rows of the undivided one and are merged to it, and no other study is taken for
+// one of them.
 
 #include <algorithm>
 #include <csignal>
@@ -17,6 +18,8 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
 
 constexpr int kParticipants = 3;
 constexpr int kSeed = 7;
@@ -81,6 +84,58 @@ TEST_F(SimulateShards, HaveTheRowsOfTheWholeForAnyDivision) {
     EXPECT_EQ(joined, whole) << count << " shards";
   }
   EXPECT_TRUE(fs::is_empty(temporary()));
+}
+
+/// The names of the files that are not in both with the same bytes.
+std::vector<std::string> differing_files(const std::map<std::string, std::string>& one,
+                                         const std::map<std::string, std::string>& other) {
+  std::vector<std::string> names{};
+  for (const auto& [name, content] : one) {
+    const auto found = other.find(name);
+    if (found == other.end() || found->second != content) names.push_back(name);
+  }
+  for (const auto& [name, content] : other) {
+    if (!one.contains(name)) names.push_back(name);
+  }
+  return names;
+}
+
+TEST_F(SimulateShards, AreMergedToTheStudyOfTheWhole) {
+  const SmallStudy undivided(small_);
+  ASSERT_EQ(asperity(simulate_arguments(undivided, undivided.study(), kParticipants, kSeed)).status,
+            0);
+  for (const int index : {1, 2}) ASSERT_EQ(simulate(index, 2).status, 0);
+  const fs::path merged = small_.place() / "merged" / "study";
+  const Outcome outcome =
+      asperity({"merge", shard_study(2, 2), shard_study(1, 2), "--out", merged});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, Not(HasSubstr("warning")));
+
+  const fs::path merged_whole = undivided.place() / "merged" / "study";
+  ASSERT_EQ(asperity({"merge", undivided.study(), "--out", merged_whole}).status, 0);
+  const std::map<std::string, std::string> bytes = contents_of(merged);
+  EXPECT_TRUE(bytes.contains("study.sqlite"));
+  EXPECT_TRUE(bytes.contains("recordings/virtual0001"));
+  EXPECT_THAT(differing_files(bytes, contents_of(merged_whole)), IsEmpty());
+
+  const Outcome verified = asperity({"verify", merged});
+  EXPECT_EQ(verified.status, 0) << verified.err;
+  EXPECT_THAT(verified.out, Not(HasSubstr("remark")));
+  EXPECT_THAT(differing_files(exported(merged, small_.place() / "tables"),
+                              exported(undivided.study(), undivided.place() / "tables")),
+              IsEmpty());
+}
+
+TEST_F(SimulateShards, AreMergedOnlyIfNoneIsMissing) {
+  ASSERT_EQ(simulate(2, 2).status, 0);
+  const std::map<std::string, std::string> before = contents_of(shard_study(2, 2));
+  const fs::path merged = small_.place() / "merged";
+  const Outcome refused = asperity({"merge", shard_study(2, 2), "--out", merged});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("missing"), HasSubstr(shard_study(1, 2).string())));
+  EXPECT_FALSE(fs::exists(merged));
+  EXPECT_THAT(differing_files(contents_of(shard_study(2, 2)), before), IsEmpty())
+      << "an output is listed that was not made";
 }
 
 TEST_F(SimulateShards, HaveTheirOwnParticipantsOnly) {
