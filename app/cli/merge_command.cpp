@@ -1,4 +1,4 @@
-// asperity merge: one study with the participants of several, such as those of the stations of an experiment.
+// asperity merge: one study with the participants of several: of the stations of an experiment, or of the shards of a simulation.
 
 #include <algorithm>
 #include <filesystem>
@@ -79,7 +79,8 @@ void add_merge(CLI::App& program, Job& job) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
-      "merge", "Merge the studies of several stations into a new study with all participants.");
+      "merge",
+      "Merge the studies of stations, or of all shards of a simulation, into a new study.");
   command->add_option("STUDY", options->studies, "Folders of the studies, in any order")
       ->required();
   command->add_option("--out", options->out, "Folder of the merged study, which must not exist yet")
