@@ -292,7 +292,9 @@ TEST_F(StudyMerge, CarriesASessionThatCanBeResumed) {
 TEST_F(StudyMerge, RefusesALabelThatTwoPeopleHave) {
   const std::filesystem::path other = station(folder_ / "c", {"P2"});
   change(other, "UPDATE participant SET created_utc = '2026-04-05T06:07:08.009Z', age_years = 50");
-  change(other, "DROP TRIGGER session_only_changes_state; UPDATE session SET seed = '5'");
+  change(other,
+         "DROP TRIGGER session_only_changes_state; DROP TRIGGER session_completed_stays;"
+         "UPDATE session SET seed = '5'");
   EXPECT_THAT(refusal({{b_}, {other}}),
               AllOf(HasSubstr("both have a participant P2, added to " + b_.string() +
                               " at 2026-03-01T09:00:00.002Z and to " + other.string() +

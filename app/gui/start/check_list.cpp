@@ -58,7 +58,7 @@ CheckList::CheckList(QWidget* parent) : QWidget(parent) {
   summary_->setObjectName("check_summary");
   layout->addWidget(summary_);
   note_ = make_text({}, this, true);
-  note_->setObjectName("check_note");
+  note_->setObjectName("note_of_checks");
   note_->hide();
   layout->addWidget(note_);
   course_ = new QWidget(this);

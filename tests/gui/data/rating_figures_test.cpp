@@ -266,7 +266,7 @@ TEST(BiplotFigure, SaysWhyThereIsNoPlane) {
   TidyInput few{};
   few.tables.emplace_back("item,scale,score\na,rough,1\na,hard,2\nb,rough,2\nb,hard,1\n", "m.csv");
   findings = tidy_family("components").findings(few);
-  EXPECT_NE(biplot_figure(FoundNumbers(findings)).instead.english().find("at least three items"),
+  EXPECT_NE(biplot_figure(FoundNumbers(findings)).instead.english().find("at least 3 items"),
             std::string::npos);
   EXPECT_FALSE(biplot_figure(FoundNumbers()).is_drawn());
 }
