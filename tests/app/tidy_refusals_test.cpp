@@ -759,7 +759,8 @@ TEST(TidyFamilies, RefuseAnOptionThatTheyDoNotHaveAndSayWhichIsMeant) {
   };
   EXPECT_EQ(refusal("rating", "item"), "rating has no option \"item\"; did you mean \"items\"?");
   EXPECT_EQ(refusal("rating", "target"),
-            "rating has no option \"target\"; choose one of: items (all that were rated), conf; parts: all, items");
+            "rating has no option \"target\"; choose one of: items (all that were rated), conf; "
+            "parts: all, items");
   EXPECT_EQ(refusal("power", "conf"), "power has no option \"conf\"; leave it out");
   EXPECT_EQ(refusal("rating", "items"), "");
 }
