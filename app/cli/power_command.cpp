@@ -24,6 +24,7 @@
 #include "app/cli/output/terminal.h"
 #include "app/cli/signals.h"
 #include "app/plugins/plugin_files.h"
+#include "app/power/calibration.h"
 #include "app/power/curve/effect_levels.h"
 #include "app/power/curve/ethics_sentence.h"
 #include "app/power/curve/simulate_power.h"
@@ -31,8 +32,10 @@
 #include "app/power/simulated_run.h"
 #include "app/study_files/program.h"
 #include "app/tasks/protocol_files.h"
+#include "app/words/text_parts.h"
 #include "protocols/file/diagnostic.h"
 #include "results_schema/hashes/sha256.h"
+#include "results_schema/study.h"
 #include "results_schema/tables/table.h"
 #ifdef ASPERITY_WITH_WINDOWS
 #include "app/figures/figure_files.h"
@@ -53,6 +56,7 @@ struct PowerOptions {
   std::string participants{};
   std::vector<std::string> effects{};
   std::string effect_source = kStatedSource;
+  std::string calibrated_by{};
   std::string assumptions{};
   std::vector<std::string> assumed{};
   bool list_assumptions = false;
@@ -99,6 +103,22 @@ std::vector<StatedEffect> effects_of(const PowerOptions& options) {
     }
   }
   return stated;
+}
+
+/// Takes what the responses of a study show, and prints what that is.
+std::vector<Assumption> calibrated_by(const std::string& folder, const Protocol& protocol,
+                                      const std::vector<Assumption>& usual) {
+  const Study study = Study::open(folder, Access::read_only);
+  std::vector<Assumption> calibrated = calibrated_by_study(usual, protocol, study);
+  say_condition(study);
+  std::vector<std::string> taken{};
+  for (std::size_t i = 0; i < usual.size(); ++i) {
+    if (calibrated[i].source != usual[i].source) taken.push_back(calibrated[i].name);
+  }
+  say(taken.empty() ? "asperity: warning: the responses of the study " + folder +
+                          " show none of the assumptions; all keep their usual values"
+                    : "asperity: taken from the study " + folder + ": " + listed(taken));
+  return calibrated;
 }
 
 /// Sets what --assume states.
@@ -215,6 +235,9 @@ int run_power(const PowerOptions& options) {
       check_protocol(options.protocol, registry, std::nullopt, std::nullopt);
   if (!check.diagnostics.empty()) throw ProtocolError(check.diagnostics);
   std::vector<Assumption> assumptions = assumptions_of(*check.protocol);
+  if (!options.calibrated_by.empty()) {
+    assumptions = calibrated_by(options.calibrated_by, *check.protocol, assumptions);
+  }
   if (!options.assumptions.empty()) {
     assumptions = with_assumptions_of_file(std::move(assumptions), options.assumptions);
   }
@@ -278,14 +301,18 @@ void add_power(CLI::App& program, Job& job) {
           "--effect-source", options->effect_source,
           "Where the values of --effect are from; one that begins with \"pilot\" is marked")
       ->capture_default_str();
-  command->add_option("--assumptions", options->assumptions,
-                      "File with assumptions in place of the usual ones (JSON, as printed by "
-                      "--list-assumptions)");
   command
-      ->add_option(
-          "--assume", options->assumed,
-          "Value of one assumption, NAME=VALUE in its unit, in place of that of the file or "
-          "the usual one; may be given several times")
+      ->add_option("--calibrate", options->calibrated_by,
+                   "Study whose responses show assumptions that take the place of the usual ones: "
+                   "a pilot, or a simulated study; effects are never taken from it")
+      ->option_text("STUDY");
+  command->add_option("--assumptions", options->assumptions,
+                      "File with assumptions in place of the usual ones and those of --calibrate "
+                      "(JSON, as printed by --list-assumptions)");
+  command
+      ->add_option("--assume", options->assumed,
+                   "Value of one assumption, NAME=VALUE in its unit, in place of that of the file, "
+                   "the study or the usual one; may be given several times")
       ->option_text("NAME=VALUE")
       ->allow_extra_args(false);
   command->add_flag("--list-assumptions", options->list_assumptions,

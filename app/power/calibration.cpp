@@ -1,12 +1,14 @@
 #include "app/power/calibration.h"
 
 #include <algorithm>
-#include <array>
+#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/number_text.h"
 #include "app/findings/study/study_analysis.h"
 #include "app/power/power_tables.h"
+#include "app/study_files/study_condition.h"
 #include "results_schema/study.h"
 
 namespace asperity {
@@ -36,6 +38,32 @@ const char* text_of_group(AnswerGroup group) {
   return "";
 }
 
+/// The responses of a group to this version of the protocol, or otherwise to the last one to which it responded: two versions would
+/// give two values of one assumption.
+std::vector<GatheredAnswers> of_one_version(const std::vector<GatheredAnswers>& all,
+                                            AnswerGroup group, const std::string& version) {
+  std::vector<GatheredAnswers> taken{};
+  for (const GatheredAnswers& each : all) {
+    if (each.group != group) continue;
+    if (!taken.empty() && taken.front().version != each.version) {
+      if (taken.front().version == version) continue;
+      taken.clear();
+    }
+    taken.push_back(each);
+  }
+  return taken;
+}
+
+/// "pilot study-a, 8 participants"; with the version of the protocol where that is another one.
+std::string source_of(const Study& study, const std::vector<GatheredAnswers>& taken,
+                      const std::string& version) {
+  const GatheredAnswers& first = taken.front();
+  std::string source = text_of_group(first.group) +
+                       std::filesystem::weakly_canonical(study.folder()).filename().string();
+  if (first.version != version) source += ", version " + first.version + " of the protocol";
+  return source + ", " + counted(first.count.participants, "participant", "participants");
+}
+
 }  // namespace
 
 std::vector<Assumption> calibrated(std::vector<Assumption> assumptions, const Protocol& protocol,
@@ -60,24 +88,19 @@ std::vector<Assumption> calibrated(std::vector<Assumption> assumptions, const Pr
 }
 
 std::vector<Assumption> calibrated_by_study(std::vector<Assumption> assumptions,
-                                            const Protocol& protocol,
-                                            const std::filesystem::path& study) {
-  const Study opened = Study::open(study, Access::read_only);
-  std::vector<GatheredAnswers> all = gather_answers(opened, protocol.name, {});
+                                            const Protocol& protocol, const Study& study) {
+  std::vector<GatheredAnswers> all{};
+  read_unless_broken(study, [&] { all = gather_answers(study, protocol.name, {}); }, {});
   std::erase_if(all, [](const GatheredAnswers& each) { return each.answers.empty(); });
   for (const AnswerGroup group :
        {AnswerGroup::pilot, AnswerGroup::people, AnswerGroup::virtual_participants}) {
-    std::vector<GatheredAnswers> of_group{};
-    std::copy_if(all.begin(), all.end(), std::back_inserter(of_group),
-                 [group](const GatheredAnswers& each) { return each.group == group; });
-    if (of_group.empty()) continue;
-    const std::string source = text_of_group(group) + study.filename().string() + ", " +
-                               std::to_string(of_group.front().count.participants) +
-                               " participants";
-    return calibrated(std::move(assumptions), protocol, of_group, source);
+    const std::vector<GatheredAnswers> taken = of_one_version(all, group, protocol.version);
+    if (taken.empty()) continue;
+    return calibrated(std::move(assumptions), protocol, taken,
+                      source_of(study, taken, protocol.version));
   }
-  throw std::runtime_error("the study " + study.string() + " has no responses to the protocol \"" +
-                           protocol.name +
+  throw std::runtime_error("the study " + study.folder().string() +
+                           " has no responses to the protocol \"" + protocol.name +
                            "\" from which assumptions could be taken; state a "
                            "study in which this protocol was run, piloted or simulated");
 }

@@ -2,7 +2,6 @@
 
 #pragma once
 
-#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "app/findings/study/gathered_answers.h"
 #include "app/power/assumption.h"
 #include "protocols/design/protocol.h"
+#include "results_schema/study.h"
 
 namespace asperity {
 
@@ -22,10 +22,10 @@ std::vector<Assumption> calibrated(std::vector<Assumption> assumptions, const Pr
                                    const std::string& source);
 
 /// The same with the responses of a study to a protocol of this name: those of pilot sessions if there are any, or otherwise of
-/// persons, or of virtual participants. The source names the study and the number of participants. Errors:
-/// std::runtime_error where the study has no such responses; ResultsError.
+/// persons, or of virtual participants; to this version of it if there are any, or otherwise to the last one. The source names the
+/// study, another version and the number of participants. Errors: std::runtime_error where the study has no such responses;
+/// ResultsError, also for a damaged study.
 std::vector<Assumption> calibrated_by_study(std::vector<Assumption> assumptions,
-                                            const Protocol& protocol,
-                                            const std::filesystem::path& study);
+                                            const Protocol& protocol, const Study& study);
 
 }  // namespace asperity

@@ -89,7 +89,10 @@ TEST(Calibration, NeedsAStudyOfTheProtocol) {
   const Protocol protocol =
       read_protocol(test::library_text("amplitude_jnd"), "file", test::models_of_library());
   EXPECT_THAT(
-      [&] { calibrated_by_study(assumptions_of(protocol), protocol, made.folder()); },
+      [&] {
+        calibrated_by_study(assumptions_of(protocol), protocol,
+                            Study::open(made.folder(), Access::read_only));
+      },
       ThrowsMessage<std::runtime_error>(AllOf(HasSubstr(protocol.name), HasSubstr("piloted"))));
 }
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""asperity power: assumptions, simulated studies that are kept and extended, refusals. Argument: the program asperity."""
+"""asperity power: assumptions, also of a study, simulated studies that are kept and extended, refusals. Argument: the program asperity."""
 import json
+import math
 import pathlib
 import subprocess
 import sys
@@ -26,6 +27,11 @@ def done(*arguments):
 def refused(status, sentence, *arguments):
     result = power(*arguments)
     assert result.returncode == status and sentence in result.stderr, (status, sentence, result)
+
+
+def new_study(folder):
+    subprocess.run([PROGRAM, "new", folder], check=True, capture_output=True)
+    return folder
 
 
 def simulated(folder, runs, *arguments):
@@ -69,6 +75,22 @@ with tempfile.TemporaryDirectory() as folder:
     stated.write_text(json.dumps(list(listed.values())), encoding="utf-8")
     marked = done("--participants", 4, "--seed", 3, "--runs", 2, "--assumptions", stated)
     assert f"the effect {EFFECT} is taken from a pilot (pilot of 8 participants)" in marked.stderr, marked.stderr
+
+    # A simulated study shows everything but the effect; what is stated has precedence.
+    study = new_study(folder / "simulated pilot")
+    subprocess.run([PROGRAM, "simulate", PROTOCOL, "--study", study, "--participants", "2", "--seed", "1", "--recordings", "none"], check=True,
+                   capture_output=True)
+    result = done("--calibrate", f"{study}/", "--assume", "lapse=0.05", "--list-assumptions")
+    calibrated = {entry["name"]: entry for entry in json.loads(result.stdout)}
+    threshold = calibrated["comparisons.rougher.threshold"]
+    assert threshold["source"] == "simulated study simulated pilot, 2 participants", threshold
+    # The geometric mean of the JNDs at d′ = 1 that asperity analyze states, 13.9 µm and 9.55 µm.
+    assert math.isclose(threshold["value"], 11.5e-6, rel_tol=0.1), threshold
+    assert not math.isclose(listed[threshold["name"]]["value"], 11.5e-6, rel_tol=0.1), listed[threshold["name"]]
+    assert calibrated[EFFECT]["value"] is None, calibrated[EFFECT]
+    assert calibrated["comparisons.rougher.lapse"]["source"] == "stated", calibrated["comparisons.rougher.lapse"]
+    assert f"taken from the study {study}/: " in result.stderr and threshold["name"] in result.stderr, result.stderr
+    refused(1, "has no responses to the protocol", "--calibrate", new_study(folder / "empty"), "--list-assumptions")
 
 refused(1, f"{EFFECT} has no value", "--participants", 4, "--seed", 3, "--assume", "order_sd=0.3")
 refused(2, f"its effects are {EFFECT} (d′)", "--participants", 4, "--seed", 3, "--effect", "difference=1")
