@@ -57,7 +57,7 @@ void add_gather(CLI::App& program, Job& job) {
       }
       const GatheredTable whole = gathered(options->shards);
       write_whole(options->out, whole, options->force ? Overwrite::allow : Overwrite::refuse);
-      std::cout << options->out.string() << ": " << counted(whole.whole.results, "row") << " of "
+      std::cout << options->out.string() << ": " << counted(whole.rows, "row") << " of "
                 << whole.whole.command << ", from "
                 << counted(static_cast<std::size_t>(whole.shards), "shard") << '\n';
       return 0;

@@ -16,7 +16,7 @@ struct DividedComputation {
   std::string command{};  ///< the subcommand, such as "sweep"
   std::string
       declaration{};  ///< JSON text of everything that determines the bytes of the result, except the program
-  std::size_t results = 0;  ///< rows of the whole table, participants of the whole simulation
+  std::size_t results = 0;  ///< of the whole: rows of a sweep, participants of a simulation
   std::string program{};    ///< numerical_identity() of the program that computes it
 
   /// Identifies the computation: of all members.

@@ -1,5 +1,6 @@
 #include "app/shards/table_shard.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <optional>
 #include <set>
@@ -16,7 +17,7 @@ namespace asperity {
 
 namespace {
 
-constexpr const char* kNumberColumn = "row";
+constexpr const char* kNumberColumn = "result";
 constexpr std::string_view kDigestLine = "sha256\t";
 
 [[noreturn]] void refuse_file(const std::filesystem::path& file, const std::string& problem) {
@@ -41,7 +42,7 @@ std::optional<std::string_view> content_of(std::string_view text) {
   return text.substr(content.size()) == expected ? std::optional(content) : std::nullopt;
 }
 
-/// Without the number of its row.
+/// Without the number of its result.
 std::string_view after_number(std::string_view line) { return line.substr(line.find('\t') + 1); }
 
 /// Of a content whose SHA-256 holds.
@@ -50,7 +51,7 @@ TableShard shard_from(std::string_view content) {
   read.heading = after_number(next_line(content));
   while (!content.empty()) {
     const std::string_view line = next_line(content);
-    read.lines[std::stoull(std::string(line))] = after_number(line);
+    read.lines[std::stoull(std::string(line))].append(after_number(line)) += '\n';
   }
   return read;
 }
@@ -76,15 +77,18 @@ TableShard table_shard(ShardIdentity identity, const Table& table,
   const std::string text = tsv_of(table);
   std::string_view rest = text;
   made.heading = next_line(rest);
-  for (const std::size_t number : numbers) made.lines[number] = next_line(rest);
+  for (const std::size_t number : numbers) made.lines[number].append(next_line(rest)) += '\n';
   return made;
 }
 
 std::string text_of(const TableShard& shard) {
   std::string text =
       json_of(shard.identity).dump() + '\n' + kNumberColumn + '\t' + shard.heading + '\n';
-  for (const auto& [number, line] : shard.lines) {
-    text += std::to_string(number) + '\t' + line + '\n';
+  for (const auto& [number, lines] : shard.lines) {
+    for (std::string_view rest = lines; !rest.empty();) {
+      text += std::to_string(number) + '\t';
+      text.append(next_line(rest)) += '\n';
+    }
   }
   return text + std::string(kDigestLine) + sha256_of(text) + '\n';
 }
@@ -153,11 +157,13 @@ GatheredTable gathered(const std::vector<std::filesystem::path>& files) {
                       .table = first->shard.heading + '\n'};
   std::map<std::size_t, std::string> lines{};
   for (auto& [index, one] : shards) lines.merge(one.shard.lines);
-  for (const auto& [number, line] : lines) whole.table += line + '\n';
+  for (const auto& [number, rows] : lines) whole.table += rows;
+  whole.rows =
+      static_cast<std::size_t>(std::count(whole.table.begin(), whole.table.end(), '\n')) - 1;
   if (lines.size() != whole.whole.results) {
     throw std::runtime_error("the shards have " + std::to_string(lines.size()) + " of " +
                              std::to_string(whole.whole.results) +
-                             " rows, although none of them is missing; compute them again");
+                             " results, although none of them is missing; compute them again");
   }
   return whole;
 }

@@ -14,19 +14,20 @@
 
 namespace asperity {
 
-/// The rows of one shard.
+/// The results of one shard, each of which is one row of the table or several.
 ///
 /// The file (docs/shards.md) is text: a line of JSON that names the computation and the shard, the table with the number of
-/// each row in the whole in front of it, and the SHA-256 of all that, which reveals any damage.
+/// its result in front of each row, and the SHA-256 of all that, which reveals any damage.
 struct TableShard {
   ShardIdentity identity{};
-  std::string heading{};                       ///< the line of column names of the whole table
-  std::map<std::size_t, std::string> lines{};  ///< by the number of the row in the whole, from 0
+  std::string heading{};  ///< the line of column names of the whole table, without its end
+  /// The rows of each result, by its number in the whole, from 0; each with its end.
+  std::map<std::size_t, std::string> lines{};
 
   bool operator==(const TableShard&) const = default;
 };
 
-/// `table` has the rows of the shard, and `numbers` the number of each in the whole table.
+/// `table` has the rows of the shard, and `numbers` the number of each one's result in the whole.
 TableShard table_shard(ShardIdentity identity, const Table& table,
                        const std::vector<std::size_t>& numbers);
 
@@ -52,6 +53,7 @@ void store(const std::filesystem::path& file, const TableShard& shard, Overwrite
 struct GatheredTable {
   DividedComputation whole{};
   int shards = 0;
+  std::size_t rows = 0;
   std::string table{};  ///< the bytes of the table that the undivided command writes
 };
 

@@ -110,7 +110,7 @@ TEST_F(SweepShards, ComputeTheirOwnSpacingsOnly) {
   const TableShard second = read_table_shard(compute(small_order(), {2, 3}));
   // Spacings 1 and 4 of 7, for both forces.
   std::vector<std::size_t> numbers{};
-  for (const auto& [number, line] : second.lines) numbers.push_back(number);
+  for (const auto& [number, lines] : second.lines) numbers.push_back(number);
   EXPECT_EQ(numbers, (std::vector<std::size_t>{1, 4, 8, 11}));
   EXPECT_EQ(second.identity.whole.results, 14U);
 }
@@ -193,6 +193,23 @@ TEST_F(TableShards, AreJoinedInTheOrderOfTheirRows) {
   EXPECT_EQ(gathered({two, one}).table, "name\nrow 0\nrow 1\nrow 2\nrow 3\nrow 4\n");
 }
 
+TEST_F(TableShards, HaveSeveralRowsOfAResult) {
+  const auto part = [](const Shard& shard, const std::vector<std::size_t>& numbers) {
+    Table table{.columns = {"name"}};
+    for (std::size_t row = 0; row < numbers.size(); ++row) {
+      table.rows.push_back({std::to_string(numbers[row]) + ", row " + std::to_string(row)});
+    }
+    return table_shard({{.command = "made_up", .declaration = "{}", .results = 3}, shard}, table,
+                       numbers);
+  };
+  const TableShard first = part({1, 2}, {0, 0, 2});
+  const fs::path one = stored("one", first);
+  EXPECT_EQ(read_table_shard(one), first);
+  const GatheredTable joined = gathered({stored("two", part({2, 2}, {1, 1})), one});
+  EXPECT_EQ(joined.table, "name\n0, row 0\n0, row 1\n1, row 0\n1, row 1\n2, row 2\n");
+  EXPECT_EQ(joined.rows, 5U);
+}
+
 TEST_F(TableShards, AreReadAsTheyWereStored) {
   const TableShard shard = shard_of({2, 3}, "{\n  \"a tab\": \"\\t\", \"é\": 0.1\n}\n");
   EXPECT_EQ(read_table_shard(stored("shard", shard)), shard);
@@ -254,7 +271,7 @@ TEST_F(TableShards, MayBeNamedTwiceWithTheSameBytesOnly) {
   const fs::path two = stored("two", shard_of({2, 2}));
   EXPECT_EQ(gathered({one, two, copy}).table, gathered({one, two}).table);
   TableShard changed = shard_of({1, 2});
-  changed.lines[2] = "another row";
+  changed.lines[2] = "another row\n";
   const fs::path other = stored("other", changed);
   EXPECT_THAT(refusal_of([&] {
                 (void)gathered({one, two, other});
@@ -268,7 +285,7 @@ TEST_F(TableShards, AreStoredTwiceWithTheSameBytesOnly) {
   const std::string before = text_in(file);
   store(file, shard_of({1, 2}), Overwrite::refuse);
   TableShard changed = shard_of({1, 2});
-  changed.lines[2] = "another row";
+  changed.lines[2] = "another row\n";
   EXPECT_THAT(refusal_of([&] { store(file, changed, Overwrite::refuse); }),
               AllOf(HasSubstr(file.string()), HasSubstr("other bytes")));
   EXPECT_EQ(text_in(file), before);
