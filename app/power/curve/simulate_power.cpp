@@ -1,38 +1,25 @@
 #include "app/power/curve/simulate_power.h"
 
 #include <algorithm>
-#include <chrono>
-#include <condition_variable>
-#include <exception>
-#include <map>
-#include <memory>
-#include <mutex>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <thread>
 #include <utility>
 
 #include "app/power/curve/study_rows.h"
-#include "results_schema/error_text.h"
 #include "results_schema/files/growing_file.h"
-#include "results_schema/study_sharing.h"
 
 namespace asperity {
 
 namespace {
 
-constexpr auto kBetweenWrites = std::chrono::seconds(1);
-constexpr std::int64_t kAhead = 4096;  // studies that wait for an earlier one to be written
-
 /// The table of studies, with its declaration next to it.
 class StudiesTable final {
  public:
   StudiesTable(const PowerOrder& order, const PowerFiles& files)
-      : order_(order),
-        path_(files.folder / kStudiesFile),
-        file_(made(files.folder) / kStudiesFile) {
-    const std::filesystem::path beside = files.folder / kDeclarationFile;
+      : order_(order), path_(files.studies()), file_(with_folder(files)) {
+    const std::filesystem::path beside = files.declaration();
     const std::string declaration = declaration_of(order);
     const bool is_declared = std::filesystem::exists(beside);
     std::string foreign{};
@@ -86,19 +73,19 @@ class StudiesTable final {
 
   std::int64_t first() const noexcept { return first_; }
 
-  void append(const std::string& rows) { file_.append(rows); }
+  /// Keeps the rows of a study for `write`.
+  void add(const StudyPlace& place, std::span<const SimulatedOutcome> outcomes) {
+    rows_ += rows_of(order_, place, outcomes);
+  }
+  void write() {
+    const std::string rows = std::exchange(rows_, {});
+    if (!rows.empty()) file_.append(rows);
+  }
 
  private:
-  static const std::filesystem::path& made(const std::filesystem::path& folder) {
-    std::filesystem::path named = std::filesystem::absolute(folder).lexically_normal();
-    if (!named.has_filename()) named = named.parent_path();  // "FOLDER/"
-    if (!std::filesystem::is_directory(named.parent_path())) {
-      throw std::runtime_error("there is no folder " + named.parent_path().string() + " for " +
-                               named.filename().string() +
-                               "; create it first, or choose another --out");
-    }
-    make_folders(named);
-    return folder;
+  static std::filesystem::path with_folder(const PowerFiles& files) {
+    make_folder(files);
+    return files.studies();
   }
 
   [[noreturn]] void refuse(std::size_t line) const {
@@ -112,121 +99,7 @@ class StudiesTable final {
   std::filesystem::path path_;
   GrowingFile file_;
   std::int64_t first_ = 0;
-};
-
-/// The studies from `first` to `last`, which are tallied and written in their order.
-class PowerWork final {
- public:
-  struct Span {
-    std::int64_t first = 0;
-    std::int64_t last = 0;
-  };
-
-  PowerWork(const PowerOrder& order, const SimulateStudy& simulate, Span span, PowerTally& tally,
-            StudiesTable* table, const std::stop_token& stop,
-            const std::function<void(double)>& progress)
-      : order_(order),
-        simulate_(simulate),
-        last_(span.last),
-        tally_(tally),
-        table_(table),
-        stop_(stop),
-        progress_(progress),
-        next_(span.first),
-        settled_(span.first) {}
-
-  /// Returns the number of studies that are settled, those before the first included.
-  std::int64_t done(int jobs) {
-    {
-      std::vector<std::jthread> workers{};
-      for (int job = 1; job < jobs; ++job) workers.emplace_back([this] { work(); });
-      work();
-    }
-    write();
-    if (failure_) std::rethrow_exception(failure_);
-    return settled_;
-  }
-
- private:
-  bool is_ended() const { return stop_.stop_requested() || failure_ || next_ >= last_; }
-
-  void work() {
-    for (;;) {
-      std::unique_lock lock(mutex_);
-      moved_.wait(lock, [this] { return is_ended() || next_ < settled_ + kAhead; });
-      if (is_ended()) return;
-      const std::int64_t index = next_++;
-      lock.unlock();
-      try {
-        std::vector<SimulatedOutcome> outcomes = simulated(index);
-        lock.lock();
-        waiting_[index] = std::move(outcomes);
-        settle();
-      } catch (...) {
-        if (!lock.owns_lock()) lock.lock();
-        if (!failure_) failure_ = std::current_exception();
-      }
-      lock.unlock();
-      moved_.notify_all();
-    }
-  }
-
-  std::vector<SimulatedOutcome> simulated(std::int64_t index) const {
-    const StudyPlace place = place_of(order_, index);
-    const int participants = order_.participants[place.size];
-    try {
-      std::vector<SimulatedOutcome> outcomes =
-          simulate_(place.effect, participants, order_.seed, place.run);
-      if (outcomes.empty()) {
-        throw std::runtime_error(
-            "the analysis has no test; declare the tests of the protocol under analysis.family");
-      }
-      return outcomes;
-    } catch (const std::exception& error) {
-      throw std::runtime_error("the simulated study of run " + std::to_string(place.run) +
-                               " with " + std::to_string(participants) + " participants and " +
-                               order_.effects[place.effect] + ": " + message_of(error));
-    }
-  }
-
-  // Under the lock: the studies that follow those that are settled. None after a failure, which may be one to write: the table would
-  // have a gap.
-  void settle() {
-    if (failure_) return;
-    for (auto next = waiting_.begin(); next != waiting_.end() && next->first == settled_;
-         next = waiting_.erase(next)) {
-      const StudyPlace place = place_of(order_, settled_);
-      tally_.add(place, next->second);
-      if (table_ != nullptr) rows_ += rows_of(order_, place, next->second);
-      ++settled_;
-    }
-    const auto now = std::chrono::steady_clock::now();
-    if (now - written_ < kBetweenWrites) return;
-    write();
-    written_ = now;
-  }
-
-  void write() {
-    const std::string rows = std::exchange(rows_, {});
-    if (!rows.empty()) table_->append(rows);
-    if (progress_) progress_(static_cast<double>(settled_) / static_cast<double>(last_));
-  }
-
-  const PowerOrder& order_;
-  const SimulateStudy& simulate_;
-  std::int64_t last_;
-  PowerTally& tally_;
-  StudiesTable* table_;
-  std::stop_token stop_;
-  const std::function<void(double)>& progress_;
-  std::mutex mutex_{};  // guards the following members
-  std::condition_variable moved_{};
-  std::int64_t next_;
-  std::int64_t settled_;
-  std::map<std::int64_t, std::vector<SimulatedOutcome>> waiting_{};
-  std::string rows_{};  ///< settled and not yet in the table
-  std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
-  std::exception_ptr failure_{};
+  std::string rows_{};  ///< not yet in the file
 };
 
 }  // namespace
@@ -236,19 +109,25 @@ SimulatedPower simulate_power(const PowerOrder& order, const SimulateStudy& simu
                               const std::function<void(double)>& progress) {
   require_order(order);
   PowerTally tally(order);
-  std::unique_ptr<StudiesTable> table{};
+  std::optional<StudiesTable> table{};
   SimulatedPower power{};
+  StudyReceiver receiver{
+      .add = [&](const StudyPlace& place, std::span<const SimulatedOutcome> outcomes) {
+        tally.add(place, outcomes);
+        if (table) table->add(place, outcomes);
+      }};
   if (files) {
-    table = std::make_unique<StudiesTable>(order, *files);
+    table.emplace(order, *files);
     power.there = table->resume(tally);
+    receiver.write = [&table] { table->write(); };
   }
   const std::int64_t of_run = studies_per_run(order);
   const std::int64_t runs = std::max(order.runs, (power.there + of_run - 1) / of_run);
-  const PowerWork::Span span{.first = table ? table->first() : 0, .last = runs * of_run};
-  PowerWork work(order, simulate, span, tally, table.get(), stop, progress);
-  const std::int64_t settled = work.done(jobs);
+  const StudyRange range{.first = table ? table->first() : 0, .last = runs * of_run};
+  const std::int64_t settled =
+      simulate_studies(order, simulate, range, jobs, receiver, stop, progress);
   power.runs = settled / of_run;
-  power.is_complete = settled == span.last;
+  power.is_complete = settled == range.last;
   power.curves = tally.curves();
   return power;
 }
