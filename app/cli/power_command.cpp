@@ -20,6 +20,7 @@
 #include "app/cli/options/number_list.h"
 #include "app/cli/options/number_option.h"
 #include "app/cli/options/plugin_option.h"
+#include "app/cli/options/shard_option.h"
 #include "app/cli/output/power_output.h"
 #include "app/cli/output/terminal.h"
 #include "app/cli/signals.h"
@@ -27,6 +28,7 @@
 #include "app/power/calibration.h"
 #include "app/power/curve/effect_levels.h"
 #include "app/power/curve/ethics_sentence.h"
+#include "app/power/curve/power_shard.h"
 #include "app/power/curve/simulate_power.h"
 #include "app/power/power_model.h"
 #include "app/power/simulated_run.h"
@@ -65,6 +67,7 @@ struct PowerOptions {
   int jobs = 0;
   Attrition attrition{};
   std::string out{};
+  std::optional<Shard> shard{};
   std::string plot{};
   bool force = false;
   bool json = false;
@@ -181,6 +184,44 @@ void say_warnings(const PowerReport& report) {
   }
 }
 
+SimulateStudy simulation_by(const std::vector<PowerModel>& models) {
+  return [&models](std::size_t effect, int participants, std::uint64_t seed, std::int64_t run) {
+    return simulate_and_analyse(models[effect], participants, seed, run);
+  };
+}
+
+int jobs_of(const PowerOptions& options) {
+  return options.jobs > 0 ? options.jobs
+                          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+/// Simulates the runs of one shard. Power is that of all runs.
+int run_shard(const PowerReport& report, const std::vector<PowerModel>& models,
+              const PowerOptions& options) {
+  const Shard& shard = *options.shard;
+  const PowerFiles files{.folder = options.out, .overwrite = options.overwrite()};
+  PowerShard outcome{};
+  {
+    const InterruptWatch interrupt("stopping; the shard is not written");
+    Progress progress("simulating studies");
+    outcome = simulate_power_shard(report.order, shard, simulation_by(models), jobs_of(options),
+                                   files, interrupt.token(),
+                                   [&progress](double fraction) { progress.show(fraction); });
+  }
+  if (outcome == PowerShard::stopped) {
+    say("asperity: shard " + text_of(shard) +
+        " was stopped and nothing was written; repeat the command to simulate it");
+    return 1;
+  }
+  const auto runs = static_cast<std::size_t>(report.order.runs);
+  std::cout << shard_path(files.studies(), shard).string() << ": shard " << text_of(shard) << ", "
+            << (outcome == PowerShard::stored_before
+                    ? "already simulated by an earlier command"
+                    : counted(shard.number_of(runs), "run") + " of " + std::to_string(runs))
+            << '\n';
+  return 0;
+}
+
 /// Simulates the studies of the report, and prints where they are when it is stopped. The models are those of its levels.
 void simulate(PowerReport& report, const std::vector<PowerModel>& models,
               const PowerOptions& options) {
@@ -188,18 +229,12 @@ void simulate(PowerReport& report, const std::vector<PowerModel>& models,
   if (!options.out.empty()) {
     files = PowerFiles{.folder = options.out, .overwrite = options.overwrite()};
   }
-  const int jobs = options.jobs > 0
-                       ? options.jobs
-                       : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const InterruptWatch interrupt(files ? "stopping; simulated studies are kept"
                                        : "stopping; without --out nothing is kept");
   Progress progress("simulating studies");
-  report.power = simulate_power(
-      report.order,
-      [&models](std::size_t effect, int participants, std::uint64_t seed, std::int64_t run) {
-        return simulate_and_analyse(models[effect], participants, seed, run);
-      },
-      jobs, files, interrupt.token(), [&progress](double fraction) { progress.show(fraction); });
+  report.power =
+      simulate_power(report.order, simulation_by(models), jobs_of(options), files,
+                     interrupt.token(), [&progress](double fraction) { progress.show(fraction); });
 }
 
 void say_stopped(const PowerReport& report, const PowerOptions& options) {
@@ -258,6 +293,7 @@ int run_power(const PowerOptions& options) {
   }
   report.rules.multiple = static_cast<std::size_t>(models.front().multiple());
   say_warnings(report);
+  if (options.shard) return run_shard(report, models, options);
   simulate(report, models, options);
   if (!report.power.is_complete) {
     say_stopped(report, options);
@@ -340,17 +376,19 @@ void add_power(CLI::App& program, Job& job) {
                    "exclusions of the protocol, for the number to recruit")
       ->capture_default_str()
       ->check(number_within(0.0, 0.95));
-  command->add_option(
+  auto* out = command->add_option(
       "--out", options->out,
       "Folder of the simulated studies and the tables; repeating the command resumes "
       "a stopped simulation and adds runs");
+  auto* shard = add_shard_option(*command, options->shard, "runs", "asperity gather")->needs(out);
 #ifdef ASPERITY_WITH_WINDOWS
-  command->add_option("--plot", options->plot,
-                      "Also write a figure of the power, .svg, .png or .pdf");
+  command
+      ->add_option("--plot", options->plot, "Also write a figure of the power, .svg, .png or .pdf")
+      ->excludes(shard);
 #endif
   command->add_flag("--force", options->force,
                     "Replace the studies of other inputs, and the figure");
-  command->add_flag("--json", options->json, "Print one JSON document");
+  command->add_flag("--json", options->json, "Print one JSON document")->excludes(shard);
   add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
     job = watched_with(options->plugins, [options] { return run_power(*options); });

@@ -164,12 +164,13 @@ std::string names_of_divided_commands() {
   return listed(names);
 }
 
-/// "of sweep its --out; of simulate its --study with .merged appended"
+/// "of sweep its --out; of simulate its --study with .merged appended; of power studies.tsv in its --out"
 std::string default_results() {
   std::string text{};
   for (const DividedCommand& command : divided_commands()) {
-    text += std::string(text.empty() ? "" : "; ") + "of " + std::string(command.name) + " its " +
-            std::string(command.whole_option);
+    text += std::string(text.empty() ? "" : "; ") + "of " + std::string(command.name) + ' ';
+    if (!command.whole_file.empty()) text += std::string(command.whole_file) + " in ";
+    text += "its " + std::string(command.whole_option);
     if (!command.result_ending.empty()) {
       text += " with " + std::string(command.result_ending) + " appended";
     }

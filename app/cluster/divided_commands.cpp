@@ -17,6 +17,10 @@ constexpr std::array kDividedCommands{
                    .whole_option = "--study",
                    .joined_by = "merge",
                    .result_ending = ".merged"},
+    DividedCommand{.name = "power",
+                   .whole_option = "--out",
+                   .whole_file = "studies.tsv",
+                   .joined_by = "gather"},
 };
 
 /// "--out", "--out=FILE"
@@ -66,6 +70,7 @@ std::filesystem::path whole_of(const std::vector<std::string>& words) {
     refuse(command, "the option " + std::string(command.whole_option) +
                         ", which names the shards, is missing; add it to the command");
   }
+  if (!command.whole_file.empty()) return std::filesystem::path(*whole) / command.whole_file;
   if (const auto name = std::filesystem::path(*whole).filename(); name == "." || name == "..") {
     refuse(command,
            std::string(command.whole_option) + " \"" + *whole +

@@ -16,8 +16,9 @@ struct DividedComputation {
   std::string command{};  ///< the subcommand, such as "sweep"
   std::string
       declaration{};  ///< JSON text of everything that determines the bytes of the result, except the program
-  std::size_t results = 0;  ///< of the whole: rows of a sweep, participants of a simulation
-  std::string program{};    ///< numerical_identity() of the program that computes it
+  /// Of the whole: rows of a sweep, runs of a power analysis, participants of a simulation.
+  std::size_t results = 0;
+  std::string program{};  ///< numerical_identity() of the program that computes it
 
   /// Identifies the computation: of all members.
   std::string sha256() const;

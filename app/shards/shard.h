@@ -11,7 +11,8 @@
 
 namespace asperity {
 
-/// Part k of N of a computation with numbered items (spacings of a sweep, participants of a simulation).
+/// Part k of N of a computation with numbered items (spacings of a sweep, runs of a power analysis, participants of
+/// a simulation).
 ///
 /// Item i, from 0, belongs to shard (i mod N) + 1: every item belongs to exactly one shard, the numbers of items of two shards
 /// differ by at most one, and items whose cost rises with their number are spread over the shards. What an item gives is a
@@ -21,6 +22,7 @@ namespace asperity {
 /// differ in `--shard K/N` alone:
 ///
 ///     asperity sweep … --out FILE.tsv --shard 3/7       writes FILE.tsv.shard-3-of-7
+///     asperity power … --out FOLDER --shard 3/7         writes FOLDER/studies.tsv.shard-3-of-7
 ///     asperity simulate … --study STUDY --shard 3/7     makes the study STUDY.shard-3-of-7
 struct Shard {
   int index = 1;  ///< k, from 1 to `count`

@@ -15,6 +15,7 @@
 
 #include "app/cluster/batch_scripts.h"
 #include "app/cluster/divided_commands.h"
+#include "app/power/curve/power_files.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
@@ -35,12 +36,24 @@ TEST(Submission, NamesItsShardsByAnOptionOfEitherForm) {
   EXPECT_EQ(whole_of({"simulate", "p.json", "--study", "S/"}), "S");
 }
 
+TEST(Submission, NamesShardsOfAFileInAFolder) {
+  const std::vector<std::string> power{"power", "p.json", "--seed", "1", "--out", "my power/"};
+  EXPECT_EQ(whole_of(power), PowerFiles{.folder = "my power"}.studies());
+  EXPECT_EQ(whole_of({"power", "p.json", "--out", "."}), "./studies.tsv");
+  const Submission submission = new_submission("/f", "/w", power, 2);
+  EXPECT_EQ(submission.shard(2), "/w/my power/studies.tsv.shard-2-of-2");
+  EXPECT_EQ(submission.result(), "/w/my power/studies.tsv");
+  EXPECT_THAT(gather_script_of(submission, {}, "/usr/bin/asperity"),
+              HasSubstr("gather \"my power/studies.tsv\".shard-{1..2}-of-2 --out \"my "
+                        "power/studies.tsv\"\n"));
+}
+
 TEST(Submission, RefusesCommandsThatCannotBeDividedOrNameNoShards) {
   const auto refused = [](const std::vector<std::string>& words) {
     return refusal_of<std::invalid_argument>([&] { whole_of(words); });
   };
-  EXPECT_THAT(refused({"verify", "S"}),
-              AllOf(HasSubstr("\"verify\" cannot be divided"), HasSubstr("sweep and simulate")));
+  EXPECT_THAT(refused({"verify", "S"}), AllOf(HasSubstr("\"verify\" cannot be divided"),
+                                              HasSubstr("sweep, simulate and power")));
   EXPECT_THAT(refused({}), HasSubstr("cannot be divided"));
   EXPECT_THAT(refused({"sweep", "--model", "x"}),
               HasSubstr("--out, which names the shards, is missing"));

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""asperity power: assumptions, also of a study, simulated studies that are kept and extended, refusals. Argument: the program asperity."""
+"""asperity power: assumptions, also of a study, simulated studies that are kept, extended and divided, refusals. Argument: the program asperity."""
 import json
 import math
 import pathlib
@@ -45,7 +45,8 @@ assert listed[EFFECT + "_sd"]["value"] is None, listed[EFFECT + "_sd"]
 with tempfile.TemporaryDirectory() as folder:
     folder = pathlib.Path(folder)
     whole, grown = folder / "whole", folder / "grown"
-    document = json.loads(simulated(whole, 6, "--jobs", 1, "--json", "--dropout", 0.2).stdout)
+    json_text = simulated(whole, 6, "--jobs", 1, "--json", "--dropout", 0.2).stdout
+    document = json.loads(json_text)
     assert document["format"] == "asperity.power/1" and document["runs"] == 6, document
     # Two effects and two numbers of participants; a row for each test and one for the family.
     rows = document["power"]
@@ -63,6 +64,19 @@ with tempfile.TemporaryDirectory() as folder:
     assert not plot or plot[1].stat().st_size > 0
     assert (grown / "studies.tsv").read_bytes() == (whole / "studies.tsv").read_bytes()
     assert "min a session" in printed and f"{EFFECT}_sd" in printed, printed
+
+    # In shards: the same bytes, with which the undivided command goes to its end.
+    divided = folder / "divided"
+    parts = [divided / f"studies.tsv.shard-{k}-of-2" for k in (1, 2)]
+    said = [simulated(divided, 6, "--shard", f"{k}/2", "--jobs", 1).stdout for k in (1, 2)]
+    assert said == [f"{part}: shard {k}/2, 3 runs of 6\n" for k, part in enumerate(parts, 1)], said
+    assert "already simulated" in simulated(divided, 6, "--shard", "1/2").stdout
+    joined = subprocess.run([PROGRAM, "gather", *reversed(parts), "--out", divided / "studies.tsv"], text=True, capture_output=True, check=True)
+    assert f"{6 * 4 * len(tests)} rows of power, from 2 shards" in joined.stdout, joined.stdout
+    for name in ("studies.tsv", "studies.tsv.json"):
+        assert (divided / name).read_bytes() == (whole / name).read_bytes(), name
+    assert simulated(divided, 6, "--dropout", 0.2, "--json", "--jobs", 1).stdout == json_text
+    refused(2, "--shard needs --out", "--participants", 4, "--seed", 3, *STATED, "--shard", "1/2")
 
     refused(1, "which differ in the seed; repeat the command with the same inputs", "--participants", "4:6:2", "--seed", 4, "--runs", 6,
             *STATED, "--out", grown)
