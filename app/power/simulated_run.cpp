@@ -1,6 +1,7 @@
 #include "app/power/simulated_run.h"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "app/power/power_model.h"
 #include "app/power/power_tables.h"
 #include "app/power/simulated_study.h"
+#include "app/words/text_parts.h"
 
 namespace asperity {
 
@@ -34,16 +36,12 @@ SimulatedOutcome outcome_of_test(const std::string& family, const StudyTest& tes
   return outcome;
 }
 
-/// The names of its tests, each once.
+/// The names of its tests, each once. Sorted: an analysis adds a test that cannot be made at the end, and a family has the same name in
+/// all studies.
 std::string name_of_family(const std::vector<StudyTest>& tests) {
-  std::vector<std::string> names{};
-  std::string text{};
-  for (const StudyTest& test : tests) {
-    if (std::find(names.begin(), names.end(), test.name) != names.end()) continue;
-    names.push_back(test.name);
-    text += (text.empty() ? "" : ", ") + test.name;
-  }
-  return text;
+  std::set<std::string> names{};
+  for (const StudyTest& test : tests) names.insert(test.name);
+  return comma_separated(names);
 }
 
 void add_outcomes(const std::vector<StudyTest>& tests, std::vector<SimulatedOutcome>& outcomes) {

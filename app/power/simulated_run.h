@@ -17,7 +17,7 @@ class PowerModel;
 /// no `test` and no `p`, and its `corrected_p` is the smallest one of its tests, so that the family has a significant test
 /// exactly where this is below the level of significance.
 struct SimulatedOutcome {
-  std::string family{};  ///< name of the family: "ratings", "pairs and preference"
+  std::string family{};  ///< the names of its tests, sorted: "ratings", "pairs, preference"
   std::string
       test{};  ///< name of the test in it, with its subject: "rated_pairs rough: metal|stone"
   std::optional<double>

@@ -232,6 +232,25 @@ TEST(SimulatePower, CountsStudiesWithoutAPAsNotSignificant) {
   EXPECT_EQ(power.curves[2].sizes[0].without_p, 75U);
 }
 
+// Without subjects an analysis states once that it cannot test them.
+TEST(SimulatePower, HasNoCurveOfWhatStandsInPlaceOfSeveralTests) {
+  const SimulateStudy sometimes = [](std::size_t, int, std::uint64_t, std::int64_t run) {
+    if (run % 4 == 0) {
+      return std::vector<SimulatedOutcome>{{.family = "f", .test = "peaks", .status = "untested"},
+                                           {.family = "f", .test = "alone", .status = "untested"}};
+    }
+    return std::vector<SimulatedOutcome>{{.family = "f", .test = "peaks a|b", .p = 0.01},
+                                         {.family = "f", .test = "peaks a|c", .p = 0.01}};
+  };
+  const SimulatedPower power = simulate_power(
+      {.effects = {"e=1"}, .participants = {10}, .runs = 100}, sometimes, 1, {}, {}, {});
+  ASSERT_THAT(power.curves, SizeIs(3));
+  EXPECT_EQ(power.curves[0].test, "alone");
+  EXPECT_EQ(power.curves[1].test, "peaks a|b");
+  EXPECT_EQ(power.curves[1].sizes[0].power.power, 0.75);
+  EXPECT_EQ(power.curves[1].sizes[0].without_p, 25U);
+}
+
 // The correction decides; at .05 itself no test of the program is significant.
 TEST(SimulatePower, SignificanceIsThatOfTheCorrectedP) {
   EXPECT_FALSE(is_significant({.p = 0.01, .corrected_p = 0.06}));

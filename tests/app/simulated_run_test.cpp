@@ -20,6 +20,7 @@
 #include "app/findings/study/study_tests.h"
 #include "app/power/power_model.h"
 #include "app/power/simulated_study.h"
+#include "app/words/text_parts.h"
 #include "protocols/file/protocol_reader.h"
 #include "tests/app/analysed_study.h"
 #include "tests/protocols/protocol_files.h"
@@ -100,6 +101,13 @@ TEST(SimulatedRun, AddsParticipantsToThoseOfSmallerStudies) {
   }
 }
 
+/// Of names with a comma and a space between them.
+bool is_sorted_list(const std::string& text) {
+  std::vector<std::string> names = parts_of(text, ',');
+  for (std::string& name : names) name.erase(0, name.find_first_not_of(' '));
+  return std::is_sorted(names.begin(), names.end());
+}
+
 // Library protocols of every kind, with their own procedures. Psi, and the scaling of permuted ratings, would take seconds.
 TEST(SimulatedRun, AnalysesTheFamilyOfEveryLibraryProtocol) {
   for (const LibraryProtocol& each : library_protocols()) {
@@ -120,6 +128,7 @@ TEST(SimulatedRun, AnalysesTheFamilyOfEveryLibraryProtocol) {
     for (const SimulatedOutcome& outcome : outcomes) {
       SCOPED_TRACE(outcome.test);
       EXPECT_FALSE(outcome.family.empty());
+      EXPECT_TRUE(is_sorted_list(outcome.family)) << outcome.family;
       if (outcome.test.empty()) continue;
       EXPECT_EQ(outcome.p.has_value(), outcome.status.empty());
       EXPECT_EQ(outcome.p.has_value(), outcome.corrected_p.has_value());

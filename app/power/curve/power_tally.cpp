@@ -38,11 +38,23 @@ void PowerTally::add(const StudyPlace& place, std::span<const SimulatedOutcome> 
   }
 }
 
+bool PowerTally::is_without_subjects(std::size_t test) const {
+  const auto& [family, name] = tests_[test];
+  if (name.empty() || std::any_of(counts_[test].begin(), counts_[test].end(),
+                                  [](const Counts& counts) { return counts.with_p > 0; })) {
+    return false;
+  }
+  return std::any_of(tests_.begin(), tests_.end(), [&](const Test& other) {
+    return other.first == family && other.second.starts_with(name + ' ');
+  });
+}
+
 std::vector<PowerCurve> PowerTally::curves() const {
   std::vector<PowerCurve> curves{};
   const std::size_t sizes = order_.participants.size();
   for (std::size_t effect = 0; effect < order_.effects.size(); ++effect) {
     for (std::size_t test = 0; test < tests_.size(); ++test) {
+      if (is_without_subjects(test)) continue;
       PowerCurve curve{.effect = order_.effects[effect],
                        .family = tests_[test].first,
                        .test = tests_[test].second};

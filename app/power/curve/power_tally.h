@@ -49,7 +49,8 @@ class PowerTally final {
   /// Studies by ascending place: tests are listed in the order in which they appear first.
   void add(const StudyPlace& place, std::span<const SimulatedOutcome> outcomes);
 
-  /// By effect, then test; a size without studies is left out, and an effect without any.
+  /// By effect, then test; a size without studies is left out, and an effect without any. A row that stands in some studies in place of
+  /// several tests of one name, because none of them could be made, has no curve.
   std::vector<PowerCurve> curves() const;
 
  private:
@@ -61,6 +62,9 @@ class PowerTally final {
   using Test = std::pair<std::string, std::string>;  // family and test
 
   std::size_t test_of(const SimulatedOutcome& outcome);
+  /// Whether it only states that "peaks" could not be made in some studies, where others have "peaks smooth|rough": it is not a
+  /// further test, and these studies count for each of those as studies without a p.
+  bool is_without_subjects(std::size_t test) const;
 
   PowerOrder order_;
   std::map<Test, std::size_t> places_{};
