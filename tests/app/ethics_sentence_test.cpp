@@ -109,6 +109,32 @@ TEST(EthicsSentence, NamesLimitsOutsideTheSimulatedNumbers) {
               HasSubstr("is 20.0, 95 % Monte-Carlo CI [at most 10, above 30]"));
 }
 
+// The smallest simulated number has the power already: a smaller one may have it too.
+TEST(EthicsSentence, DoesNotTakeTheFirstNumberForTheSmallestOne) {
+  const PlannedStudy study = study_of({curve_of("order", {0.9, 0.95, 0.99})});
+  EXPECT_THAT(ethics_sentence(study, 0.8),
+              HasSubstr("the smallest number with this power is at most 10.0, 95 % Monte-Carlo CI "
+                        "[at most 10, 10.0], from"));
+}
+
+// A test without an effect is significant in 5 % of the studies with any number of participants.
+TEST(EthicsSentence, IsNotAboutEffectsThatAreAbsent) {
+  PlannedStudy study =
+      study_of({curve_of("order", {0.3, 0.7, 0.9}), curve_of("ratio", {0.05, 0.05, 0.05})});
+  study.assumptions.push_back({.name = "pairs.rougher.ratio",
+                               .part = Assumption::Part::effect,
+                               .value = 1.0,
+                               .null_value = 1.0,
+                               .tests = "ratio"});
+  study.stated_effects.emplace_back("pairs.rougher.ratio");
+  ASSERT_NE(deciding_curve(study, 0.8), nullptr);
+  EXPECT_EQ(deciding_curve(study, 0.8)->test, "order");
+  EXPECT_THAT(ethics_sentence(study, 0.8), Not(HasSubstr("pairs.rougher.ratio")));
+  // Where only it was stated, the sentence is about the others, which the file of assumptions states.
+  study.stated_effects = {"pairs.rougher.ratio"};
+  EXPECT_EQ(deciding_curve(study, 0.8)->test, "order");
+}
+
 TEST(EthicsSentence, WithoutATestIsEmpty) {
   EXPECT_EQ(ethics_sentence(study_of({}), 0.8), "");
   EXPECT_EQ(deciding_curve(study_of({curve_of("", {0.9})}), 0.8), nullptr);

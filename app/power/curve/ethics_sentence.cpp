@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "analysis/number_text.h"
 #include "app/findings/study/study_test.h"
@@ -22,15 +23,20 @@ std::string with_unit(double value, const std::string& unit) {
   return number_text(value) + (unit.empty() || unit == "1" ? "" : ' ' + unit);
 }
 
-std::vector<const Assumption*> stated_effects(const PlannedStudy& study) {
+/// The effects to be detected: those that were stated, or otherwise all; without those whose value is that without an effect.
+std::vector<const Assumption*> effects_to_detect(const PlannedStudy& study) {
   std::vector<const Assumption*> effects{};
   for (const Assumption& one : study.assumptions) {
-    const bool is_stated = study.stated_effects.empty() ||
-                           std::find(study.stated_effects.begin(), study.stated_effects.end(),
-                                     one.name) != study.stated_effects.end();
-    if (one.part == Assumption::Part::effect && one.value && is_stated) effects.push_back(&one);
+    if (one.part != Assumption::Part::effect || !one.value) continue;
+    if (*one.value != one.null_value) effects.push_back(&one);
   }
-  return effects;
+  std::vector<const Assumption*> stated{};
+  std::copy_if(
+      effects.begin(), effects.end(), std::back_inserter(stated), [&study](const Assumption* one) {
+        return std::find(study.stated_effects.begin(), study.stated_effects.end(), one->name) !=
+               study.stated_effects.end();
+      });
+  return stated.empty() ? effects : stated;
 }
 
 /// "order": the name in "order rough|smooth", and whether it is among "order, side".
@@ -49,7 +55,7 @@ struct ConcernedTests {
 };
 
 ConcernedTests concerned_tests(const PlannedStudy& study) {
-  const std::vector<const Assumption*> effects = stated_effects(study);
+  const std::vector<const Assumption*> effects = effects_to_detect(study);
   ConcernedTests concerned{.are_of_effect = true};
   std::vector<const PowerCurve*> all{};
   for (const PowerCurve& curve : study.curves) {
@@ -79,7 +85,7 @@ bool needs_more(const PowerCurve& one, const PowerCurve& other, double power,
 
 std::string effects_text(const PlannedStudy& study) {
   std::vector<std::string> texts{};
-  for (const Assumption* effect : stated_effects(study)) {
+  for (const Assumption* effect : effects_to_detect(study)) {
     texts.push_back(effect->name + " = " + with_unit(*effect->value, effect->unit) + " (" +
                     effect->meaning + "; " + number_text(effect->null_value) +
                     " without an effect; source: " + effect->source + ')');
@@ -118,15 +124,17 @@ std::string deviations_text(const PlannedStudy& study) {
   return text;
 }
 
-/// "22.3, 95 % Monte-Carlo CI [21.0, 23.9]": a limit outside the simulated numbers is named.
+/// "22.3, 95 % Monte-Carlo CI [21.0, 23.9]": what lies outside the simulated numbers is named.
 std::string smallest_text(const SmallestSample& smallest, const PowerCurve& curve) {
   const auto end = [&curve](const std::optional<double>& limit, bool is_low) {
     if (limit) return fixed(*limit, 1);
     const TestAtSize& size = is_low ? curve.sizes.front() : curve.sizes.back();
     return std::string(is_low ? "at most " : "above ") + std::to_string(size.power.participants);
   };
-  return fixed(*smallest.participants, 1) + ", 95 % Monte-Carlo CI [" + end(smallest.low, true) +
-         ", " + end(smallest.high, false) + ']';
+  const bool may_be_smaller = smallest.reached == PowerReached::at_first;
+  return (may_be_smaller ? "at most " : "") + fixed(*smallest.participants, 1) +
+         ", 95 % Monte-Carlo CI [" + end(smallest.low, true) + ", " + end(smallest.high, false) +
+         ']';
 }
 
 std::string recruited_text(const PlannedSample& sample, const Attrition& attrition) {

@@ -29,8 +29,8 @@ struct PlannedStudy {
 /// selected because it was significant is too large on average, so that a sample planned with it is too small.
 bool is_from_pilot(const Assumption& assumption);
 
-/// The curve on which the sample depends: of the tests that the stated effects concern (of all tests where they concern none, and
-/// never a whole family), the one that needs most participants for this power; of several that do not reach it, the one with the
+/// The curve on which the sample depends: of the tests that the effects to be detected concern, which are the stated ones, or otherwise
+/// all, as far as their value is not that without an effect (of all tests where they concern none, and never a whole family), the one that needs most participants for this power; of several that do not reach it, the one with the
 /// lowest power at the largest number. Null without a test.
 const PowerCurve* deciding_curve(const PlannedStudy& study, double power);
 
