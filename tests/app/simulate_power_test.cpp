@@ -6,9 +6,11 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <stdexcept>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -232,6 +234,23 @@ TEST(SimulatePower, CountsStudiesWithoutAPAsNotSignificant) {
   EXPECT_EQ(power.curves[2].sizes[0].without_p, 75U);
 }
 
+// A curve without a maximum has a limit that is not a number, or is infinite.
+TEST(SimulatePower, CountsTheWidthsOfIntervalsOnly) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  const std::vector<std::pair<double, double>> limits{
+      {1.0, 3.0}, {kInfinite, kInfinite}, {std::nan(""), 1.0}, {2.0, 1.0}, {-kInfinite, kInfinite}};
+  const SimulateStudy varying = [&limits](std::size_t, int, std::uint64_t, std::int64_t run) {
+    const auto& [lower, upper] = limits[static_cast<std::size_t>(run)];
+    return std::vector<SimulatedOutcome>{
+        {.family = "f", .test = "t", .p = 0.1, .lower = lower, .upper = upper}};
+  };
+  const SimulatedPower power =
+      simulate_power({.effects = {"e=1"}, .participants = {10}, .runs = 5}, varying, 1, {}, {}, {});
+  const TestAtSize& size = power.curves[0].sizes[0];
+  EXPECT_NEAR(size.median_width.value(), 2.0, 0.002);  // of two
+  EXPECT_EQ(size.p90_width, kInfinite);
+}
+
 // Without subjects an analysis states once that it cannot test them.
 TEST(SimulatePower, HasNoCurveOfWhatStandsInPlaceOfSeveralTests) {
   const SimulateStudy sometimes = [](std::size_t, int, std::uint64_t, std::int64_t run) {
@@ -292,6 +311,10 @@ TEST(StudyRows, AreReadAsTheyWereWritten) {
   EXPECT_FALSE(row->outcome.upper);
   EXPECT_EQ(row->outcome.status, outcome.status);
   EXPECT_FALSE(study_row_in("7\trating.d=0.7"));
+  // Damaged numbers that no run and no sample has.
+  for (const char* const run : {"7.5", "1e300", "99999999999999999999", "-", ""}) {
+    EXPECT_FALSE(study_row_in(run + text.substr(1, text.size() - 2))) << run;
+  }
 }
 
 }  // namespace

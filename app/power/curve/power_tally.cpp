@@ -31,10 +31,10 @@ void PowerTally::add(const StudyPlace& place, std::span<const SimulatedOutcome> 
     Counts& counts = counts_[test_of(outcome)][cell];
     if (outcome.p || outcome.corrected_p) ++counts.with_p;
     if (is_significant(outcome)) ++counts.significant;
-    // Limits that the analysis does not state, or states as NaN, give no width.
-    if (outcome.lower && outcome.upper && *outcome.upper >= *outcome.lower) {
-      counts.widths.add(*outcome.upper - *outcome.lower);
-    }
+    if (!outcome.lower || !outcome.upper) continue;
+    // Not of NaN, nor of two equal infinite limits.
+    const double width = *outcome.upper - *outcome.lower;
+    if (width >= 0.0) counts.widths.add(width);
   }
 }
 

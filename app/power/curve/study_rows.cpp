@@ -1,6 +1,7 @@
 #include "app/power/curve/study_rows.h"
 
-#include <cmath>
+#include <charconv>
+#include <system_error>
 #include <vector>
 
 #include "app/words/text_parts.h"
@@ -30,11 +31,12 @@ bool read(const std::string& text, std::optional<double>& number) {
   return number.has_value();
 }
 
-/// Nothing for what is not a whole number.
-std::optional<std::int64_t> whole_number_in(const std::string& text) {
-  const std::optional<double> number = number_in(text);
-  if (!number || *number != std::floor(*number)) return std::nullopt;
-  return static_cast<std::int64_t>(*number);
+/// False for a text that is not a whole number of this type.
+template <class Whole>
+bool read_whole(const std::string& text, Whole& number) {
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc{} && rest == end;
 }
 
 }  // namespace
@@ -66,14 +68,10 @@ bool StudyRow::is_of(const PowerOrder& order, const StudyPlace& place) const {
 std::optional<StudyRow> study_row_in(std::string_view line) {
   const std::vector<std::string> cells = parts_of(std::string(line), '\t');
   if (cells.size() != columns().size()) return std::nullopt;
-  const auto run = whole_number_in(cells[0]);
-  const auto participants = whole_number_in(cells[2]);
-  if (!run || !participants) return std::nullopt;
-  StudyRow row{.run = *run,
-               .effect = cells[1],
-               .participants = static_cast<int>(*participants),
+  StudyRow row{.effect = cells[1],
                .outcome = {.family = cells[3], .test = cells[4], .status = cells[10]}};
-  const bool is_read = read(cells[5], row.outcome.p) && read(cells[6], row.outcome.corrected_p) &&
+  const bool is_read = read_whole(cells[0], row.run) && read_whole(cells[2], row.participants) &&
+                       read(cells[5], row.outcome.p) && read(cells[6], row.outcome.corrected_p) &&
                        read(cells[7], row.outcome.estimate) && read(cells[8], row.outcome.lower) &&
                        read(cells[9], row.outcome.upper);
   return is_read ? std::optional(row) : std::nullopt;
