@@ -163,6 +163,17 @@ TEST(SimulatePower, RefusesOtherInputsAndNamesThem) {
   EXPECT_EQ(studies_in(folder.path() / "out"), studies_in(folder.path() / "new"));
 }
 
+// As after a stop between the two files, or when the user removed the studies.
+TEST(SimulatePower, ReplacesTheDeclarationOfAnEmptyTable) {
+  const TemporaryFolder folder;
+  simulated(order_of(3), folder.path() / "out");
+  std::filesystem::remove(folder.path() / "out" / kStudiesFile);
+  PowerOrder other = order_of(3);
+  other.seed = 4;
+  EXPECT_EQ(simulated(other, folder.path() / "out").runs, 3);
+  EXPECT_EQ(read_file(folder.path() / "out" / kDeclarationFile), declaration_of(other));
+}
+
 TEST(SimulatePower, RefusesATableWithoutItsDeclaration) {
   const TemporaryFolder folder;
   simulated(order_of(3), folder.path() / "out");

@@ -22,22 +22,23 @@ class StudiesTable final {
     const std::filesystem::path beside = files.declaration();
     const std::string declaration = declaration_of(order);
     const bool is_declared = std::filesystem::exists(beside);
-    std::string foreign{};
-    if (is_declared) {
-      const std::string different = differences(declaration, read_file(beside, kOptionsFile));
-      if (!different.empty()) foreign = "is from other inputs, which differ in " + different;
-    } else if (std::filesystem::file_size(path_) > 0) {
-      foreign = std::string("has no ") + kDeclarationFile + " that states how it was made";
-    }
-    if (!foreign.empty()) {
+    const std::string different =
+        is_declared ? differences(declaration, read_file(beside, kOptionsFile)) : std::string();
+    if (is_declared && different.empty()) return;
+    if (std::filesystem::file_size(path_) > 0) {
       if (files.overwrite == Overwrite::refuse) {
-        throw std::runtime_error(path_.string() + ' ' + foreign +
-                                 "; repeat the command with the same inputs to add runs to it, "
-                                 "choose another --out to keep it, or use --force to replace it");
+        throw std::runtime_error(
+            path_.string() +
+            (is_declared
+                 ? " is from other inputs, which differ in " + different
+                 : std::string(" has no ") + kDeclarationFile + " that states how it was made") +
+            "; repeat the command with the same inputs to add runs to it, "
+            "choose another --out to keep it, or use --force to replace it");
       }
       file_.cut_to(0);
     }
-    if (!is_declared || !foreign.empty()) write_file(beside, declaration, Overwrite::allow);
+    // Last: a stop before it leaves an empty table, never studies of other inputs with this declaration.
+    write_file(beside, declaration, Overwrite::allow);
   }
 
   /// Passes all studies but the last to the tally, and removes the last. Returns how many there were before, with the last.
