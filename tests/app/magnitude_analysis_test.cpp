@@ -128,6 +128,20 @@ TEST(Magnitudes, ReportNoMaximumThatTheTestOfAnInteriorOneDoesNotShow) {
               Cell{"at least one condition has no interior maximum"});
 }
 
+// The parabola of the large tip opens upwards, so that it has no peak and the peaks have no ratio. The pair remains in the family:
+// which curves have a maximum must not determine how many tests are corrected together.
+TEST(Magnitudes, KeepAPairWithoutAPeakInTheFamily) {
+  const AnalysisOutcome outcome =
+      analyze_logarithms(4, [](int i, std::size_t level, bool is_small) {
+        const double away = std::log10(kSpacings_m.at(level) / 0.002) - 0.02 * (i - 1.5);
+        return (is_small ? -1.0 : 1.0) * away * away;
+      });
+  const Table& tests = table_of(outcome, "tests").table;
+  EXPECT_EQ(cell_named(tests, {"peaks"}, "about"), Cell{"small|large"});
+  EXPECT_EQ(cell_named(tests, {"peaks"}, "status"),
+            Cell{"at least one condition has no interior maximum"});
+}
+
 // Their peaks are 0.15 decades apart, which t of one degree of freedom makes an interval of nearly two:
 // wider than the spacings.
 TEST(Magnitudes, OfTwoPeopleAreTooFewToSayWhereItPeaks) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <string>
 #include <string_view>
@@ -114,16 +116,24 @@ void sort_by_condition(const std::vector<std::string>& conditions,
                    });
 }
 
-/// `found`: of the family `magnitude`.
-void add_peak_tests(const FoundNumbers& found, StudyTests& tests) {
-  for (const Finding* ratio : found.all("peakratio.p")) {
-    const std::size_t bar = ratio->key.find('|');
-    const bool has_both = has_interior_maximum(found, ratio->key.substr(0, bar)) &&
-                          has_interior_maximum(found, ratio->key.substr(bar + 1));
-    if (has_both) {
-      tests.add("peaks", ratio->key, found, ratio->quantity, ratio->key);
-    } else {
-      tests.add_untested("peaks", ratio->key, kNotBothPeaks);
+/// One for every pair of conditions with curves, tested or not: the number of tests that are corrected together must not depend on
+/// which of the curves have a maximum. `found`: of the family `magnitude`.
+void add_peak_tests(const std::vector<std::string>& conditions, const FoundNumbers& found,
+                    StudyTests& tests) {
+  std::vector<std::string> with_curve{};
+  std::copy_if(conditions.begin(), conditions.end(), std::back_inserter(with_curve),
+               [&found](const std::string& condition) {
+                 return found.find("invU.significant", condition) != nullptr;
+               });
+  for (std::size_t i = 0; i < with_curve.size(); ++i) {
+    for (std::size_t j = i + 1; j < with_curve.size(); ++j) {
+      const std::string pair = with_curve[i] + '|' + with_curve[j];
+      if (has_interior_maximum(found, with_curve[i]) &&
+          has_interior_maximum(found, with_curve[j])) {
+        tests.add("peaks", pair, found, "peakratio.p", pair);
+      } else {
+        tests.add_untested("peaks", pair, kNotBothPeaks);
+      }
     }
   }
 }
@@ -146,7 +156,7 @@ std::vector<StudyTest> test_magnitude(const GatheredAnswers& gathered) {
   if (tests.is_in_family("peaks")) {
     const std::vector<Finding> curves =
         analysis_of(kRoughness, "magnitude", curves_table(gathered, estimates));
-    add_peak_tests(FoundNumbers(curves), tests);
+    add_peak_tests(conditions, FoundNumbers(curves), tests);
   }
   return std::move(tests).take_family();
 }
@@ -196,7 +206,7 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   }
   StudyTests tests(gathered);
   add_effect_tests(found_anova, conditions.size(), kEffects, tests);
-  add_peak_tests(found, tests);
+  add_peak_tests(conditions, found, tests);
   tests.finish(outcome);
   ask_effect({"spacing", phrase("Analysis", "Does roughness depend on the spacing?"), kRoughness,
               spacings},
