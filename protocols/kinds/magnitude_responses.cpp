@@ -234,9 +234,8 @@ Answer estimate_magnitude(const TabulatedTrial& trial) {
     const double condition = place_of_condition(trial);
     logarithm += trial.values.at("noise_sd") * noise.normal() +
                  curve_at(trial, text_of(trial.trial.factors.at(estimation.factor())), condition);
-    if (estimation.modulus) {
-      logarithm -= curve_at(trial, estimation.modulus->standard, condition);
-    } else if (has_conditions(trial.asked)) {
+    if (estimation.modulus) logarithm -= curve_at(trial, estimation.modulus->standard, condition);
+    if (has_conditions(trial.asked)) {
       logarithm += own_log_ratio(trial, "condition.ratio") * condition;
     }
   }

@@ -19,8 +19,8 @@ namespace asperity {
 /// and the participant's own u ~ N(0, s²/2) of each stimulus, so that differences between any two have the standard deviation
 /// s. All standard deviations of ratios are those of natural logarithms.
 ///
-/// With a standard, L is that of the standard's number, and the part of the standard that depends on the stimulus is
-/// subtracted. Numbers have two significant digits; a line is in proportion to the longest one, which limits it. A lapse is an
+/// With a standard, m + b is the logarithm of its number, and the part of L that depends on the stimulus is relative to that of the
+/// standard. Numbers have two significant digits; a line is in proportion to the longest one, which limits it. A lapse is an
 /// estimate with the level alone and a standard deviation of 0.3.
 const ResponseTable& magnitude_responses();
 

@@ -366,6 +366,34 @@ TEST(ResponseTable, EstimatesFollowThePowerFunction) {
               0.5 * std::log10(7.0), 0.045);
 }
 
+// The standard of 1.4 mm is the number 10 in every condition; the estimates of all surfaces with the firmest touch are 4 times
+// those with the lightest.
+TEST(ResponseTable, EstimatesRelativeToAStandardHaveTheRatioOfTheConditions) {
+  nlohmann::json file = test::without_practice(test::library_file("roughness_force"));
+  file["estimation"]["modulus"] = {{"standard", "spacing_14"}, {"value", 10}};
+  file["analysis"]["family"] = {"condition"};
+  nlohmann::json& block = file["blocks"]["main"];
+  block.erase("anchor");
+  block["positions"] = "as_listed";
+  block["presented"] = nlohmann::json::parse(R"([
+    {"stimulus": "cones", "role": "standard", "with": {"texture": "spacing_14"}}, {"stimulus": "cones"}])");
+  const Tabulated roughness(protocol_of(file), "main", "roughness");
+  const Values values{{"exponent", 0.0},           {"exponent_sd", 0.0},
+                      {"curvature", 0.0},          {"curvature_sd", 0.0},
+                      {"condition.ratio", 4.0},    {"condition.ratio_sd", 0.0},
+                      {"condition.exponent", 0.0}, {"condition.exponent_sd", 0.0},
+                      {"noise_sd", 0.0},           {"lapse", 0.0}};
+  const std::map<std::string, double> expected{{"light", 5.0}, {"medium", 10.0}, {"firm", 20.0}};
+  std::set<std::string> conditions{};
+  for (const Trial& trial : roughness.trials()) {
+    const std::string force = text_of(trial.factors.at("force"));
+    conditions.insert(force);
+    EXPECT_NEAR(roughness.respond(trial, values, 1).front().number.value(), expected.at(force),
+                1e-6);
+  }
+  EXPECT_EQ(conditions.size(), 3U);
+}
+
 // Ten items on one dimension: the most distant pair minus neighbours, and different minus identical pairs.
 TEST(ResponseTable, DissimilaritiesGrowWithTheDistanceOfTheItems) {
   const Tabulated pairs(protocol_of(test::library_file("map_of_renderings")), "ratings",
