@@ -9,6 +9,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "app/power/power_model.h"
 #include "app/power/simulated_study.h"
@@ -34,10 +35,8 @@ struct CalibratedStudy {
 };
 
 /// The assumptions of a protocol with those of a study that was simulated from `truth`.
-CalibratedStudy calibrated_from(const std::string& name, const std::map<std::string, double>& truth,
-                                int participants) {
-  const Protocol protocol =
-      read_protocol(test::library_text(name), name, test::models_of_library());
+CalibratedStudy calibrated_from(const Protocol& protocol,
+                                const std::map<std::string, double>& truth, int participants) {
   std::vector<Assumption> assumptions = assumptions_of(protocol);
   for (const auto& [parameter, value] : truth) {
     set_assumption(assumptions, parameter, value, "the test");
@@ -45,6 +44,12 @@ CalibratedStudy calibrated_from(const std::string& name, const std::map<std::str
   const PowerModel model(protocol, assumptions);
   const auto study = simulated_study(model.tables(), participants, Random(5));
   return {calibrated(assumptions_of(protocol), protocol, study, "pilot A, 9 participants")};
+}
+
+CalibratedStudy calibrated_from(const std::string& name, const std::map<std::string, double>& truth,
+                                int participants) {
+  return calibrated_from(read_protocol(test::library_text(name), name, test::models_of_library()),
+                         truth, participants);
 }
 
 // The tolerances are four standard errors with 150 participants, four items and six repetitions.
@@ -75,6 +80,28 @@ TEST(Calibration, RecoversThresholdsOfStaircases) {
   EXPECT_LT(threshold_m, 10e-6 * 1.35);
   EXPECT_TRUE(study.at("comparisons.rougher.order_sd").value);
   EXPECT_FALSE(study.at("comparisons.rougher.order").value) << "a test of the family concerns it";
+}
+
+// The thresholds of all participants with the left and the right hand have the ratio 4, whose logarithm alone has the standard
+// deviation 0.7 over all thresholds; those of the participants differ by less than the error of their estimates.
+TEST(Calibration, SeparatesParticipantsFromConditions) {
+  nlohmann::json file = test::without_practice(test::library_file("amplitude_jnd"));
+  file["factors"]["hand"] = {{"levels", {"left", "right"}}};
+  file["counterbalance"] = "latin";
+  for (nlohmann::json& step : file["flow"]) {
+    if (step.contains("run")) step["for_each"] = "hand";
+  }
+  const CalibratedStudy study =
+      calibrated_from(read_protocol(file.dump(), "amplitude_jnd", test::models_of_library()),
+                      {{"threshold", 10e-6},
+                       {"threshold_sd", 0.05},
+                       {"hand.ratio", 4.0},
+                       {"hand.ratio_sd", 0.0},
+                       {"order", 0.0},
+                       {"order_sd", 0.1}},
+                      16);
+  EXPECT_EQ(study.at("comparisons.rougher.threshold_sd").source, "pilot A, 9 participants");
+  EXPECT_LT(study.value("comparisons.rougher.threshold_sd"), 0.45);
 }
 
 // Some 100 easy catch trials, a fifth of which are errors.

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -101,11 +104,23 @@ constexpr double kThresholdOfJnd = 1.0483580825;
 void add_thresholds_shown(const DiscriminationResults& results, ShownParameters& shown) {
   const FoundNumbers found(results.fit.thresholds);
   const bool is_performance = results.study.task.is_performance;
-  std::vector<double> logarithms{};
+  struct OfPerson {
+    double sum = 0.0;
+    std::size_t conditions = 0;
+  };
+  std::map<std::uint32_t, OfPerson> by_person{};  // of the logarithms
   for (const auto& function : results.functions) {
     const auto value = found.value(is_performance ? "jnd.dprime1" : "jnd", function.data.key);
     if (!value || *value <= 0.0) continue;
-    logarithms.push_back(std::log(*value * (is_performance ? 1.0 : kThresholdOfJnd)));
+    OfPerson& own = by_person[function.person];
+    own.sum += std::log(*value * (is_performance ? 1.0 : kThresholdOfJnd));
+    ++own.conditions;
+  }
+  // What differs between conditions is the ratio of their thresholds, not a difference between participants.
+  std::vector<double> logarithms{};
+  for (const auto& [person, own] : by_person) {
+    if (own.conditions != results.conditions.size()) continue;
+    logarithms.push_back(own.sum / static_cast<double>(own.conditions));
   }
   if (logarithms.size() < 2) return;
   const Summary summary = summary_of(logarithms).value();

@@ -25,7 +25,8 @@ ShownParameters shown_magnitude_parameters(const GatheredAnswers& gathered,
                                            const TabulatedQuestion& asked);
 
 /// Of a discrimination in which one of two surfaces is chosen: threshold, the geometric mean of the participants' differences with d′ =
-/// 1, and threshold_sd, which contains the error of the estimates; order and order_sd, from the participants' effects
+/// 1, and threshold_sd, which contains the error of the estimates (with several conditions, of the geometric means of the
+/// participants with a threshold in every one); order and order_sd, from the participants' effects
 ///
 ///   o = (z(p₁) − z(p₂))/√2
 ///
