@@ -18,15 +18,25 @@ bool is_about_target(const TabulatedQuestion& asked) {
   return target && std::find(asked.items.begin(), asked.items.end(), *target) != asked.items.end();
 }
 
+std::string difference_between(const std::string& factor) { return factor + ".difference"; }
+
 void add_choice_parameters(const TabulatedQuestion& asked, ParameterList& list) {
   if (is_about_target(asked)) {
     list.effect({.effect = {.name = kTarget,
                             .unit = "log-odds",
                             .meaning = "log-odds of a choice of the target over each other item"},
                  .tests = {"target_pairs", "pairs", "preference"},
+                 .compared_in = {"groups", "textures"},
                  .sd_unit = "log-odds",
                  .sd_meaning = "SD over participants of the log-odds between any two items",
                  .usual_sd = 1.0});
+    if (const auto* const groups = groups_in(asked)) {
+      const auto& [factor, levels] = *groups;
+      list.effect_of_groups({.name = difference_between(factor),
+                             .unit = "log-odds",
+                             .meaning = "log-odds of the target in the group \"" + levels.back() +
+                                        "\" minus those in \"" + levels.front() + "\""});
+    }
   } else {
     list.effect({.effect = {.name = kDifference,
                             .unit = "log-odds",
@@ -67,7 +77,12 @@ double utility_of_item(const TabulatedTrial& trial, const std::string& item) {
                        : item == trial.asked.protocol.analysis.target ? 1.0
                                                                       : 0.0;
   const double sd = trial.values.at(std::string(effect) + "_sd");
-  return trial.values.at(effect) * place + trial.own_of(effect, item, sd / std::numbers::sqrt2);
+  double mean = trial.values.at(effect);
+  const auto* const groups = is_of_target ? groups_in(trial.asked) : nullptr;
+  if (groups != nullptr) {
+    mean += trial.values.at(difference_between(groups->first)) * trial.place_of(groups->first);
+  }
+  return mean * place + trial.own_of(effect, item, sd / std::numbers::sqrt2);
 }
 
 Answer choose_surface(const TabulatedTrial& trial) {

@@ -13,15 +13,28 @@ namespace {
 
 constexpr const char* kSensitivity = "sensitivity";
 
-void add_sensitivity(std::vector<std::string> tests, ParameterList& list) {
+std::string ratio_of_groups(const std::string& factor) { return factor + ".ratio"; }
+
+void add_sensitivity(const TabulatedQuestion& asked, std::vector<std::string> tests,
+                     ParameterList& list) {
   list.effect({.effect = {.name = kSensitivity,
                           .range = ParameterRange::not_negative,
                           .unit = "d′",
                           .meaning = "d′ of the median participant: how far the picture of the "
                                      "texture felt stands out"},
                .tests = std::move(tests),
+               .compared_in = {"groups", "sexes"},
                .sd_meaning = "SD over participants of the natural logarithm of d′",
                .usual_sd = 0.5});
+  if (const auto* const groups = groups_in(asked)) {
+    const auto& [factor, levels] = *groups;
+    list.effect_of_groups({.name = ratio_of_groups(factor),
+                           .range = ParameterRange::positive,
+                           .unit = "ratio",
+                           .meaning = "d′ of the group \"" + levels.back() +
+                                      "\" divided by that of \"" + levels.front() + "\"",
+                           .null_value = 1.0});
+  }
   list.assumed({.name = "texture_sd",
                 .range = ParameterRange::not_negative,
                 .meaning = "SD over textures of the natural logarithm of d′",
@@ -30,7 +43,7 @@ void add_sensitivity(std::vector<std::string> tests, ParameterList& list) {
 
 std::vector<ResponseParameter> parameters_of_recognition(const TabulatedQuestion& asked) {
   ParameterList list(asked);
-  add_sensitivity({"right", "textures", "information"}, list);
+  add_sensitivity(asked, {"right", "textures", "information"}, list);
   list.assumed({.name = "bias_sd",
                 .range = ParameterRange::not_negative,
                 .unit = "d′",
@@ -42,7 +55,7 @@ std::vector<ResponseParameter> parameters_of_recognition(const TabulatedQuestion
 
 std::vector<ResponseParameter> parameters_of_matching(const TabulatedQuestion& asked) {
   ParameterList list(asked);
-  add_sensitivity({"items", "whole", "textures"}, list);
+  add_sensitivity(asked, {"items", "whole", "textures"}, list);
   list.lapse();
   return list.take();
 }
@@ -52,7 +65,12 @@ double sensitivity_to(const TabulatedTrial& trial, const std::string& texture) {
                                 Random(trial.of_participant).split(kSensitivity).normal();
   const double of_texture =
       trial.values.at("texture_sd") * trial.of_study.split("texture").split(texture).normal();
-  return trial.values.at(kSensitivity) * std::exp(of_participant + of_texture);
+  double of_group = 0.0;
+  if (const auto* const groups = groups_in(trial.asked)) {
+    of_group =
+        std::log(trial.values.at(ratio_of_groups(groups->first))) * trial.place_of(groups->first);
+  }
+  return trial.values.at(kSensitivity) * std::exp(of_participant + of_texture + of_group);
 }
 
 /// How many of the options are pictures: all but "cannot tell", which is the last one.

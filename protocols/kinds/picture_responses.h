@@ -10,9 +10,10 @@ namespace asperity {
 /// is added to that of the picture of the texture felt. In a recognition the picture with the greatest impression is chosen
 /// (ForcedChoice); in a matching the assignment with the greatest sum. d′ is
 ///
-///   d′·exp(s·z + t·y)
+///   d′·exp(s·z + t·y + p·ln r)
 ///
-/// with normal z of the participant and y of the texture: a sensitivity is not negative, and without sensitivity (the null)
+/// with normal z of the participant and y of the texture, and the ratio r of the sensitivities of the last and the first group of
+/// participants (FACTOR.ratio; p is the group's place from −½ to ½): a sensitivity is not negative, and without sensitivity (the null)
 /// every participant guesses, whatever the standard deviations s and t are. In a recognition each participant prefers some
 /// pictures to others: b ~ N(0, `bias_sd`²) is added to the impression of a picture. A lapse is a random picture or assignment;
 /// "cannot tell" is never chosen.

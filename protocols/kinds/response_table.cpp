@@ -73,6 +73,15 @@ std::string text_of(ParameterRange range) {
   return "a number";
 }
 
+const std::pair<std::string, std::vector<std::string>>* groups_in(
+    const TabulatedQuestion& asked) noexcept {
+  if (!asked.protocol.groups) return nullptr;
+  const auto found = std::find_if(
+      asked.factors.begin(), asked.factors.end(),
+      [&asked](const auto& each) { return each.first == asked.protocol.groups->factor; });
+  return found == asked.factors.end() ? nullptr : &*found;
+}
+
 TabulatedQuestion tabulated_question(const Protocol& protocol, const Protocol::Block& block,
                                      const Protocol::TrialQuestionTemplate& question,
                                      const std::vector<Trial>& possible) {
@@ -135,23 +144,43 @@ double place_among(const std::vector<std::string>& names, std::string_view name)
   return static_cast<double>(found - names.begin()) / static_cast<double>(names.size() - 1) - 0.5;
 }
 
-void ParameterList::effect(Effect effect) {
-  ResponseParameter& mean = effect.effect;
-  for (const std::string& test : effect.tests) {
+std::string ParameterList::in_family(const std::vector<std::string>& tests) const {
+  std::string names{};
+  for (const std::string& test : tests) {
     if (std::find(asked_.family.begin(), asked_.family.end(), test) == asked_.family.end())
       continue;
-    mean.tests += (mean.tests.empty() ? "" : ", ") + test;
+    names += (names.empty() ? "" : ", ") + test;
   }
+  return names;
+}
+
+void ParameterList::effect_of_groups(ResponseParameter effect) {
+  effect.tests = in_family({"groups"});
+  if (effect.tests.empty()) {
+    effect.value = effect.null_value;
+  } else {
+    effect.part = ResponseParameter::Part::effect;
+  }
+  parameters_.push_back(std::move(effect));
+}
+
+void ParameterList::effect(Effect effect) {
+  ResponseParameter& mean = effect.effect;
+  mean.tests = in_family(effect.tests);
   ResponseParameter sd{.name = mean.name + "_sd",
                        .range = ParameterRange::not_negative,
                        .unit = effect.sd_unit,
                        .meaning = effect.sd_meaning};
-  if (mean.tests.empty()) {
-    mean.value = mean.null_value;
-    sd.value = effect.usual_sd;
-  } else {
+  const bool is_compared = !in_family(effect.compared_in).empty();
+  if (!mean.tests.empty()) {
     mean.part = ResponseParameter::Part::effect;
+  } else if (!is_compared) {
+    mean.value = mean.null_value;
+  }
+  if (!mean.tests.empty() || is_compared) {
     sd.part = ResponseParameter::Part::effect_sd;
+  } else {
+    sd.value = effect.usual_sd;
   }
   parameters_.push_back(std::move(mean));
   parameters_.push_back(std::move(sd));

@@ -59,6 +59,10 @@ struct TabulatedQuestion {
   std::vector<double> values{};
 };
 
+/// The factor of the groups of participants with its levels; null where the block has no several groups.
+const std::pair<std::string, std::vector<std::string>>* groups_in(
+    const TabulatedQuestion& asked) noexcept;
+
 /// Of the question of a block. `possible`: all trials that can occur (`possible_trials`).
 TabulatedQuestion tabulated_question(const Protocol& protocol, const Protocol::Block& block,
                                      const Protocol::TrialQuestionTemplate& question,
@@ -103,7 +107,8 @@ struct TabulatedTrial {
 
 /// How responses of a kind are simulated without rendering. The counterpart on the full physics is ExperimentKind::judge.
 ///
-/// Effects vary over participants: every effect has a parameter with the ending "_sd", and a table never assumes that it is 0.
+/// Effects vary over participants: every effect has a parameter with the ending "_sd", and a table never assumes that it is 0. Effects
+/// between groups of participants have none: a participant is in one group, and what varies is the effect that differs between them.
 struct ResponseTable {
   std::vector<ResponseParameter> (*parameters)(const TabulatedQuestion& asked) = nullptr;
   /// Why responses to this question cannot be simulated this way, as a sentence without its end; empty where they can. Null:
@@ -126,17 +131,26 @@ class ParameterList final {
   struct Effect {
     ResponseParameter effect{};
     std::vector<std::string> tests{};
+    /// Tests that compare the effect between participants or textures: with one of them in the family, the effect and its standard
+    /// deviation have to be stated as well, although the test does not concern the effect.
+    std::vector<std::string> compared_in{};
     std::string sd_unit = "1";
     std::string sd_meaning{};
     double usual_sd = 0.0;
   };
   void effect(Effect effect);
+  /// An effect between groups of participants, which has no standard deviation. It concerns the test `groups`: if the family has
+  /// it, the effect has to be stated; otherwise it is assumed to be null.
+  void effect_of_groups(ResponseParameter effect);
   void assumed(ResponseParameter parameter) { parameters_.push_back(std::move(parameter)); }
   /// `lapse`: the probability of a response that does not depend on the surfaces.
   void lapse();
   std::vector<ResponseParameter> take() { return std::move(parameters_); }
 
  private:
+  /// The names of the tests of the family that are among these.
+  std::string in_family(const std::vector<std::string>& tests) const;
+
   const TabulatedQuestion& asked_;
   std::vector<ResponseParameter> parameters_{};
 };

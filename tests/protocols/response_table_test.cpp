@@ -394,6 +394,63 @@ TEST(ResponseTable, EstimatesRelativeToAStandardHaveTheRatioOfTheConditions) {
   EXPECT_EQ(conditions.size(), 3U);
 }
 
+/// A library protocol with two groups of participants, and with this family.
+nlohmann::json in_groups(const std::string& name, std::vector<std::string> family) {
+  nlohmann::json file = test::library_file(name);
+  file["factors"]["training"] = {{"levels", {"none", "haptic"}}};
+  file["groups"] = {{"factor", "training"}, {"assigned", "balanced"}};
+  file["analysis"]["family"] = std::move(family);
+  return file;
+}
+
+// d′ is 0.75 without training and 3 with it: the geometric mean is the median participant's 1.5.
+TEST(ResponseTable, SensitivitiesOfGroupsHaveTheirRatio) {
+  const Tabulated recognition(protocol_of(in_groups("improved_recognition", {"right", "groups"})),
+                              "main", "recognised");
+  const Values values{{"sensitivity", 1.5}, {"sensitivity_sd", 0.0}, {"training.ratio", 4.0},
+                      {"texture_sd", 0.0},  {"bias_sd", 0.0},        {"lapse", 0.0}};
+  Trial trial = recognition.trial_with("stone");
+  for (const auto& [group, dprime] : {std::pair("none", 0.75), std::pair("haptic", 3.0)}) {
+    trial.factors["training"] = std::string(group);
+    EXPECT_NEAR(recognition.proportion_correct(trial, values, kResponses),
+                ForcedChoice{.alternatives = 6}.share(dprime), kTolerance)
+        << group;
+  }
+}
+
+// The log-odds of the target are 0 without training and 2 with it.
+TEST(ResponseTable, ChoicesOfGroupsDifferInTheLogOddsOfTheTarget) {
+  const Tabulated selection(
+      protocol_of(in_groups("improved_selection", {"target_pairs", "groups"})), "main",
+      "most_realistic");
+  const Values values{
+      {"target", 1.0}, {"training.difference", 2.0}, {"order_sd", 0.0}, {"lapse", 0.0}};
+  Trial trial = selection.trials().front();
+  for (const auto& [group, log_odds] : {std::pair("none", 0.0), std::pair("haptic", 2.0)}) {
+    trial.factors["training"] = std::string(group);
+    double chosen = 0.0;
+    for (std::uint64_t i = 0; i < kResponses; ++i) {
+      chosen += selection.respond(trial, values, i).front().answer == "height_map" ? 1.0 : 0.0;
+    }
+    EXPECT_NEAR(chosen / kResponses, std::exp(log_odds) / (std::exp(log_odds) + 2.0), kTolerance)
+        << group;
+  }
+}
+
+// A comparison of groups needs the sensitivity that differs between them, and how much it varies within them.
+TEST(ResponseTable, NeverAssumesWhatGroupsAreComparedIn) {
+  const Tabulated recognition(protocol_of(in_groups("improved_recognition", {"groups"})), "main",
+                              "recognised");
+  std::map<std::string, ResponseParameter> parameters{};
+  for (const ResponseParameter& each : recognition.parameters()) parameters[each.name] = each;
+  EXPECT_EQ(parameters.at("training.ratio").tests, "groups");
+  EXPECT_EQ(parameters.at("training.ratio").null_value, 1.0);
+  EXPECT_EQ(parameters.at("sensitivity").tests, "");
+  for (const char* const name : {"training.ratio", "sensitivity", "sensitivity_sd"}) {
+    EXPECT_FALSE(parameters.at(name).value) << name;
+  }
+}
+
 // Ten items on one dimension: the most distant pair minus neighbours, and different minus identical pairs.
 TEST(ResponseTable, DissimilaritiesGrowWithTheDistanceOfTheItems) {
   const Tabulated pairs(protocol_of(test::library_file("map_of_renderings")), "ratings",
