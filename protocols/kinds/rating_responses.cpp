@@ -24,10 +24,25 @@ bool accompanies_correct_responses(const TabulatedQuestion& asked) {
   return accompanies(asked) && kind_of(asked.block).has_correct_responses;
 }
 
-/// The factors with their levels, and the varied parameter with its values.
+/// Whether the levels of a factor determine the surface of the block.
+bool determines_surface(const TabulatedQuestion& asked, const std::string& factor) {
+  const Protocol::Presented& presented = asked.block.presented.front();
+  if (presented.with.contains(factor)) return false;
+  const StimulusTemplate& stimulus = asked.protocol.stimuli.at(presented.stimulus);
+  const auto is_of_factor = [&factor](const auto& binding) { return binding.factor == factor; };
+  return is_of_factor(stimulus.model) || is_of_factor(stimulus.texture) ||
+         is_of_factor(stimulus.surface) || is_of_factor(stimulus.tool) ||
+         std::any_of(stimulus.parameters.begin(), stimulus.parameters.end(),
+                     [&](const auto& each) { return is_of_factor(each.second); });
+}
+
+/// The factors of the surface with their levels, and the varied parameter with its values. Ratings are averaged over other factors,
+/// such as a condition or the group of the participant.
 std::vector<std::pair<std::string, std::vector<std::string>>> rated_factors(
     const TabulatedQuestion& asked) {
   auto factors = asked.factors;
+  std::erase_if(factors,
+                [&asked](const auto& each) { return !determines_surface(asked, each.first); });
   if (asked.values.size() < 2) return factors;
   std::vector<std::string> values{};
   for (const double value : asked.values) values.push_back(text_of(Level{value}));
@@ -36,7 +51,7 @@ std::vector<std::pair<std::string, std::vector<std::string>>> rated_factors(
 }
 
 /// Whether ratings are compared between items: the surfaces, or where they all count as one item the combinations of levels of
-/// the factors. Scales that accompany another question are only compared if the protocol has no others.
+/// the factors that determine them. Scales that accompany another question are only compared if the protocol has no others.
 bool has_several_items(const TabulatedQuestion& asked) {
   const auto& blocks = asked.protocol.blocks;
   const bool is_compared =

@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -201,6 +202,37 @@ TEST(ResponseTable, RatingsHaveTheStatedDifferenceAndItsStandardDeviation) {
   EXPECT_NEAR(level.mean, 50.0, 0.5);
   // Half the variance of the noise, and of the participants' own items, is in the mean of two.
   EXPECT_NEAR(level.sd, std::sqrt(25.0 + 0.5 * 16.0 + 0.5 * 18.0), 0.4);
+}
+
+// One surface, rated at three amplitudes with either hand: the items are the amplitudes, and the hands are averaged.
+TEST(ResponseTable, RatingsOfOneSurfaceDifferByTheFactorsOfTheSurface) {
+  nlohmann::json file = test::library_file("roughness_of_photographs");
+  file["factors"] = {{"amplitude", {{"levels", {2e-5, 4e-5, 8e-5}}}},
+                     {"hand", {{"levels", {"left", "right"}}}}};
+  file["counterbalance"] = "latin";
+  file["stimuli"]["rendered"] = nlohmann::json::parse(R"({"model": "sinusoid", "parameters": {
+    "amplitude_m": {"factor": "amplitude"}, "wavelength_m": 0.0025}})");
+  file["blocks"].erase("range");
+  file["blocks"]["ratings"].erase("minimum_distance");
+  file["blocks"]["ratings"]["crossed"] = {"amplitude"};
+  nlohmann::json flow = nlohmann::json::array();
+  for (nlohmann::json step : file["flow"]) {
+    if (step.value("run", std::string()) == "range") continue;
+    if (step.contains("run")) step["for_each"] = "hand";
+    flow.push_back(std::move(step));
+  }
+  file["flow"] = std::move(flow);
+  const Tabulated rating(protocol_of(file), "ratings", "rough");
+  const Values values{{"level", 50.0},      {"level_sd", 0.0},      {"noise_sd", 0.0},
+                      {"difference", 20.0}, {"difference_sd", 0.0}, {"lapse", 0.0}};
+  const std::map<double, double> expected{{2e-5, 40.0}, {4e-5, 50.0}, {8e-5, 60.0}};
+  std::set<std::string> hands{};
+  for (const Trial& trial : rating.trials()) {
+    hands.insert(text_of(trial.factors.at("hand")));
+    EXPECT_NEAR(rating.respond(trial, values, 1).front().number.value(),
+                expected.at(std::get<double>(trial.factors.at("amplitude"))), 0.11);
+  }
+  EXPECT_EQ(hands.size(), 2U);
 }
 
 TEST(ResponseTable, ParticipantsKeepTheirOwnDeviationsInAllTrials) {
