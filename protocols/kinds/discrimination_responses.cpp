@@ -107,8 +107,8 @@ void add_decision(const TabulatedQuestion& asked, ParameterList& list) {
   if (!design.has_noise()) {
     list.effect({.effect = {.name = kOrder,
                             .unit = "d′",
-                            .meaning = "how much more of the parameter the first surface seems to "
-                                       "have"},
+                            .meaning = "advantage of the first surface: what is added to its "
+                                       "impression before the choice"},
                  .tests = {"order"},
                  .sd_unit = "d′",
                  .sd_meaning = "SD over participants of this order effect",

@@ -38,7 +38,9 @@ std::vector<ResponseParameter> parameters_of_similarity(const TabulatedQuestion&
   }
   list.assumed({.name = "level",
                 .unit = kUnitOfDissimilarity,
-                .meaning = "mean dissimilarity of the pairs of different items",
+                .meaning =
+                    "mean dissimilarity of the pairs of different items, from 0 at the end of "
+                    "the scale for identical surfaces",
                 .value = 0.5 * range});
   list.assumed({.name = "level_sd",
                 .range = ParameterRange::not_negative,

@@ -6,7 +6,8 @@
 
 namespace asperity {
 
-/// The rated dissimilarity of two different items is the point of the scale next to
+/// The rated dissimilarity of two different items, from 0 at the end of the scale for identical surfaces, is the point of the scale
+/// next to
 ///
 ///   y = m + b + d·g + u + ε
 ///
