@@ -26,3 +26,6 @@ file(WRITE "${folder}/changelog.Debian" "${CPACK_PACKAGE_NAME} (${version}) ${di
 configure_file("${CPACK_ASPERITY_SOURCE_DIR}/CHANGELOG.md" "${folder}/changelog" COPYONLY)
 execute_process(COMMAND gzip -9 --no-name --force "${folder}/changelog.Debian" "${folder}/changelog"
   COMMAND_ERROR_IS_FATAL ANY)
+# Whatever the permissions of the checkout and the user's mask are.
+file(CHMOD "${folder}/changelog.Debian.gz" "${folder}/changelog.gz"
+  PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ)
