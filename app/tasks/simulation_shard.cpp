@@ -14,20 +14,23 @@
 #include "app/tasks/protocol_files.h"
 #include "results_schema/hashes/sha256.h"
 #include "results_schema/study.h"
+#include "results_schema/study_sharing.h"
 
 namespace asperity {
 
 namespace {
 
-/// A new folder for temporary files, removed with what is in it.
+/// A new folder that no other process has, removed with what is in it.
 class WorkFolder final {
  public:
-  WorkFolder() {
-    const std::filesystem::path place = std::filesystem::temp_directory_path();
-    std::string name = (place / "asperity-shard-XXXXXX").string();
+  /// `remedy` completes the error.
+  WorkFolder(const std::filesystem::path& place, const std::string& beginning,
+             const std::string& remedy) {
+    std::string name = (place / (beginning + "XXXXXX")).string();
     if (::mkdtemp(name.data()) == nullptr) {
-      throw std::runtime_error("no folder can be made in " + place.string() +
-                               "; set TMPDIR to a folder that you may write to");
+      const std::string reason = std::generic_category().message(errno);
+      throw std::runtime_error("no folder can be made in " + place.string() + " (" + reason +
+                               "); " + remedy);
     }
     path_ = name;
   }
@@ -42,6 +45,17 @@ class WorkFolder final {
  private:
   std::filesystem::path path_{};
 };
+
+/// TMPDIR, or /tmp.
+std::filesystem::path folder_for_temporary_files() {
+  std::error_code error{};
+  std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+  if (!error) return folder;
+  const char* const stated = std::getenv("TMPDIR");
+  throw std::runtime_error("the folder for temporary files, " +
+                           std::string(stated == nullptr ? "/tmp" : stated) + ", cannot be used (" +
+                           error.message() + "); set TMPDIR to a folder that you may write to");
+}
 
 const char* text_of(Recordings recordings) {
   switch (recordings) {
@@ -106,13 +120,23 @@ void make_study(const std::filesystem::path& folder, const std::filesystem::path
 }
 
 /// Copies the study, complete or not at all. Where another process was first with the same shard, its study is kept.
+///
+/// The copy is made in a folder that no other process has, and renamed: what a killed process left on a network file system, where
+/// it cannot be determined whether a process still writes it, does not keep the shard from being stored.
 void publish(const std::filesystem::path& from, const std::filesystem::path& to,
              const ShardIdentity& identity) {
-  try {
-    Study::open(from, Access::read_only).copy_to(to);
-  } catch (const ResultsError& error) {
-    if (error.code() != EEXIST || !is_stored_study(to, identity)) throw;
-  }
+  const std::filesystem::path parent = std::filesystem::absolute(to).parent_path();
+  make_folders(parent);
+  const WorkFolder next_to(parent, to.filename().string() + ".part-", "change its permissions");
+  const std::filesystem::path copy = next_to.path() / "content";
+  Study::open(from, Access::read_only).copy_to(copy);
+  std::error_code error{};
+  std::filesystem::rename(copy, to, error);  // not onto a folder that has files
+  if (!error || is_stored_study(to, identity)) return;
+  throw ResultsError("the study " + to.string() + " cannot be made (" + error.message() +
+                         "); change the permissions of " + parent.string() +
+                         ", then simulate this shard again",
+                     to, error.value());
 }
 
 }  // namespace
@@ -130,7 +154,8 @@ SimulatedShard simulate_shard(const SimulationInputs& inputs, const ModelRegistr
                                          .program = numerical_identity()},
                                .shard = shard};
   if (is_stored_study(simulated.study, identity)) return simulated;
-  const WorkFolder work{};
+  const WorkFolder work(folder_for_temporary_files(), "asperity-shard-",
+                        "set TMPDIR to a folder that you may write to");
   SimulationInputs own = inputs;
   own.resume = false;
   own.study = work.path() / "study";

@@ -196,6 +196,32 @@ TEST_F(SimulateShards, NeedAStudyWithoutParticipantsAndAParticipantEach) {
   EXPECT_FALSE(fs::exists(shard_study(1, 2)));
 }
 
+// A task was killed while it copied its study. On a network file system its owner cannot be determined, nor here, without a lock.
+TEST_F(SimulateShards, AreStoredNextToWhatAKilledProcessLeft) {
+  const fs::path left = shard_study(2, 2).string() + ".part";
+  fs::create_directories(left / "content");
+  write_text(left / "content" / "study.sqlite", "half of it");
+  const Outcome repeated = simulate(2, 2);
+  ASSERT_EQ(repeated.status, 0) << repeated.err;
+  EXPECT_EQ(asperity({"verify", shard_study(2, 2)}).status, 0);
+  EXPECT_EQ(text_of(left / "content" / "study.sqlite"), "half of it") << "it may be of a user";
+  std::vector<std::string> names{};
+  for (const auto& entry : fs::directory_iterator(small_.place())) {
+    names.push_back(entry.path().filename());
+  }
+  EXPECT_THAT(names, testing::UnorderedElementsAre("study", "temporary",
+                                                   shard_study(2, 2).filename(), left.filename()));
+}
+
+TEST_F(SimulateShards, NameTheFolderForTemporaryFilesThatIsMissing) {
+  Invocation shard = invocation("1/2");
+  shard.environment = {{"TMPDIR", (small_.place() / "nowhere").string()}};
+  const Outcome refused = run(shard);
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, AllOf(HasSubstr((small_.place() / "nowhere").string()),
+                                 HasSubstr("set TMPDIR to a folder that you may write to")));
+}
+
 TEST_F(SimulateShards, LeaveNothingWhenTheyAreStopped) {
   Program program(invocation("1/2", 2000));
   ASSERT_TRUE(program.read_until_told("done virtual0001 1 1 1"));
