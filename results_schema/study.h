@@ -268,6 +268,9 @@ class Study final {
   /// the same `study.sqlite`. Each is read at one moment; where a participant's data are deleted meanwhile, the merge is
   /// begun again without them. Rows are copied one by one, whatever their number.
   ///
+  /// Where the folder is a study already, the merge is made next to it and compared: the same bytes are accepted, so that a
+  /// command can be repeated, and nothing is written.
+  ///
   /// Errors: ResultsError, naming both places where it is about two studies: a study that is damaged, was changed, has a
   /// session that is running or a deletion that is not complete; two copies of one study, or studies that were merged from a
   /// common one; a label that two of them have; files of the same name, or statements about the study, that differ.

@@ -83,7 +83,10 @@ void add_merge(CLI::App& program, Job& job) {
       "Merge the studies of stations, or of all shards of a simulation, into a new study.");
   command->add_option("STUDY", options->studies, "Folders of the studies, in any order")
       ->required();
-  command->add_option("--out", options->out, "Folder of the merged study, which must not exist yet")
+  command
+      ->add_option(
+          "--out", options->out,
+          "Folder of the merged study: new, or made by an earlier merge of the same studies")
       ->required();
   command
       ->add_option("--prefix", options->prefixes,
@@ -114,10 +117,13 @@ void add_merge(CLI::App& program, Job& job) {
           {.metadata = options->metadata.applied_to({}),
            .deletions_in_copies = options->deletions_checked ? DeletionsInCopies::checked
                                                              : DeletionsInCopies::unchecked});
-      for (ListedOutput& entry : listed) say_unrecorded(entry.complete());
-      std::cout << "merged " << sources.size() << (sources.size() == 1 ? " study" : " studies")
-                << " into " << options->out << ": " << number_of(counts.participants, "participant")
-                << ", " << number_of(counts.sessions, "session") << ", "
+      if (!counts.was_there) {  // otherwise the earlier merge is listed
+        for (ListedOutput& entry : listed) say_unrecorded(entry.complete());
+      }
+      std::cout << (counts.was_there ? "already merged by an earlier command: " : "merged ")
+                << sources.size() << (sources.size() == 1 ? " study" : " studies") << " into "
+                << options->out << ": " << number_of(counts.participants, "participant") << ", "
+                << number_of(counts.sessions, "session") << ", "
                 << number_of(counts.attempts, "attempt") << ", "
                 << number_of(counts.recordings, "recording") << '\n';
       say_shared_places(options->out);

@@ -13,8 +13,10 @@
 #include <system_error>
 #include <vector>
 
+#include "results_schema/files/folder_entries.h"
 #include "results_schema/files/part_folder.h"
 #include "results_schema/hashes/seal.h"
+#include "results_schema/hashes/sha256.h"
 #include "results_schema/merge/merge_sources.h"
 #include "results_schema/merge/merged_rows.h"
 #include "results_schema/part_files.h"
@@ -141,6 +143,29 @@ MergedCounts counts_in(Database& merged) {
   return counts;
 }
 
+[[noreturn]] void refuse_taken(const std::filesystem::path& folder, const std::string& why) {
+  throw ResultsError("the studies cannot be merged into " + folder.string() +
+                         ", which already exists" + why + "; name a new folder",
+                     folder, EEXIST);
+}
+
+bool have_same_bytes(const std::filesystem::path& one, const std::filesystem::path& other) {
+  std::error_code error;
+  return std::filesystem::is_regular_file(std::filesystem::symlink_status(other, error)) &&
+         std::filesystem::file_size(one, error) == std::filesystem::file_size(other, error) &&
+         !error && sha256_of_file(one) == sha256_of_file(other);
+}
+
+/// Whether `folder` has all files of the study that was merged into `made`: the same studies give the same files.
+bool has_files_of(const std::filesystem::path& folder, const std::filesystem::path& made) {
+  for (const auto& entry : entries_below(made)) {
+    const std::filesystem::path relative = entry.path().lexically_relative(made);
+    if (entry.is_directory() || *relative.begin() == "locks") continue;
+    if (!have_same_bytes(entry.path(), folder / relative)) return false;
+  }
+  return true;
+}
+
 /// Runs `reading` while each study is read at one moment.
 void read_all_at_one_moment(const std::list<Study>& studies, std::list<Study>::const_iterator next,
                             const std::function<void()>& reading) {
@@ -158,10 +183,8 @@ void Study::refuse_merge_to(std::span<const MergeSource> sources,
   if (sources.empty()) {
     throw std::invalid_argument("no study to merge is named; name the folders of studies");
   }
-  if (std::filesystem::exists(std::filesystem::symlink_status(folder))) {
-    throw ResultsError("the studies cannot be merged into " + folder.string() +
-                           ", which already exists; name a new folder",
-                       folder, EEXIST);
+  if (std::filesystem::exists(std::filesystem::symlink_status(folder)) && !Study::exists(folder)) {
+    refuse_taken(folder, "");
   }
   const std::filesystem::path to = canonical_folder(folder);
   std::map<std::filesystem::path, const MergeSource*> known;
@@ -188,6 +211,8 @@ MergedCounts Study::merge(std::span<const MergeSource> sources, const std::files
     studies.push_back(open(source.folder, Access::read_only));
     refuse_condition(source, studies.back().condition());
   }
+  const bool was_there = Study::exists(to);
+  constexpr const char* kOther = " and is not the merge of these studies as they are now";
   std::optional<PartFolder> part;
   MergedCounts counts{};
   // Begun again where data are deleted meanwhile.
@@ -210,12 +235,21 @@ MergedCounts Study::merge(std::span<const MergeSource> sources, const std::files
       fill_database(database, opened, metadata);
       counts = counts_in(database);
     }
+    // Before the files, which can be many.
+    if (was_there && !have_same_bytes(database_in(part->content()), database_in(to))) {
+      refuse_taken(folder, kOther);
+    }
     FilesOfSources(opened).transfer_to(part->content());
   };
   try {
     read_all_at_one_moment(studies, studies.begin(), fill);
     if (!has_seal(part->content())) seal_new(part->content());
-    part->take_place();
+    if (!was_there) {
+      part->take_place();
+    } else if (!has_files_of(to, part->content())) {
+      refuse_taken(folder, kOther);
+    }
+    counts.was_there = was_there;
   } catch (const ResultsError& error) {
     if (!part) throw;
     throw part->about_target(error);

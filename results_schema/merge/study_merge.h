@@ -33,6 +33,8 @@ struct MergeSettings {
 
 /// The numbers of rows in a merged study.
 struct MergedCounts {
+  bool was_there =
+      false;  ///< an earlier merge of the same studies made it, and nothing was written
   std::int64_t participants = 0;
   std::int64_t sessions = 0;
   std::int64_t incomplete_sessions = 0;  ///< of `sessions`: those that can be resumed

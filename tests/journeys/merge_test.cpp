@@ -44,6 +44,10 @@ TEST(Merge, GivesTheAnalysisOfOneStudyWithAllParticipants) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("merged 2 studies into " + merged.string() +
                                      ": 2 participants, 4 sessions, "));
+  const Outcome again = asperity({"merge", second, first, "--out", merged, "--deletions-checked"});
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_THAT(again.out, HasSubstr("already merged by an earlier command: 2 studies into "));
+  EXPECT_EQ(Study::open(first, Access::read_only).outputs().size(), 1U);
   const Outcome verified = asperity({"verify", merged, "--replay"});
   EXPECT_EQ(verified.status, 0) << verified.err;
   EXPECT_THAT(verified.out, Not(HasSubstr("remark")));

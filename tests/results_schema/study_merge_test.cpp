@@ -454,6 +454,37 @@ TEST_F(StudyMerge, NeedsAFolderThatIsNotThere) {
   EXPECT_THAT(refusal({{a_}, {folder_ / "nowhere"}}), HasSubstr("there is no folder"));
 }
 
+// A job that is run again, after it had succeeded.
+TEST_F(StudyMerge, AcceptsTheStudyThatAnEarlierMergeOfTheSameStudiesMade) {
+  const std::vector<MergeSource> sources{{a_}, {b_}};
+  EXPECT_FALSE(Study::merge(sources, merged_, {}).was_there);
+  const auto refused = [&] {
+    const std::string why = refusal_of<ResultsError>([&] { Study::merge(sources, merged_, {}); });
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "merged.part"));
+    return why;
+  };
+  const auto written = std::filesystem::last_write_time(merged_ / "study.sqlite");
+  const MergedCounts again = Study::merge(std::vector<MergeSource>{{b_}, {a_}}, merged_, {});
+  EXPECT_TRUE(again.was_there);
+  EXPECT_EQ(again.participants, 3);
+  EXPECT_EQ(std::filesystem::last_write_time(merged_ / "study.sqlite"), written);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "merged.part"));
+
+  // With another file, or without the data of a participant who withdrew.
+  const std::filesystem::path log = merged_ / "logs" / "P1" / "session-01.txt";
+  write_file(log, "other", Overwrite::allow);
+  EXPECT_THAT(refused(), HasSubstr("not the merge of these studies as they are now"));
+  write_file(log, "words", Overwrite::allow);
+  EXPECT_THAT(refused(), IsEmpty());
+  Study::open(merged_, Access::read_write)
+      .withdraw("P1", {.data = WithdrawnData::deleted,
+                       .reason = WithdrawalReason::other,
+                       .decided_by = "R. Keeper"});
+  EXPECT_THAT(refused(), AllOf(HasSubstr(merged_.string() + ", which already exists"),
+                               HasSubstr("name a new folder")));
+  EXPECT_FALSE(Study::open(merged_, Access::read_only).participant("P1"));
+}
+
 class InterruptedMerge : public StudyMerge {};
 
 // The disk fails at one operation of the database after another: the merge is complete or absent.
