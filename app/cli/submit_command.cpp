@@ -25,6 +25,7 @@
 #include "app/cluster/divided_commands.h"
 #include "app/cluster/slurm.h"
 #include "app/cluster/submission.h"
+#include "app/cluster/submission_turn.h"
 #include "app/cluster/submission_watch.h"
 #include "app/cluster/submit_jobs.h"
 #include "app/shards/shard.h"
@@ -144,6 +145,8 @@ int run_submit(const SubmitOptions& options) {
   const Slurm slurm(search_path == nullptr ? "" : search_path,
                     "Without a batch system: " + parallel_line_of(submission, program));
   if (options.watch) return watch(submission, slurm);
+  std::optional<SubmissionTurn> turn{};
+  if (!options.status) turn.emplace(submission);
   const SubmissionState state = current_state(submission, slurm);
   const NextJobs next = options.status ? NextJobs{} : next_jobs(state);
   const bool submits = !next.is_empty();

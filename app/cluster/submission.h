@@ -26,6 +26,7 @@ struct SlurmRequest {
 ///     shards.sbatch     the batch script of the array
 ///     gather.sbatch     the batch script of the job that joins the shards
 ///     logs/             what the jobs printed
+///     lock              empty; of the process that submits now (SubmissionTurn)
 ///
 /// Nothing else is stored. Which shards are complete is determined from their files, and what is in the queue from squeue by the
 /// name of the jobs, so that an interrupted `submit` can be repeated and no database of jobs is needed.

@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "app/cluster/submission_turn.h"
+
 namespace asperity {
 
 namespace {
@@ -19,7 +21,8 @@ std::vector<int> attempted(const NextJobs& next) {
 WatchEnd watch_submission(const Submission& submission, const Slurm& slurm,
                           const WatchActions& actions) {
   std::map<int, int> attempts{};
-  while (true) {
+  do {
+    const SubmissionTurn turn(submission);
     const SubmissionState state = current_state(submission, slurm);
     actions.on_state(state);
     if (state.is_complete) return {.why = WatchEnd::Why::complete};
@@ -28,8 +31,8 @@ WatchEnd watch_submission(const Submission& submission, const Slurm& slurm,
       if (++attempts[shard] > kMostAttempts) return {.why = WatchEnd::Why::failed, .shard = shard};
     }
     if (!next.is_empty()) actions.on_submitted(next, submit_jobs(submission, next, slurm));
-    if (!actions.wait()) return {.why = WatchEnd::Why::stopped};
-  }
+  } while (actions.wait());
+  return {.why = WatchEnd::Why::stopped};
 }
 
 }  // namespace asperity

@@ -32,7 +32,7 @@ struct WatchEnd {
 /// How often one watch submits the task of a shard, or the gather job alone.
 inline constexpr int kMostAttempts = 3;
 
-/// Looks, and submits what is missing, until the result exists. Errors: those of Slurm.
+/// Looks, and submits what is missing, until the result exists. Errors: those of Slurm and SubmissionTurn.
 WatchEnd watch_submission(const Submission& submission, const Slurm& slurm,
                           const WatchActions& actions);
 

@@ -1,6 +1,7 @@
 // What files and queue amount to, what is submitted next, and the commands of Slurm that do it.
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -17,6 +18,7 @@
 #include "app/cluster/slurm.h"
 #include "app/cluster/submission.h"
 #include "app/cluster/submission_state.h"
+#include "app/cluster/submission_turn.h"
 #include "app/cluster/submission_watch.h"
 #include "app/cluster/submit_jobs.h"
 #include "tests/support/refusal.h"
@@ -279,6 +281,17 @@ TEST(SubmittedJobs, NamesTheCommandThatIsMissing) {
       AllOf(HasSubstr("sbatch of Slurm is not in a folder of PATH"), HasSubstr("Instead: x")));
 }
 
+TEST(SubmissionTurn, IsOfOneProcessAtATime) {
+  const TemporaryFolder folder;
+  const Submission submission{.folder = folder.path()};
+  std::optional<SubmissionTurn> turn(std::in_place, submission);
+  EXPECT_THAT(refusal_of([&] { SubmissionTurn(submission, std::chrono::milliseconds(1)); }),
+              AllOf(HasSubstr("another asperity submit is submitting the jobs of"),
+                    HasSubstr((folder / "lock").string()), HasSubstr("stop it")));
+  turn.reset();
+  turn.emplace(submission, std::chrono::milliseconds(1));
+}
+
 /// The end of a watch in which the queue stays empty: every task ends at once, without its shard.
 WatchEnd end_of_watch(const Submission& submission, const FakeSlurm& fake,
                       const std::function<bool()>& wait) {
@@ -292,7 +305,7 @@ TEST(SubmissionWatch, EndsWhereATaskFailsInEveryAttempt) {
   const FakeSlurm fake;
   const TemporaryFolder folder;
   const Submission submission =
-      new_submission(folder / "sub", folder.path(), {"sweep", "--out", "a.tsv"}, 3);
+      new_submission(folder.path(), folder.path(), {"sweep", "--out", "a.tsv"}, 3);
   std::ofstream(submission.shard(1)) << "complete\n";
   const WatchEnd end = end_of_watch(submission, fake, [] { return true; });
   EXPECT_EQ(end.why, WatchEnd::Why::failed);
@@ -304,7 +317,7 @@ TEST(SubmissionWatch, EndsWithTheResult) {
   const FakeSlurm fake;
   const TemporaryFolder folder;
   const Submission submission =
-      new_submission(folder / "sub", folder.path(), {"sweep", "--out", "a.tsv"}, 2);
+      new_submission(folder.path(), folder.path(), {"sweep", "--out", "a.tsv"}, 2);
   const WatchEnd end = end_of_watch(submission, fake, [&] {
     std::ofstream(submission.result()) << "the table\n";
     return true;
@@ -314,7 +327,10 @@ TEST(SubmissionWatch, EndsWithTheResult) {
 
 TEST(SubmissionWatch, StopsWhenItIsToldTo) {
   const FakeSlurm fake;
-  EXPECT_EQ(end_of_watch(four_shards(), fake, [] { return false; }).why, WatchEnd::Why::stopped);
+  const TemporaryFolder folder;
+  Submission submission = four_shards();
+  submission.folder = folder.path();
+  EXPECT_EQ(end_of_watch(submission, fake, [] { return false; }).why, WatchEnd::Why::stopped);
 }
 
 }  // namespace

@@ -88,6 +88,14 @@ class Submit(unittest.TestCase):
             for line in ("#SBATCH --time=10", "#SBATCH --account=lab", "#SBATCH --qos=low", "#SBATCH --requeue"):
                 self.assertIn(line + "\n", text)
 
+    def test_one_process_submits_at_a_time(self):
+        unless_locked = f"if flock --nonblock '{self.folder}/jobs/lock' true; then echo 'not locked' >&2; exit 1; fi"
+        self.pretend("sbatch", f"{unless_locked}; echo 21")
+        self.pretend("squeue", f"{unless_locked}; cat queue")
+        self.begin()
+        self.submitted("jobs")
+        self.assertIn("not locked", self.submit("jobs", "--status").stderr, "the state can be shown at any time")
+
     def test_what_is_missing_is_submitted_again(self):
         self.begin()
         self.calls()
