@@ -52,6 +52,12 @@ std::string name_of(const Submission& submission) {
 }
 
 void require_printable(const std::string& text, const std::string& what) {
+  try {
+    static_cast<void>(nlohmann::json(text).dump());
+  } catch (const nlohmann::json::type_error&) {
+    throw std::invalid_argument(
+        what + " \"" + text + "\" is not UTF-8 text, which submission.json consists of; rename it");
+  }
   const bool is_printable = std::none_of(text.begin(), text.end(), [](char c) {
     return static_cast<unsigned char>(c) < ' ' || c == 0x7f;
   });
@@ -94,6 +100,7 @@ Submission new_submission(const std::filesystem::path& folder,
     submission.out = whole;
     submission.out += declaration_of(submission.command).result_ending;
   }
+  if (!submission.out.has_filename()) submission.out = submission.out.parent_path();
   require_printable(submission.folder.string(), "the folder");
   require_printable(submission.directory.string(), "the current folder");
   for (const std::string& word : submission.command) require_printable(word, "the argument");

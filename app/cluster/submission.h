@@ -53,7 +53,7 @@ struct Submission {
 /// ending of its declaration.
 ///
 /// Errors: std::invalid_argument for a command that cannot be divided (whole_of), and for characters that a batch script cannot
-/// contain: control characters, and " % \ in the path of the folder.
+/// contain: control characters and what is not UTF-8, and " % \ in the path of the folder.
 Submission new_submission(const std::filesystem::path& folder,
                           const std::filesystem::path& directory, std::vector<std::string> command,
                           int shards, std::filesystem::path out = {});

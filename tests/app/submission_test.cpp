@@ -92,6 +92,8 @@ TEST(Submission, JoinsIntoTheNamedResult) {
   EXPECT_EQ(submission.result(), "/w/all tables/joined.tsv");
   EXPECT_EQ(submission.shard(1), "/w/diameter.tsv.shard-1-of-2");
   EXPECT_NE(submission.job_name, new_submission("/f", "/w", kSweep, 2).job_name);
+  EXPECT_THAT(new_submission("/f", "/w", kSweep, 2, "joined/").job_name,
+              ::testing::StartsWith("joined-"));
 }
 
 TEST(Submission, RefusesWhatABatchScriptCannotContain) {
@@ -103,6 +105,7 @@ TEST(Submission, RefusesWhatABatchScriptCannotContain) {
   EXPECT_THAT(refused("/a%b", ""), HasSubstr("choose another folder"));
   EXPECT_THAT(refused("/a\"b", ""), HasSubstr("choose another folder"));
   EXPECT_THAT(refused("/a", "two\nlines"), HasSubstr("control character"));
+  EXPECT_THAT(refused("/a", "\xff"), HasSubstr("is not UTF-8 text"));
   EXPECT_EQ(refused("/a b", "$HOME"), "");
 }
 
