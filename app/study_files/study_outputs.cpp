@@ -57,6 +57,16 @@ bool is_without(const OutputRow& output, const std::string& label) {
   return false;
 }
 
+/// Of a folder whose program was killed, the folder NAME.part in which it was being made, if that is there.
+void name_remains(OutputRow& output) {
+  if (!output.made_utc.empty() || output.path.empty()) return;
+  std::string part = output.path;
+  while (part.ends_with('/')) part.pop_back();
+  part += ".part";
+  std::error_code unreadable;
+  if (std::filesystem::exists(part, unreadable)) output.path = part;
+}
+
 /// Which file or folder is at a path; 0 and 0 for none, nothing where that is unknown.
 std::optional<std::pair<dev_t, ino_t>> identity_at(const std::filesystem::path& path) {
   struct stat status = {};
@@ -152,6 +162,7 @@ std::vector<OutputRow> outputs_of_withdrawal(const Withdrawal& withdrawal,
   if (withdrawal.row.is_virtual) {
     std::erase_if(outputs, [&label](const OutputRow& output) { return is_without(output, label); });
   }
+  for (OutputRow& output : outputs) name_remains(output);
   return outputs;
 }
 

@@ -45,7 +45,7 @@ Phrase kind_words(OutputKind kind);
 
 /// The listed outputs that may contain a participant's data: for a person, the outputs made since they were added. A
 /// simulated participant has no real date; for those, the outputs that contain the label or cannot be read now.
-/// Errors: ResultsError for an unknown label.
+/// Of an output whose program was killed, the path is that of its remains, NAME.part. Errors: ResultsError for an unknown label.
 std::vector<OutputRow> outputs_of_participant(const Study& study, const std::string& label);
 
 /// The same of the outputs that a withdrawal has found.

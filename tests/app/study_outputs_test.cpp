@@ -45,6 +45,18 @@ TEST(ListedOutput, IsNotInTheListOfTheCopyThatItIs) {
   EXPECT_EQ(in_copy[0].path, made.beside("earlier"));
 }
 
+// The folder does not exist, and the data of the participant do.
+TEST(ListedOutput, OfAKilledProgramIsReportedWithItsRemains) {
+  MadeUpStudy made;
+  made.add_virtual("virtual0001", "M");
+  Study study = Study::open(made.study().folder(), Access::read_write);
+  study.begin_output({.kind = OutputKind::merge, .path = made.beside("merged").string() + '/'});
+  const auto reported = [&] { return outputs_of_participant(study, "virtual0001").at(0).path; };
+  EXPECT_EQ(reported(), made.beside("merged").string() + '/');
+  std::filesystem::create_directory(made.beside("merged.part"));
+  EXPECT_EQ(reported(), made.beside("merged.part"));
+}
+
 // A simulated participant has no real date: what is there now tells whether they are in it.
 TEST(ListedOutput, IsReportedToAVirtualParticipantWhileItIsMade) {
   MadeUpStudy made;
