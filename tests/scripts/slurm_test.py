@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""A divided sweep on a real Slurm, with failures of its nodes, has the bytes of one process. Argument: the program asperity.
+"""A divided sweep on a real Slurm, with failures of its nodes, has the bytes of one process, and so has a divided simulation. Argument:
+the program asperity.
 
 As root, with slurm-wlm, munge and parallel; takes two minutes. scripts/slurm-local runs the cluster.
 """
@@ -174,6 +175,28 @@ def missing_shard_is_submitted_again(folder, whole):
     assert computation.files() == whole, "cancelled tasks"
 
 
+def simulation(folder):
+    """The joined study is that of the undivided simulation, merged alone under the same name, and joining it again changes nothing."""
+    folder.mkdir()
+
+    def program(*words):
+        return run(PROGRAM, *words, folder=folder).stdout
+
+    def files(study):
+        return {path.relative_to(study): path.read_bytes() for path in study.rglob("*") if path.is_file()}
+
+    program("new", "study", "--demo")
+    simulate = ["simulate", "study/protocols/chapter_recognition.json", "--participants", "3", "--seed", "1", "--study"]
+    program("submit", "submission", "--slurm", "--shards", "3", "--", *simulate, "study")
+    until(120, lambda: json.loads(program("submit", "submission", "--json"))["is_complete"], "the merged study exists")
+    program(*simulate, "study")
+    program("merge", "study", "--out", "whole/study.merged")
+    joined = files(folder / "study.merged")
+    assert joined == files(folder / "whole" / "study.merged"), "a divided simulation"
+    run("sbatch", "--wait", folder / "submission" / "gather.sbatch", folder=folder)  # as Slurm runs it again
+    assert joined == files(folder / "study.merged"), "a joined simulation that is joined again"
+
+
 def gnu_parallel(folder, whole):
     folder.mkdir()
     written = run(PROGRAM, "submit", "submission", "--slurm", "--shards", SHARDS, "--write-only", "--", *SWEEP, "--out", "table.tsv",
@@ -195,6 +218,8 @@ with tempfile.TemporaryDirectory(prefix="slurm-", dir="/tmp") as place:
     with Cluster(place / "c") as local:
         complete_without_failure(place / "array", one_process)
         print("array of shards: the bytes of one process")
+        simulation(place / "simulation")
+        print("array of shards of a simulation, joined twice: the study of one process")
         missing_shard_is_submitted_again(place / "cancelled", one_process)
         print("cancelled tasks, submitted again: the bytes of one process")
         node_fails(place / "node", local, one_process)
