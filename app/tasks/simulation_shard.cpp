@@ -1,101 +1,20 @@
 #include "app/tasks/simulation_shard.h"
 
 #include <cerrno>
-#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 
-#include <nlohmann/json.hpp>
-
-#include "app/session/session_setup.h"
 #include "app/shards/study_shard.h"
 #include "app/study_files/program.h"
-#include "app/tasks/protocol_files.h"
-#include "results_schema/hashes/sha256.h"
+#include "app/tasks/simulation_declaration.h"
+#include "app/tasks/work_folder.h"
 #include "results_schema/study.h"
 #include "results_schema/study_sharing.h"
 
 namespace asperity {
 
 namespace {
-
-/// A new folder that no other process has, removed with what is in it.
-class WorkFolder final {
- public:
-  /// `remedy` completes the error.
-  WorkFolder(const std::filesystem::path& place, const std::string& beginning,
-             const std::string& remedy) {
-    std::string name = (place / (beginning + "XXXXXX")).string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      const std::string reason = std::generic_category().message(errno);
-      throw std::runtime_error("no folder can be made in " + place.string() + " (" + reason +
-                               "); " + remedy);
-    }
-    path_ = name;
-  }
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-  ~WorkFolder() {
-    std::error_code left{};
-    std::filesystem::remove_all(path_, left);
-  }
-  const std::filesystem::path& path() const noexcept { return path_; }
-
- private:
-  std::filesystem::path path_{};
-};
-
-/// TMPDIR, or /tmp.
-std::filesystem::path folder_for_temporary_files() {
-  std::error_code error{};
-  std::filesystem::path folder = std::filesystem::temp_directory_path(error);
-  if (!error) return folder;
-  const char* const stated = std::getenv("TMPDIR");
-  throw std::runtime_error("the folder for temporary files, " +
-                           std::string(stated == nullptr ? "/tmp" : stated) + ", cannot be used (" +
-                           error.message() + "); set TMPDIR to a folder that you may write to");
-}
-
-const char* text_of(Recordings recordings) {
-  switch (recordings) {
-    case Recordings::all:
-      return "all";
-    case Recordings::first:
-      return "first";
-    case Recordings::none:
-      return "none";
-  }
-  return "";
-}
-
-/// Everything that determines the rows, except the program.
-std::string declaration_of(const SimulationInputs& inputs, const ModelRegistry& models) {
-  nlohmann::ordered_json json{{"participants", inputs.participants},
-                              {"seed", std::to_string(inputs.seed)},
-                              {"recordings", text_of(inputs.recordings)},
-                              {"device", inputs.device},
-                              {"protocols", nlohmann::ordered_json::array()}};
-  for (const std::filesystem::path& file : inputs.protocols) {
-    const Protocol protocol = load_protocol(file, models, inputs.study);
-    auto files = nlohmann::ordered_json::object();
-    for (const StimulusFileRow& row : hash_files(protocol, inputs.study)) {
-      files[row.path] = row.sha256;
-    }
-    json["protocols"].push_back({{"name", protocol.name},
-                                 {"version", protocol.version},
-                                 {"sha256", sha256_of(protocol.source)},
-                                 {"files_sha256", files}});
-  }
-  if (inputs.on_gpu) json["compute"] = *inputs.on_gpu ? "gpu" : "cpu";
-  if (inputs.level_program) {
-    json["external"] = nlohmann::ordered_json::parse(provenance_json(*inputs.level_program));
-  }
-  for (const ForceModel& model : models.models()) {
-    if (model.plugin) json["plugins_sha256"][model.declaration.id] = model.plugin->sha256;
-  }
-  return json.dump();
-}
 
 /// The study from which all shards are made. One that has participants would give them to each of the shards.
 void require_no_participants(const Study& study) {
@@ -154,8 +73,7 @@ SimulatedShard simulate_shard(const SimulationInputs& inputs, const ModelRegistr
                                          .program = numerical_identity()},
                                .shard = shard};
   if (is_stored_study(simulated.study, identity)) return simulated;
-  const WorkFolder work(folder_for_temporary_files(), "asperity-shard-",
-                        "set TMPDIR to a folder that you may write to");
+  const WorkFolder work("shard");
   SimulationInputs own = inputs;
   own.resume = false;
   own.study = work.path() / "study";
