@@ -666,6 +666,13 @@ std::uint32_t GatheredAnswers::level(const GatheredAnswer& answer, std::string_v
 std::vector<GatheredAnswers> gather_answers(const Study& study,
                                             const std::optional<std::string>& protocol,
                                             const std::stop_token& stop) {
+  return gather_answers(
+      study, protocol, [](const ParticipantRow&) { return true; }, stop);
+}
+
+std::vector<GatheredAnswers> gather_answers(
+    const Study& study, const std::optional<std::string>& protocol,
+    const std::function<bool(const ParticipantRow&)>& is_included, const std::stop_token& stop) {
   Gatherings groups{};
   std::map<std::int64_t, ProtocolRow> protocols{};
   struct ReadProtocol {
@@ -677,7 +684,9 @@ std::vector<GatheredAnswers> gather_answers(const Study& study,
   std::map<std::string, ParticipantRow> participants{};
   for (ParticipantRow& row : study.participants()) participants.emplace(row.label, std::move(row));
   std::vector<SessionRow> sessions = study.sessions();
-  std::erase_if(sessions, [](const SessionRow& session) { return session.withdrawn; });
+  std::erase_if(sessions, [&](const SessionRow& session) {
+    return session.withdrawn || !is_included(participants.at(session.participant));
+  });
   if (protocol) {
     std::erase_if(sessions, [&](const SessionRow& session) {
       return protocols.at(session.protocol_id).name != *protocol;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -254,6 +255,11 @@ struct GatheredAnswers {
 std::vector<GatheredAnswers> gather_answers(const Study& study,
                                             const std::optional<std::string>& protocol,
                                             const std::stop_token& stop);
+
+/// The same of some participants only.
+std::vector<GatheredAnswers> gather_answers(
+    const Study& study, const std::optional<std::string>& protocol,
+    const std::function<bool(const ParticipantRow&)>& is_included, const std::stop_token& stop);
 
 /// Gathers the responses of sessions that are in memory as `gather_answers` does those of a study, except for recordings.
 class SessionGathering final {
