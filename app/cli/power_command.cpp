@@ -1,44 +1,38 @@
 // asperity power: how many participants a protocol needs, from simulated studies.
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
-#include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/options/number_list.h"
 #include "app/cli/options/number_option.h"
 #include "app/cli/options/plugin_option.h"
 #include "app/cli/options/shard_option.h"
 #include "app/cli/output/power_output.h"
 #include "app/cli/output/terminal.h"
+#include "app/cli/power/power_request.h"
 #include "app/cli/signals.h"
 #include "app/plugins/plugin_files.h"
-#include "app/power/calibration.h"
-#include "app/power/curve/effect_levels.h"
-#include "app/power/curve/ethics_sentence.h"
 #include "app/power/curve/power_shard.h"
 #include "app/power/curve/simulate_power.h"
 #include "app/power/power_model.h"
 #include "app/power/simulated_run.h"
-#include "app/study_files/program.h"
 #include "app/tasks/protocol_files.h"
-#include "app/words/text_parts.h"
+#include "app/virtual_studies/physics_studies.h"
 #include "protocols/file/diagnostic.h"
-#include "results_schema/hashes/sha256.h"
-#include "results_schema/study.h"
-#include "results_schema/tables/table.h"
 #ifdef ASPERITY_WITH_WINDOWS
 #include "app/figures/figure_files.h"
 #include "app/figures/power_curve_figure.h"
@@ -49,163 +43,47 @@ namespace asperity {
 
 namespace {
 
-constexpr int kMostParticipants = 10000;
-constexpr const char* kAssumedSource = "stated";
-constexpr const char* kStatedSource = "stated as the smallest effect of interest";
-
-struct PowerOptions {
-  std::string protocol{};
-  std::string participants{};
-  std::vector<std::string> effects{};
-  std::string effect_source = kStatedSource;
-  std::string calibrated_by{};
-  std::string assumptions{};
-  std::vector<std::string> assumed{};
-  bool list_assumptions = false;
-  std::int64_t runs = 1000;
-  std::optional<std::uint64_t> seed{};
-  int jobs = 0;
-  Attrition attrition{};
-  std::string out{};
-  std::optional<Shard> shard{};
-  std::string plot{};
-  bool force = false;
-  bool json = false;
-  std::vector<std::filesystem::path> plugins{};
-
-  Overwrite overwrite() const noexcept { return force ? Overwrite::allow : Overwrite::refuse; }
-};
-
-/// FROM:TO:STEP or N,N,…
-std::vector<int> participants_of(const std::string& text) {
-  const std::string expected =
-      "write FROM:TO:STEP, such as 10:40:5, or N,N,…, whole numbers in ascending order from 1 to " +
-      std::to_string(kMostParticipants);
-  const auto refuse = [&] { throw WrongUsage("--participants " + text + ": " + expected); };
-  const bool is_range = text.find(':') != std::string::npos;
-  std::vector<int> numbers{};
-  for (const double number : numbers_of("--participants", text, is_range ? ':' : ',', expected)) {
-    if (number != std::floor(number) || number < 1.0 || number > kMostParticipants) refuse();
-    if (!is_range && !numbers.empty() && number <= numbers.back()) refuse();
-    numbers.push_back(static_cast<int>(number));
-  }
-  if (!is_range) return numbers;
-  if (numbers.size() != 3 || numbers[0] > numbers[1]) refuse();
-  std::vector<int> range{};
-  for (int number = numbers[0]; number <= numbers[1]; number += numbers[2]) range.push_back(number);
-  return range;
-}
-
-std::vector<StatedEffect> effects_of(const PowerOptions& options) {
-  std::vector<StatedEffect> stated{};
-  for (const std::string& text : options.effects) {
-    try {
-      stated.push_back(stated_effect_in(text));
-    } catch (const std::invalid_argument& error) {
-      throw WrongUsage(std::string("--effect: ") + error.what());
-    }
-  }
-  return stated;
-}
-
-/// Takes what the responses of a study show, and prints what that is.
-std::vector<Assumption> calibrated_by(const std::string& folder, const Protocol& protocol,
-                                      const std::vector<Assumption>& usual) {
-  const Study study = Study::open(folder, Access::read_only);
-  std::vector<Assumption> calibrated = calibrated_by_study(usual, protocol, study);
-  say_condition(study);
-  std::vector<std::string> taken{};
-  for (std::size_t i = 0; i < usual.size(); ++i) {
-    if (calibrated[i].source != usual[i].source) taken.push_back(calibrated[i].name);
-  }
-  say(taken.empty() ? "asperity: warning: the responses of the study " + folder +
-                          " show none of the assumptions; all keep their usual values"
-                    : "asperity: taken from the study " + folder + ": " + listed(taken));
-  return calibrated;
-}
-
-/// Sets what --assume states.
-void assume(const std::vector<std::string>& stated, std::vector<Assumption>& assumptions) {
-  for (const std::string& text : stated) {
-    const std::size_t equals = std::min(text.find('='), text.size());
-    const std::optional<double> value =
-        number_in(std::string_view(text).substr(std::min(equals + 1, text.size())));
-    if (!value) {
-      throw WrongUsage("--assume " + text +
-                       ": write NAME=VALUE with a number, such as order_sd=0.3");
-    }
-    try {
-      set_assumption(assumptions, text.substr(0, equals), *value, kAssumedSource);
-    } catch (const std::runtime_error& error) {
-      throw WrongUsage("--assume " + text + ": " + error.what());
-    }
-  }
-}
-
-/// The report without its studies.
-PowerReport report_of(const PowerOptions& options, const ProtocolCheck& check,
-                      const std::vector<Assumption>& assumptions,
-                      const std::vector<StatedEffect>& stated) {
-  PowerReport report{.protocol = *check.protocol, .cost = check.cost};
-  try {
-    report.levels = effect_levels(assumptions, stated, options.effect_source);
-    report.order.assumptions_sha256 = sha256_of(json_of(without_stated(assumptions, stated)));
-  } catch (const std::invalid_argument& error) {
-    throw WrongUsage(std::string("--effect: ") + error.what());
-  }
-  for (const EffectLevel& level : report.levels) report.order.effects.push_back(level.text);
-  report.order.participants = participants_of(options.participants);
-  report.order.seed = *options.seed;
-  report.order.runs = options.runs;
-  report.order.protocol_sha256 = sha256_of(check.protocol->source);
-  report.order.program = version_line();
-  report.rules.attrition = options.attrition;
-  return report;
-}
-
-/// What may be read wrongly, before hours of work.
-void say_warnings(const PowerReport& report) {
-  const auto multiple = static_cast<int>(report.rules.multiple);
-  const bool has_incomplete =
-      std::any_of(report.order.participants.begin(), report.order.participants.end(),
-                  [multiple](int number) { return number % multiple != 0; });
-  if (has_incomplete) {
-    say("asperity: warning: one round of counterbalancing rows and groups has " +
-        std::to_string(multiple) +
-        " participants; a number of --participants that is not a multiple of it has an incomplete "
-        "last round");
-  }
-  for (const Assumption& one : report.levels.front().assumptions) {
-    if (!is_from_pilot(one)) continue;
-    say("asperity: warning: the effect " + one.name + " is taken from a pilot (" + one.source +
-        "), whose estimate is uncertain and, if it was selected for being significant, too large; "
-        "state the smallest effect of interest with --effect, or both ends of the pilot's "
-        "interval");
-  }
-}
-
-SimulateStudy simulation_by(const std::vector<PowerModel>& models) {
-  return [&models](std::size_t effect, int participants, std::uint64_t seed, std::int64_t run) {
-    return simulate_and_analyse(models[effect], participants, seed, run);
-  };
-}
-
 int jobs_of(const PowerOptions& options) {
   return options.jobs > 0 ? options.jobs
                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
+/// What makes the studies.
+struct StudySource {
+  /// Studies that end early after a stop request, where they take long.
+  std::function<SimulateStudy(const std::stop_token&)> until{};
+  int jobs = 1;  ///< studies that are simulated at the same time
+};
+
+/// The models are those of the levels of the report. They must outlive the source.
+StudySource source_by(const std::vector<PowerModel>& models, const PowerOptions& options) {
+  const SimulateStudy simulate = [&models](std::size_t effect, int participants, std::uint64_t seed,
+                                           std::int64_t run) {
+    return simulate_and_analyse(models[effect], participants, seed, run);
+  };
+  return {.until = [simulate](const std::stop_token&) { return simulate; },
+          .jobs = jobs_of(options)};
+}
+
+/// One study at a time, which has all jobs. `studies` must outlive the source.
+StudySource source_by(PhysicsStudies& studies) {
+  return {.until = [&studies](const std::stop_token& stop) -> SimulateStudy {
+    return [&studies, stop](std::size_t, int participants, std::uint64_t seed, std::int64_t run) {
+      return studies.outcomes(participants, seed, run, stop);
+    };
+  }};
+}
+
 /// Simulates the runs of one shard. Power is that of all runs.
-int run_shard(const PowerReport& report, const std::vector<PowerModel>& models,
-              const PowerOptions& options) {
+int run_shard(const PowerReport& report, const StudySource& source, const PowerOptions& options) {
   const Shard& shard = *options.shard;
   const PowerFiles files{.folder = options.out, .overwrite = options.overwrite()};
   PowerShard outcome{};
   {
     const InterruptWatch interrupt("stopping; the shard is not written");
     Progress progress("simulating studies");
-    outcome = simulate_power_shard(report.order, shard, simulation_by(models), jobs_of(options),
-                                   files, interrupt.token(),
+    outcome = simulate_power_shard(report.order, shard, source.until(interrupt.token()),
+                                   source.jobs, files, interrupt.token(),
                                    [&progress](double fraction) { progress.show(fraction); });
   }
   if (outcome == PowerShard::stopped) {
@@ -222,9 +100,8 @@ int run_shard(const PowerReport& report, const std::vector<PowerModel>& models,
   return 0;
 }
 
-/// Simulates the studies of the report, and prints where they are when it is stopped. The models are those of its levels.
-void simulate(PowerReport& report, const std::vector<PowerModel>& models,
-              const PowerOptions& options) {
+/// Simulates the studies of the report.
+void simulate(PowerReport& report, const StudySource& source, const PowerOptions& options) {
   std::optional<PowerFiles> files{};
   if (!options.out.empty()) {
     files = PowerFiles{.folder = options.out, .overwrite = options.overwrite()};
@@ -233,7 +110,7 @@ void simulate(PowerReport& report, const std::vector<PowerModel>& models,
                                        : "stopping; without --out nothing is kept");
   Progress progress("simulating studies");
   report.power =
-      simulate_power(report.order, simulation_by(models), jobs_of(options), files,
+      simulate_power(report.order, source.until(interrupt.token()), source.jobs, files,
                      interrupt.token(), [&progress](double fraction) { progress.show(fraction); });
 }
 
@@ -264,37 +141,11 @@ void require_plot([[maybe_unused]] const PowerOptions& options) {
 #endif
 }
 
-int run_power(const PowerOptions& options) {
-  const ModelRegistry registry = models_with(options.plugins);
-  const ProtocolCheck check =
-      check_protocol(options.protocol, registry, std::nullopt, std::nullopt);
-  if (!check.diagnostics.empty()) throw ProtocolError(check.diagnostics);
-  std::vector<Assumption> assumptions = assumptions_of(*check.protocol);
-  if (!options.calibrated_by.empty()) {
-    assumptions = calibrated_by(options.calibrated_by, *check.protocol, assumptions);
-  }
-  if (!options.assumptions.empty()) {
-    assumptions = with_assumptions_of_file(std::move(assumptions), options.assumptions);
-  }
-  assume(options.assumed, assumptions);
-  if (options.list_assumptions) {
-    std::cout << json_of(assumptions);
-    return 0;
-  }
-  if (options.participants.empty() || !options.seed) {
-    throw WrongUsage(
-        "power requires --participants and --seed, unless --list-assumptions is given");
-  }
-  require_plot(options);
-  PowerReport report = report_of(options, check, assumptions, effects_of(options));
-  std::vector<PowerModel> models{};
-  for (const EffectLevel& level : report.levels) {
-    models.emplace_back(*check.protocol, level.assumptions);
-  }
-  report.rules.multiple = static_cast<std::size_t>(models.front().multiple());
+/// Simulates the studies, and prints and writes the results.
+int finish(PowerReport& report, const StudySource& source, const PowerOptions& options) {
   say_warnings(report);
-  if (options.shard) return run_shard(report, models, options);
-  simulate(report, models, options);
+  if (options.shard) return run_shard(report, source, options);
+  simulate(report, source, options);
   if (!report.power.is_complete) {
     say_stopped(report, options);
     return 1;
@@ -313,6 +164,45 @@ int run_power(const PowerOptions& options) {
   }
 #endif
   return 0;
+}
+
+int run_power(const PowerOptions& options) {
+  require_one_source(options);
+  const ModelRegistry registry = models_with(options.plugins);
+  const ProtocolCheck check =
+      check_protocol(options.protocol, registry, std::nullopt, std::nullopt);
+  if (!check.diagnostics.empty()) throw ProtocolError(check.diagnostics);
+  std::vector<Assumption> assumptions{};
+  if (!options.physics) assumptions = stated_assumptions(options, *check.protocol);
+  if (options.list_assumptions) {
+    std::cout << json_of(assumptions);
+    return 0;
+  }
+  if (options.participants.empty() || !options.seed) {
+    throw WrongUsage(
+        "power requires --participants and --seed, unless --list-assumptions is given");
+  }
+  require_plot(options);
+  if (options.physics) {
+    PhysicsStudies studies(*check.protocol,
+                           {.study = options.study,
+                            .participants = participants_of(options),
+                            .jobs = jobs_of(options),
+                            .warned =
+                                [&options](Diagnostic warning) {
+                                  warning.file = options.protocol;
+                                  say(warning_text(warning));
+                                }},
+                           registry);
+    PowerReport report = report_of_physics(options, check, studies);
+    return finish(report, source_by(studies), options);
+  }
+  PowerReport report = report_of_tables(options, check, assumptions);
+  std::vector<PowerModel> models{};
+  for (const EffectLevel& level : report.levels) {
+    models.emplace_back(*check.protocol, level.assumptions);
+  }
+  return finish(report, source_by(models, options), options);
 }
 
 }  // namespace
@@ -353,6 +243,14 @@ void add_power(CLI::App& program, Job& job) {
       ->allow_extra_args(false);
   command->add_flag("--list-assumptions", options->list_assumptions,
                     "Print all assumptions of the protocol as JSON, to be edited, and end");
+  command->add_flag("--physics", options->physics,
+                    "Simulate the virtual observers of the protocol on the full physics, as "
+                    "asperity simulate does, in place of response tables");
+  command
+      ->add_option("--study", options->study,
+                   "With --physics: study that has the files which the protocol names; it is not "
+                   "changed")
+      ->option_text("STUDY");
   command
       ->add_option("--runs", options->runs,
                    "Number of simulated studies of each effect and number of participants")
@@ -360,10 +258,10 @@ void add_power(CLI::App& program, Job& job) {
       ->check(number_within<std::int64_t>(1, 9'999'999));
   command->add_option("--seed", options->seed, "Seed; the same seed gives the same studies");
   command
-      ->add_option(
-          "--jobs", options->jobs,
-          "Number of studies simulated in parallel (default: one for each processor); does "
-          "not affect the results")
+      ->add_option("--jobs", options->jobs,
+                   "Number of studies, or with --physics of sessions, simulated in parallel "
+                   "(default: one for "
+                   "each processor); does not affect the results")
       ->check(number_within(1, 256));
   command
       ->add_option("--dropout", options->attrition.dropout,

@@ -74,6 +74,11 @@ std::vector<Assumption> assumptions_of(const Protocol& protocol) {
   return all;
 }
 
+int participants_per_round(const Protocol& protocol) {
+  const auto groups = static_cast<int>(groups_of(protocol).size());
+  return counterbalance_rows(protocol) * std::max(groups, 1);
+}
+
 PowerModel::PowerModel(const Protocol& protocol, std::vector<Assumption> assumptions)
     : assumptions_(std::move(assumptions)) {
   check_assumptions(assumptions_of(protocol), assumptions_);
@@ -81,11 +86,6 @@ PowerModel::PowerModel(const Protocol& protocol, std::vector<Assumption> assumpt
 }
 
 const Protocol& PowerModel::protocol() const noexcept { return tables_->protocol; }
-
-int PowerModel::multiple() const {
-  const auto groups = static_cast<int>(groups_of(protocol()).size());
-  return counterbalance_rows(protocol()) * std::max(groups, 1);
-}
 
 PowerModel PowerModel::at_null() const {
   std::vector<Assumption> without_effects = assumptions_;

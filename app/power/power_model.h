@@ -19,6 +19,9 @@ struct PowerTables;
 /// external program states; the message names the block, the kind and the remedy.
 std::vector<Assumption> assumptions_of(const Protocol& protocol);
 
+/// The number of participants with which every row of counterbalancing occurs equally often in every group.
+int participants_per_round(const Protocol& protocol);
+
 /// A protocol with all its assumptions, checked. It is shared by all simulated runs and threads, and never changed.
 class PowerModel final {
  public:
@@ -28,8 +31,6 @@ class PowerModel final {
 
   const Protocol& protocol() const noexcept;
   const std::vector<Assumption>& assumptions() const noexcept { return assumptions_; }
-  /// The number of participants with which every row of counterbalancing occurs equally often in every group.
-  int multiple() const;
   /// The same model with every effect at its null value; the standard deviations of the effects are kept.
   PowerModel at_null() const;
   /// Of the simulation.

@@ -12,8 +12,7 @@ namespace asperity {
 namespace {
 
 constexpr const char* kRemedy =
-    "; simulate such studies on the full physics with \"asperity simulate\", and analyse each of "
-    "them";
+    "; add --physics to simulate them on the full physics, with the observers of the protocol";
 
 [[noreturn]] void refuse(const Protocol::Block& block, const std::string& why) {
   throw std::runtime_error("studies of the block \"" + block.name +

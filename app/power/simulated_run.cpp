@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/random.h"
 #include "app/findings/study/study_analysis.h"
 #include "app/power/power_model.h"
 #include "app/power/power_tables.h"
@@ -59,6 +58,21 @@ void add_outcomes(const std::vector<StudyTest>& tests, std::vector<SimulatedOutc
 
 }  // namespace
 
+std::vector<SimulatedOutcome> outcomes_of(std::span<const GatheredAnswers> of_study) {
+  std::vector<SimulatedOutcome> outcomes{};
+  for (const GatheredAnswers& gathered : of_study) {
+    const StudyAnalysis* const analysis = find_analysis(gathered.kind);
+    if (gathered.answers.empty() || analysis == nullptr || analysis->test_family == nullptr)
+      continue;
+    add_outcomes(analysis->test_family(gathered), outcomes);
+  }
+  return outcomes;
+}
+
+Random random_of_study(std::uint64_t seed, std::int64_t run) {
+  return Random(seed).split("simulated study").split(static_cast<std::uint64_t>(run));
+}
+
 std::vector<SimulatedOutcome> simulate_and_analyse(const PowerModel& model, int participants,
                                                    std::uint64_t seed, std::int64_t run) {
   if (participants < 1) {
@@ -66,16 +80,7 @@ std::vector<SimulatedOutcome> simulate_and_analyse(const PowerModel& model, int 
                                 std::to_string(participants));
   }
   if (run < 0) throw std::invalid_argument("run must be at least 0, not " + std::to_string(run));
-  const Random of_study =
-      Random(seed).split("simulated study").split(static_cast<std::uint64_t>(run));
-  std::vector<SimulatedOutcome> outcomes{};
-  for (const GatheredAnswers& gathered : simulated_study(model.tables(), participants, of_study)) {
-    const StudyAnalysis* const analysis = find_analysis(gathered.kind);
-    if (gathered.answers.empty() || analysis == nullptr || analysis->test_family == nullptr)
-      continue;
-    add_outcomes(analysis->test_family(gathered), outcomes);
-  }
-  return outcomes;
+  return outcomes_of(simulated_study(model.tables(), participants, random_of_study(seed, run)));
 }
 
 }  // namespace asperity

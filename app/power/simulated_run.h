@@ -1,11 +1,15 @@
-// Simulates one study of a protocol from its response tables, and analyses it as the protocol declares.
+// Simulates one study of a protocol from its response tables, and analyses a simulated study as the protocol declares.
 
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
+
+#include "analysis/random.h"
+#include "app/findings/study/gathered_answers.h"
 
 namespace asperity {
 
@@ -29,6 +33,12 @@ struct SimulatedOutcome {
   std::optional<double> upper{};
   std::string status{};  ///< code of the status, empty where there is none
 };
+
+/// The outcomes of the analysis of a study, from its responses to one protocol.
+std::vector<SimulatedOutcome> outcomes_of(std::span<const GatheredAnswers> of_study);
+
+/// The random numbers of study number `run` of a power analysis.
+Random random_of_study(std::uint64_t seed, std::int64_t run);
 
 /// Simulates study number `run` with so many participants, and analyses it. Deterministic: a function of the model, the number
 /// of participants, the seed and the run, whichever other runs are simulated. Safe to call from several threads.

@@ -16,6 +16,7 @@
 namespace asperity {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -133,6 +134,20 @@ TEST(EthicsSentence, IsNotAboutEffectsThatAreAbsent) {
   // Where only it was stated, the sentence is about the others, which the file of assumptions states.
   study.stated_effects = {"pairs.rougher.ratio"};
   EXPECT_EQ(deciding_curve(study, 0.8)->test, "order");
+}
+
+TEST(EthicsSentence, OfObserversStatesThatTheyDoNotDiffer) {
+  PlannedStudy study = study_of({curve_of("order", {0.3, 0.7, 0.9})});
+  study.assumptions.clear();
+  study.stated_effects.clear();
+  study.is_on_physics = true;
+  EXPECT_THAT(
+      ethics_sentence(study, 0.8),
+      AllOf(
+          HasSubstr("to detect the effect that the stimuli of the protocol have on its virtual "
+                    "observers, who feel them on the full physics, with the test order"),
+          HasSubstr("no effect differs between participants, as effects on human participants do"),
+          Not(HasSubstr("assumptions"))));
 }
 
 TEST(EthicsSentence, WithoutATestIsEmpty) {

@@ -31,6 +31,7 @@ namespace asperity {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::SizeIs;
 
 constexpr double kD = 0.7;
@@ -279,6 +280,45 @@ TEST(SimulatePower, HasNoCurveOfWhatStandsInPlaceOfSeveralTests) {
   EXPECT_EQ(power.curves[1].test, "peaks a|b");
   EXPECT_EQ(power.curves[1].sizes[0].power.power, 0.75);
   EXPECT_EQ(power.curves[1].sizes[0].without_p, 25U);
+}
+
+// A long study can end on a stop request without outcomes: it is not stored, and no error.
+TEST(SimulatePower, StoresNoStudyThatWasStopped) {
+  const TemporaryFolder folder;
+  std::stop_source stop{};
+  const SimulateStudy stopped_in_third = [&stop](std::size_t effect, int participants,
+                                                 std::uint64_t seed, std::int64_t run) {
+    if (run == 0 && effect == 0 && participants == 24) {
+      stop.request_stop();
+      return std::vector<SimulatedOutcome>{};
+    }
+    return t_test_study(effect, participants, seed, run);
+  };
+  const SimulatedPower power =
+      simulated(order_of(2), folder.path() / "out", 1, stopped_in_third, stop.get_token());
+  EXPECT_FALSE(power.is_complete);
+  EXPECT_THAT(studies_in(folder.path() / "out"), Not(HasSubstr("0\trating.d=0\t24")));
+  simulated(order_of(2), folder.path() / "out");
+  simulated(order_of(2), folder.path() / "whole");
+  EXPECT_EQ(studies_in(folder.path() / "out"), studies_in(folder.path() / "whole"));
+  const SimulateStudy empty = [](std::size_t, int, std::uint64_t, std::int64_t) {
+    return std::vector<SimulatedOutcome>{};
+  };
+  EXPECT_THAT(refusal_of([&] { simulate_power(order_of(1), empty, 1, {}, {}, {}); }),
+              HasSubstr("the analysis has no test"));
+}
+
+TEST(PowerOrder, NamesWhatThePhysicsDiffersIn) {
+  const PowerOrder tables = order_of(1);
+  PowerOrder physics = tables;
+  physics.physics_sha256 = "cc";
+  PowerOrder other = physics;
+  other.physics_sha256 = "dd";
+  constexpr const char* kName = "the stimuli or force models of the full physics";
+  EXPECT_EQ(differences(declaration_of(physics), declaration_of(physics)), "");
+  EXPECT_EQ(differences(declaration_of(physics), declaration_of(other)), kName);
+  EXPECT_EQ(differences(declaration_of(tables), declaration_of(physics)), kName);
+  EXPECT_EQ(differences(declaration_of(physics), declaration_of(tables)), kName);
 }
 
 // The correction decides; at .05 itself no test of the program is significant.

@@ -106,6 +106,43 @@ with tempfile.TemporaryDirectory() as folder:
     assert f"taken from the study {study}/: " in result.stderr and threshold["name"] in result.stderr, result.stderr
     refused(1, "has no responses to the protocol", "--calibrate", new_study(folder / "empty"), "--list-assumptions")
 
+# On the full physics: two and three participants, a staircase of a few trials. The effects are those of the observers.
+with tempfile.TemporaryDirectory() as folder:
+    folder = pathlib.Path(folder)
+    short = json.loads(PROTOCOL.read_text(encoding="utf-8"))
+    del short["blocks"]["practice"]
+    short["flow"] = [step for step in short["flow"] if step.get("run") != "practice"]
+    short.pop("resume", None)
+    short["blocks"]["comparisons"]["procedure"]["stop"] = {"trials": 8}
+    del short["blocks"]["comparisons"]["procedure"]["catch_trials"]
+    protocol = folder / "short.json"
+    protocol.write_text(json.dumps(short), encoding="utf-8")
+    said = ("--participants", "2,3", "--seed", 3, "--runs", 2, "--physics")
+    whole, divided = folder / "whole", folder / "divided"
+
+    def on_physics(*arguments):
+        result = subprocess.run([PROGRAM, "power", protocol, *map(str, said + arguments)], text=True, capture_output=True, check=False)
+        assert result.returncode == 0, result.stderr
+        return result.stdout
+
+    json_text = on_physics("--out", whole, "--jobs", 1, "--json")
+    document = json.loads(json_text)
+    assert document["responses"] == "physics" and document["runs"] == 2, document
+    assert {(row["effect"], row["participants"], row["studies"]) for row in document["power"]} == {
+        ("virtual observers", 2, 2), ("virtual observers", 3, 2)}, document["power"]
+    assert {path.name for path in whole.iterdir()} == {"studies.tsv", "studies.tsv.json", "power.tsv", "sample_size.tsv"}
+    for k in (1, 2):
+        on_physics("--out", divided, "--shard", f"{k}/2", "--jobs", 2)
+    subprocess.run([PROGRAM, "gather", *divided.glob("*shard*"), "--out", divided / "studies.tsv"], check=True, capture_output=True)
+    assert (divided / "studies.tsv").read_bytes() == (whole / "studies.tsv").read_bytes()
+    assert on_physics("--out", divided, "--json") == json_text
+    assert "virtual observers on the full physics" in on_physics("--out", divided)
+
+for option in (("--effect", "order=0.5"), ("--assume", "order_sd=0.3"), ("--calibrate", "study"), ("--assumptions", "file"),
+               ("--list-assumptions",), ("--effect-source", "pilot")):
+    refused(2, f"{option[0]} belongs to response tables and has no effect with --physics", "--participants", 4, "--seed", 3, "--physics", *option)
+refused(2, "add --physics", "--participants", 4, "--seed", 3, *STATED, "--study", "study")
+
 refused(1, f"{EFFECT} has no value", "--participants", 4, "--seed", 3, "--assume", "order_sd=0.3")
 refused(2, f"its effects are {EFFECT} (d′)", "--participants", 4, "--seed", 3, "--effect", "difference=1")
 refused(2, "write NAME=VALUE", "--participants", 4, "--seed", 3, "--effect", "order")

@@ -46,6 +46,7 @@ PlannedStudy planned_study(const PowerReport& report, std::size_t effect) {
   PlannedStudy study{.protocol = report.protocol.name + ' ' + report.protocol.version,
                      .program = "Asperity " + program_version(),
                      .assumptions = report.levels[effect].assumptions,
+                     .is_on_physics = report.order.physics_sha256.has_value(),
                      .stated_effects = report.levels[effect].stated,
                      .runs = report.power.runs,
                      .rules = report.rules};
@@ -84,9 +85,13 @@ void print_power(const PowerReport& report) {
             << fixed(report.cost.total_s / 60.0, 0) << " min a session, "
             << counted(static_cast<std::size_t>(protocol.sessions), "session")
             << " per participant, rounds of " << counted(report.rules.multiple, "participant")
-            << "\n\n"
-            << aligned(assumption_table(report.levels.front().assumptions)) << '\n'
-            << power.runs << " simulated studies of each effect and number of participants, seed "
+            << "\n\n";
+  if (report.order.physics_sha256) {
+    std::cout << "responses: the protocol's virtual observers on the full physics\n\n";
+  } else {
+    std::cout << aligned(assumption_table(report.levels.front().assumptions)) << '\n';
+  }
+  std::cout << power.runs << " simulated studies of each effect and number of participants, seed "
             << report.order.seed << "; intervals: 95 % (Clopper–Pearson)\n\n"
             << aligned(rounded(power_table(report.power.curves))) << '\n'
             << aligned(rounded(sample_table(report.power.curves, report.rules)));
@@ -102,6 +107,7 @@ nlohmann::ordered_json json_of(const PowerReport& report) {
                               {"version", report.protocol.version},
                               {"seed", report.order.seed},
                               {"runs", report.power.runs},
+                              {"responses", report.order.physics_sha256 ? "physics" : "tables"},
                               {"level_of_significance", StudyTest::kLevel},
                               {"multiple", report.rules.multiple},
                               {"session_s", report.cost.total_s},
@@ -125,6 +131,7 @@ void write_power(const std::filesystem::path& folder, const PowerReport& report)
   write_file(folder / "power.tsv", tsv_of(power_table(report.power.curves)), Overwrite::allow);
   write_file(folder / "sample_size.tsv", tsv_of(sample_table(report.power.curves, report.rules)),
              Overwrite::allow);
+  if (report.order.physics_sha256) return;
   write_file(folder / "assumptions.json", json_of(report.levels.front().assumptions),
              Overwrite::allow);
 }

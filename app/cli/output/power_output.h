@@ -33,7 +33,7 @@ void print_power(const PowerReport& report);
 /// `asperity.power/1`
 nlohmann::ordered_json json_of(const PowerReport& report);
 
-/// `power.tsv`, `sample_size.tsv` and `assumptions.json` in a folder. They are made of the studies there: files of these names are
+/// `power.tsv`, `sample_size.tsv` and, of response tables, `assumptions.json` in a folder. They are made of the studies there: files of these names are
 /// replaced.
 void write_power(const std::filesystem::path& folder, const PowerReport& report);
 

@@ -84,6 +84,10 @@ bool needs_more(const PowerCurve& one, const PowerCurve& other, double power,
 }
 
 std::string effects_text(const PlannedStudy& study) {
+  if (study.is_on_physics) {
+    return "the effect that the stimuli of the protocol have on its virtual observers, who feel "
+           "them on the full physics,";
+  }
   std::vector<std::string> texts{};
   for (const Assumption* effect : effects_to_detect(study)) {
     texts.push_back(effect->name + " = " + with_unit(*effect->value, effect->unit) + " (" +
@@ -104,6 +108,10 @@ std::string correction_text(const PlannedStudy& study, const PowerCurve& decidin
 }
 
 std::string deviations_text(const PlannedStudy& study) {
+  if (study.is_on_physics) {
+    return "all observers are those of the protocol: no effect differs between participants, as "
+           "effects on human participants do";
+  }
   std::vector<std::string> texts{};
   std::size_t others = 0;
   for (const Assumption& one : study.assumptions) {

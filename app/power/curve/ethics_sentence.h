@@ -18,6 +18,7 @@ struct PlannedStudy {
   std::string protocol{};                 ///< "amplitude_jnd 1.0"
   std::string program{};                  ///< "Asperity 0.2.0"
   std::vector<Assumption> assumptions{};  ///< with which the studies were simulated
+  bool is_on_physics = false;  ///< by the protocol's virtual observers, without assumptions
   std::vector<std::string>
       stated_effects{};              ///< the names of those that the researcher stated; empty: all
   std::vector<PowerCurve> curves{};  ///< of this effect

@@ -48,31 +48,34 @@ StudyPlace place_of(const PowerOrder& order, std::int64_t index) {
 }
 
 std::string declaration_of(const PowerOrder& order) {
-  const nlohmann::ordered_json json{{"format", "asperity.power_studies/1"},
-                                    {"program", order.program},
-                                    {"protocol_sha256", order.protocol_sha256},
-                                    {"assumptions_sha256", order.assumptions_sha256},
-                                    {"effects", order.effects},
-                                    {"participants", order.participants},
-                                    {"seed", order.seed}};
+  nlohmann::ordered_json json{{"format", "asperity.power_studies/1"},
+                              {"program", order.program},
+                              {"protocol_sha256", order.protocol_sha256},
+                              {"assumptions_sha256", order.assumptions_sha256},
+                              {"effects", order.effects},
+                              {"participants", order.participants},
+                              {"seed", order.seed}};
+  if (order.physics_sha256) json["physics_sha256"] = *order.physics_sha256;
   return json.dump(2) + '\n';
 }
 
 std::string differences(const std::string& declaration, const std::string& other) {
-  constexpr std::array<std::pair<const char*, const char*>, 7> kNames{
+  constexpr std::array<std::pair<const char*, const char*>, 8> kNames{
       {{"format", "the format"},
        {"program", "the version of the program"},
        {"protocol_sha256", "the protocol"},
        {"assumptions_sha256", "the assumptions"},
        {"effects", "the effects"},
        {"participants", "the numbers of participants"},
-       {"seed", "the seed"}}};
+       {"seed", "the seed"},
+       {"physics_sha256", "the stimuli or force models of the full physics"}}};
   const auto one = nlohmann::json::parse(declaration);
   const auto two = nlohmann::json::parse(other, nullptr, false);
   if (!two.is_object()) return kNames.front().second;
   std::vector<std::string> different{};
   for (const auto& [key, name] : kNames) {
-    if (!two.contains(key) || two[key] != one[key]) different.emplace_back(name);
+    if (one.value(key, nlohmann::json{}) != two.value(key, nlohmann::json{}))
+      different.emplace_back(name);
   }
   return listed(different);
 }

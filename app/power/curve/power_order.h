@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,9 @@ struct PowerOrder {
   std::string protocol_sha256{};  ///< of its text
   std::string
       assumptions_sha256{};  ///< of all assumptions, without the effects that `effects` states
-  std::string program{};     ///< version and commit
+  /// Of what responses on the full physics depend on in addition; none of studies from response tables.
+  std::optional<std::string> physics_sha256{};
+  std::string program{};  ///< version and commit
 };
 
 /// Errors: std::invalid_argument for empty lists, an effect that occurs twice, numbers of participants that do not ascend, and

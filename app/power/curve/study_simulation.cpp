@@ -63,7 +63,7 @@ class StudySimulation final {
       try {
         std::vector<SimulatedOutcome> outcomes = simulated(place_of_study(index));
         lock.lock();
-        waiting_[index] = std::move(outcomes);
+        if (!outcomes.empty()) waiting_[index] = std::move(outcomes);
         settle();
       } catch (...) {
         if (!lock.owns_lock()) lock.lock();
@@ -74,12 +74,13 @@ class StudySimulation final {
     }
   }
 
+  // None where the study was not completed after a stop request.
   std::vector<SimulatedOutcome> simulated(const StudyPlace& place) const {
     const int participants = order_.participants[place.size];
     try {
       std::vector<SimulatedOutcome> outcomes =
           simulate_(place.effect, participants, order_.seed, place.run);
-      if (outcomes.empty()) {
+      if (outcomes.empty() && !stop_.stop_requested()) {
         throw std::runtime_error(
             "the analysis has no test; declare the tests of the protocol under analysis.family");
       }

@@ -15,7 +15,7 @@
 namespace asperity {
 
 /// One study of an effect (its place in PowerOrder::effects): a function of its arguments, called from several threads. It returns at
-/// least one outcome.
+/// least one outcome, or none where it was not completed because of the stop request.
 using SimulateStudy = std::function<std::vector<SimulatedOutcome>(
     std::size_t effect, int participants, std::uint64_t seed, std::int64_t run)>;
 
