@@ -153,6 +153,23 @@ TEST_F(Stations, StayBalancedWhenTheyAreMerged) {
   }
 }
 
+// In two merges, studies that were copied from one can have the same number.
+TEST_F(Stations, KeepTheirSequencesInAMergeOfMergedStudies) {
+  set_assignment(R"("permuted_blocks", "seed": 8, "block_sizes": [2])");
+  { station("base", {}); }
+  for (const auto& [name, labels] :
+       {std::pair{"A", std::vector{"A1", "A2"}}, std::pair{"B", std::vector{"B1"}},
+        std::pair{"C", std::vector{"C1", "C2"}}, std::pair{"D", std::vector{"D1"}}}) {
+    Study::open(folder("base"), Access::read_only).copy_to(folder(name));
+    Study study = Study::open(folder(name), Access::read_write);
+    for (const char* const label : labels) begin(study, label);
+  }
+  merged({"A", "B"}, "AB");
+  merged({"C", "D"}, "CD");
+  Study whole = merged({"AB", "CD"}, "whole");
+  EXPECT_THAT(problems(whole), IsEmpty());
+}
+
 // Finished sessions of people are merged in any case, and the merge and verify name the same places.
 TEST_F(Stations, WithTheSamePlacesAreNamedWhenTheyAreMerged) {
   {

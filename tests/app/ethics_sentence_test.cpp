@@ -61,10 +61,12 @@ PlannedStudy study_of(std::vector<PowerCurve> curves) {
 
 // Between 0.7 at 20 and 0.9 at 30 the power .8 is at 25, 28 with rounds of 4; 28/0.855 is 32.7.
 TEST(EthicsSentence, StatesAllThatAReviewerAsksFor) {
-  const std::string sentence =
-      ethics_sentence(study_of({curve_of("order rough", {0.3, 0.7, 0.9}),
-                                curve_of("fit", {0.1, 0.1, 0.1}), curve_of("", {0.4, 0.8, 0.95})}),
-                      0.8);
+  PowerCurve of_other_family = curve_of("ratings", {0.1, 0.1, 0.1});
+  of_other_family.family = "ratings";
+  const std::string sentence = ethics_sentence(
+      study_of({curve_of("order rough", {0.3, 0.7, 0.9}), curve_of("fit", {0.1, 0.1, 0.1}),
+                curve_of("", {0.4, 0.8, 0.95}), of_other_family}),
+      0.8);
   EXPECT_THAT(
       sentence,
       HasSubstr("A sample of 28 participants has a power of at least 80 % to detect "

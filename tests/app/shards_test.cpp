@@ -229,6 +229,17 @@ TEST_F(TableShards, ThatAreMissingAreNamed) {
               HasSubstr("missing: shard 2/3 and shard 3/3"));
 }
 
+TEST_F(TableShards, HaveAllResultsOfTheWhole) {
+  TableShard one = shard_of({1, 2});
+  one.lines.erase(2);
+  const fs::path incomplete = stored("one", one);
+  const fs::path two = stored("two", shard_of({2, 2}));
+  EXPECT_THAT(refusal_of([&] {
+                (void)gathered({incomplete, two});
+              }),
+              HasSubstr("the shards have 4 of 5 results"));
+}
+
 TEST_F(TableShards, OfOtherComputationsAreNamed) {
   const fs::path one = stored("one", shard_of({1, 2}));
   const auto refused_with = [&](const fs::path& other) {

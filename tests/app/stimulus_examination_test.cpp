@@ -21,7 +21,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
-using ::testing::SizeIs;
 
 /// Two surfaces that exert at most 1.5 N at rest, under an exploration that requests 2 N.
 constexpr const char* kTooStrong = R"(, "normal_force_N": {"minimum": 2.0, "maximum": 2.5})";
@@ -64,15 +63,18 @@ TEST_F(StimulusExaminations, EndWhenTheyAreStopped) {
 
 TEST_F(StimulusExaminations, AreAddedToACheckInTheOrderOfLines) {
   ProtocolCheck check{};
+  check.diagnostics = {{.line = 9, .message = "ninth"}};
   check.warnings = {{.line = 3, .message = "third"}};
   add_examination(
       check, {.problems = {{.line = 5, .message = "fifth"}},
               .warnings = {{.line = 7, .message = "seventh"}, {.line = 1, .message = "first"}}});
-  std::vector<std::string> warnings{};
-  for (const Diagnostic& warning : check.warnings) warnings.push_back(warning.message);
-  EXPECT_THAT(warnings, ElementsAre("first", "third", "seventh"));
-  ASSERT_THAT(check.diagnostics, SizeIs(1));
-  EXPECT_EQ(check.diagnostics[0].message, "fifth");
+  const auto messages_of = [](const std::vector<Diagnostic>& diagnostics) {
+    std::vector<std::string> messages{};
+    for (const Diagnostic& one : diagnostics) messages.push_back(one.message);
+    return messages;
+  };
+  EXPECT_THAT(messages_of(check.warnings), ElementsAre("first", "third", "seventh"));
+  EXPECT_THAT(messages_of(check.diagnostics), ElementsAre("fifth", "ninth"));
 }
 
 }  // namespace

@@ -68,7 +68,8 @@ TEST(QueuedJobs, SubmitsNoTaskTwiceThatMayBeActive) {
     EXPECT_TRUE(task(1, state).is_active()) << state;
   }
   for (const char* const state :
-       {"COMPLETED", "CANCELLED", "FAILED", "NODE_FAIL", "TIMEOUT", "OUT_OF_MEMORY"}) {
+       {"BOOT_FAIL", "CANCELLED", "COMPLETED", "DEADLINE", "FAILED", "NODE_FAIL", "OUT_OF_MEMORY",
+        "PREEMPTED", "REVOKED", "TIMEOUT"}) {
     EXPECT_FALSE(task(1, state).is_active()) << state;
   }
 }

@@ -110,6 +110,8 @@ TEST(Merge, WarnsOfPlacesThatTwoStationsHave) {
   const Outcome clean = asperity({"merge", a, b, "--out", folder / "clean"});
   EXPECT_EQ(clean.status, 0) << clean.err;
   EXPECT_THAT(clean.err, Not(HasSubstr("same places")));
+  EXPECT_THAT(clean.err, HasSubstr("warning: 2 sessions are not complete: resume in the study of "
+                                   "the station and merge again"));
   EXPECT_FALSE(fs::exists(folder / "clean" / "deal.json"));
   const fs::path c = station_with(folder / "c", "C01", 1);
   const Outcome warned = asperity({"merge", a, b, c, "--out", folder / "warned"});

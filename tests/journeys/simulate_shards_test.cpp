@@ -167,6 +167,22 @@ TEST_F(SimulateShards, AreNotTakenForThoseOfAnotherSimulation) {
   EXPECT_EQ(other_seed.status, 1);
   EXPECT_THAT(other_seed.err, AllOf(HasSubstr(shard_study(2, 2).string()),
                                     HasSubstr("of another simulation: the options")));
+  const auto expect_refused = [&](const std::vector<std::string>& more, const char* what) {
+    Invocation other = invocation("2/2");
+    other.arguments.insert(other.arguments.end(), more.begin(), more.end());
+    const Outcome refused = run(other);
+    EXPECT_EQ(refused.status, 1) << what;
+    EXPECT_THAT(refused.err, HasSubstr("of another simulation: the options")) << what;
+  };
+  expect_refused({"--recordings", "none"}, "recordings");
+  const fs::path texture = small_.study() / "stimuli" / "walnut.png";
+  const std::string relief = text_of(texture);
+  fs::copy_file(small_.study() / "stimuli" / "slate.png", texture,
+                fs::copy_options::overwrite_existing);
+  expect_refused({}, "stimuli");
+  write_text(texture, relief);
+  write_text(small_.selection(), text_of(small_.selection()) + '\n');
+  expect_refused({}, "protocol");
   fs::create_directory(shard_study(1, 2));
   const Outcome taken = simulate(1, 2);
   EXPECT_EQ(taken.status, 1);

@@ -6,6 +6,7 @@
 #include <string>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -267,6 +268,13 @@ TEST_F(StudyMerge, StatesFromWhichStudyEachSessionOfAPersonIs) {
           R"(P3|9000000000|a|{"study":"a","created_utc":"2026-02-01T08:00:00.000Z","source":1,"session_id":2}|)"}));
 }
 
+TEST_F(StudyMerge, IsCreatedWhenTheFirstOfItsStudiesWas) {
+  change(b_, "UPDATE study SET created_utc = '2026-02-02T08:00:00.000Z'");
+  Study::merge(std::vector<MergeSource>{{b_}, {a_}}, merged_, {});
+  EXPECT_EQ(query(merged_, "SELECT created_utc FROM study"),
+            std::vector<std::string>{std::string(kCreated_utc) + '|'});
+}
+
 TEST_F(StudyMerge, KeepsWithdrawals) {
   { Study::open(a_, Access::read_write).withdraw("P3", {.decided_by = "R. Keeper"}); }
   Study::merge(std::vector<MergeSource>{{a_}, {b_}}, merged_, {});
@@ -278,6 +286,18 @@ TEST_F(StudyMerge, KeepsWithdrawals) {
     EXPECT_EQ(session.excluded.has_value(), session.participant == "P3") << session.participant;
   }
   EXPECT_TRUE(study.outputs().empty()) << "those of a study are made of it";
+}
+
+// Which one is kept of two solutions of one problem does not depend on the order of the studies.
+TEST_F(StudyMerge, KeepsTheLesserOfTwoSolutionsOfAProblem) {
+  { Study::open(a_, Access::read_write).remember_solution("shared", "2"); }
+  { Study::open(b_, Access::read_write).remember_solution("shared", "1"); }
+  for (const auto& [first, second] : {std::pair{a_, b_}, std::pair{b_, a_}}) {
+    Study::merge(std::vector<MergeSource>{{first}, {second}}, merged_, {});
+    EXPECT_EQ(query(merged_, "SELECT solution_json FROM solution WHERE key = 'shared'"),
+              std::vector<std::string>{"1|"});
+    std::filesystem::remove_all(merged_);
+  }
 }
 
 TEST_F(StudyMerge, CarriesASessionThatCanBeResumed) {
@@ -348,6 +368,21 @@ TEST_F(StudyMerge, MergesStudiesThatWereCopiedBeforeTheirFirstSessions) {
             2);
 }
 
+TEST_F(StudyMerge, HasAWithdrawalThatTheStudiesHaveInCommonOnce) {
+  const std::filesystem::path other = station(folder_ / "c", {"P4"});
+  {
+    Study::open(other, Access::read_write)
+        .withdraw("P4", {.data = WithdrawnData::deleted, .decided_by = "R. Keeper"});
+  }
+  Study::open(other, Access::read_only).copy_to(folder_ / "d");
+  for (const auto& [name, label] : {std::pair{"c", "P5"}, std::pair{"d", "P6"}}) {
+    Study study = Study::open(folder_ / name, Access::read_write);
+    add_person(study, label);
+  }
+  Study::merge(std::vector<MergeSource>{{folder_ / "c"}, {folder_ / "d"}}, merged_, {});
+  EXPECT_EQ(Study::open(merged_, Access::read_only).withdrawals().size(), 1U);
+}
+
 TEST_F(StudyMerge, RefusesCopiesOfWhichOneLacksADeletion) {
   // Of both studies the same creation is stored, as of copies.
   {
@@ -405,6 +440,34 @@ TEST_F(StudyMerge, RefusesWhatHasChanged) {
   write_file(a_ / "study.sqlite", content, Overwrite::allow);
   EXPECT_THAT(refusal({{a_}, {b_}}), AllOf(HasSubstr("the study " + a_.string()),
                                            HasSubstr("study.sqlite has changed since")));
+}
+
+TEST_F(StudyMerge, RefusesADatabaseThatIsDamagedOrALink) {
+  const std::filesystem::path file = b_ / "study.sqlite";
+  const std::string whole = read_file(file);
+  std::string damaged = whole;
+  const std::size_t page = damaged.find("asked by P2") / 4096 * 4096;
+  damaged.replace(page, 100, std::string(100, '\xff'));
+  write_file(file, damaged, Overwrite::allow);
+  EXPECT_THAT(refusal({{a_}, {b_}}),
+              AllOf(HasSubstr("the study " + b_.string() + " cannot be merged"),
+                    HasSubstr("study.sqlite is damaged, and rows may be missing")));
+  write_file(folder_ / "elsewhere.sqlite", whole, Overwrite::refuse);
+  std::filesystem::remove(file);
+  std::filesystem::create_symlink(folder_ / "elsewhere.sqlite", file);
+  EXPECT_THAT(refusal({{a_}, {b_}}), HasSubstr("symbolic link"));
+}
+
+TEST_F(StudyMerge, RefusesAProtocolThatAnotherProgramChanged) {
+  const std::string drop = "DROP TRIGGER protocol_no_update;";
+  change(b_, drop + "UPDATE protocol SET version = '9'");
+  EXPECT_THAT(refusal({{a_}, {b_}}),
+              AllOf(HasSubstr("the studies " + a_.string() + " and " + b_.string()),
+                    HasSubstr("they state different things of the protocol file")));
+  change(a_, drop + "UPDATE protocol SET source = source || ' '");
+  EXPECT_THAT(refusal({{a_}, {b_}}),
+              AllOf(HasSubstr("the study " + a_.string()),
+                    HasSubstr("does not have the stored SHA-256; restore the study from a copy")));
 }
 
 TEST_F(StudyMerge, StatesWhatTheStudiesStateOfThemselves) {

@@ -99,6 +99,12 @@ TEST(MonotonePower, PoolsSizesInTheWrongOrder) {
     EXPECT_LT(one.interval.low, one.power);
     EXPECT_GT(one.interval.high, one.power);
   }
+  for (const PowerOfSize& one : {curve[1], curve[2]}) {
+    EXPECT_DOUBLE_EQ(one.fitted_interval.low,
+                     0.5 * (curve[1].interval.low + curve[2].interval.low));
+    EXPECT_DOUBLE_EQ(one.fitted_interval.high,
+                     0.5 * (curve[1].interval.high + curve[2].interval.high));
+  }
   // Half-way between 0.3 at 10 and 0.55 at 15 is 12.5 participants.
   EXPECT_DOUBLE_EQ(*smallest_sample(curve, 0.425).participants, 12.5);
 }
