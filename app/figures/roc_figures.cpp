@@ -49,14 +49,11 @@ std::vector<FigurePlace> fitted_curve(const FoundNumbers& found, const std::stri
   return curve;
 }
 
-/// "0.81 (95 % CI [0.75, 0.87])"; empty where the model was not fitted.
+/// "0.81"; empty where the model was not fitted.
 Phrase fitted_area(const FoundNumbers& found, const std::string& key) {
   const Finding* const area = found.find("uv.az", key);
   if (area == nullptr || !area->value) return {};
-  if (!area->low || !area->high || !area->confidence) return reading_number(*area->value);
-  return phrase("Figures", "%1 (%2 % CI [%3, %4])")
-      .with(reading_number(*area->value), fixed(100.0 * *area->confidence, 0),
-            reading_number(*area->low), reading_number(*area->high));
+  return reading_number(*area->value);
 }
 
 /// The curves of one figure, whose table is in the study.

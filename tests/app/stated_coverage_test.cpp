@@ -110,6 +110,21 @@ TEST(StatedCoverage, OfPooledResponsesIsThatOfTheSimulations) {
               HasSubstr(spans("worths", "pl.logworth.sumzero")));
 }
 
+TEST(StatedCoverage, OfAreasOfParticipantsIsThatOfTheSimulations) {
+  std::string table = "condition,subject,rating,noise,signal\n";
+  for (const char* const row : {"a,1,8,2", "a,2,4,4", "a,3,2,8", "b,1,9,3", "b,2,3,4", "b,3,2,7"}) {
+    table += std::string("x,") + row + '\n';
+  }
+  const std::vector<Finding> areas = findings_of("roc", table);
+  EXPECT_THAT(method_of(areas, "uv.az.mean"),
+              HasSubstr(span_of_coverage("areas_of_participants", "uv.az.mean")));
+  EXPECT_THAT(
+      method_of(areas, "uv.az"),
+      HasSubstr(span_of_coverage("areas_of_participants", "uv.az", false) +
+                " where participants are alike, and " +
+                span_of_coverage("areas_of_participants", "uv.az", true) + " where they differ"));
+}
+
 /// "up to 7 %": the greatest Type I error rate over the designs with these numbers of participants.
 std::string greatest_size(const std::string& part, const std::string& quantity, double from,
                           double to) {

@@ -429,21 +429,28 @@ TEST(TidyFamilies, AverageTheSensitivityOfChoicesAmongThreeOverParticipants) {
   EXPECT_NEAR(value_of(guessing, "dprime.mean", "x"), 0.0, 1e-9) << "not moved away from 0";
 }
 
-TEST(TidyFamilies, GiveTheAreaOfRatingsAnIntervalOverParticipants) {
+// Participants whose criteria differ: their pooled area is too small, and only the mean of their own areas has an interval.
+TEST(TidyFamilies, GiveTheMeanOfTheAreasAndNotThePooledAreaAnInterval) {
   std::string table = "condition,subject,rating,noise,signal\n";
-  for (const char* const subject : {"a", "b", "c", "d", "e", "f"}) {
+  for (const char* const subject : {"a", "b", "c", "d", "e"}) {
     for (const char* const counts : {"1,9,3", "2,6,5", "3,4,7", "4,1,5"}) {
       table += std::string("x,") + subject + ',' + counts + '\n';
     }
   }
+  table += "x,f,1,10,3\nx,f,2,6,5\nx,f,3,3,7\nx,f,4,1,5\n";
   const auto found = roc_findings(input_of(table, "{}"));
   const auto area = std::find_if(found.begin(), found.end(), [](const Finding& finding) {
     return finding.quantity == "uv.az";
   });
   ASSERT_NE(area, found.end());
-  EXPECT_EQ(area->n, 6U);
-  ASSERT_TRUE(area->low && area->high);
-  EXPECT_NEAR(*area->high - *area->low, 0.0, 1e-9) << "all participants are equal";
+  EXPECT_EQ(area->n, 240U) << "trials";
+  EXPECT_FALSE(area->low || area->high);
+  const auto mean = std::find_if(found.begin(), found.end(), [](const Finding& finding) {
+    return finding.quantity == "uv.az.mean";
+  });
+  ASSERT_NE(mean, found.end());
+  EXPECT_EQ(mean->n, 6U);
+  EXPECT_TRUE(mean->low && mean->high);
   EXPECT_EQ(value_of(found, "n.signal", "x"), 120.0);
 }
 

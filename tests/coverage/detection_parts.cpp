@@ -3,9 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "analysis/participant_bootstrap.h"
+#include "analysis/rating_roc.h"
 #include "tests/coverage/coverage_parts.h"
 
 namespace asperity {
@@ -222,6 +228,40 @@ TidyInput draw_areas(const CoverageSetting& setting, Random& random) {
   return std::move(table).as_input();
 }
 
+/// The family gives the area of all participants together no interval, and states the coverage that this one has: expanded
+/// percentiles of a bootstrap over the participants.
+std::vector<Finding> findings_of_areas(const TidyInput& input) {
+  const TidyTable& table = input.table();
+  const LabelColumn participants = table.all_labels("subject");
+  const std::vector<std::uint64_t> noise = table.counts("noise");
+  const std::vector<std::uint64_t> signal = table.counts("signal");
+  std::vector<std::vector<RatingCount>> of_participants(participants.names.size());
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    of_participants[participants.codes[row]].push_back(
+        {.noise = noise[row], .signal = signal[row]});
+  }
+  const auto area_of = [&](std::span<const std::size_t> places) -> std::optional<double> {
+    std::vector<RatingCount> sum(kCriteria.size() + 1);
+    for (const std::size_t place : places) {
+      for (std::size_t rating = 0; rating < sum.size(); ++rating) {
+        sum[rating].noise += of_participants[place][rating].noise;
+        sum[rating].signal += of_participants[place][rating].signal;
+      }
+    }
+    const std::optional<NormalRoc> fit = fit_roc(sum, RocVariance::free);
+    return fit ? std::optional<double>(fit->area()) : std::nullopt;
+  };
+  const ParticipantBootstrap bootstrap =
+      bootstrap_participants({.participants = of_participants.size()}, area_of);
+  std::vector<Finding> findings = roc_findings(input);
+  for (Finding& finding : findings) {
+    if (finding.quantity != "uv.az" || !bootstrap.interval) continue;
+    finding.low = bootstrap.interval->low;
+    finding.high = bootstrap.interval->high;
+  }
+  return findings;
+}
+
 std::vector<CheckedInterval> area_intervals(const CoverageSetting& setting) {
   return {{.quantity = "uv.az.mean", .key = "a", .truth = below(setting.effect / std::sqrt(2.0))},
           {.quantity = "uv.az", .key = "a", .truth = below(setting.effect / std::sqrt(2.0))}};
@@ -279,7 +319,7 @@ std::span<const CoveragePart> detection_parts() {
                    .spread = "SD of the shifts",
                    .settings = kOfCriteria,
                    .draw = draw_areas,
-                   .findings = roc_findings,
+                   .findings = findings_of_areas,
                    .intervals = area_intervals,
                    .tests = no_tests,
                    .tables = 1000}};

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "analysis/number_text.h"
-#include "analysis/participant_bootstrap.h"
 #include "analysis/rating_roc.h"
 #include "analysis/tail_probabilities.h"
 #include "app/findings/tidy/finding_list.h"
@@ -26,18 +25,6 @@ struct RatedCondition {
   std::vector<RatingCount> counts{};
   std::vector<std::vector<RatingCount>> of_participants{};  ///< empty without a column `subject`
 };
-
-std::vector<RatingCount> sum_of_participants(const RatedCondition& condition,
-                                             std::span<const std::size_t> places) {
-  std::vector<RatingCount> sum(condition.ratings.size());
-  for (const std::size_t place : places) {
-    for (std::size_t j = 0; j < sum.size(); ++j) {
-      sum[j].noise += condition.of_participants[place][j].noise;
-      sum[j].signal += condition.of_participants[place][j].signal;
-    }
-  }
-  return sum;
-}
 
 bool has_both_kinds(const std::vector<RatingCount>& counts) {
   RatingCount all{};
@@ -170,7 +157,7 @@ class RocList final {
     if (has_interval(area)) {
       const double reach = normal_limit(confidence_) * *area.standard_error;
       trapezoids.method += "; normal interval with DeLong's standard error, truncated to 0 to 1" +
-                           simulated_coverage({88, 95});
+                           simulated_coverage({88, 95}) + " for one participant";
       trapezoids.interval = ConfidenceInterval{.low = std::max(0.0, area.area - reach),
                                                .high = std::min(1.0, area.area + reach)};
       trapezoids.confidence = confidence_;
@@ -226,21 +213,9 @@ class RocList final {
                  basis("observed information"));
     list_.number("uv.da", condition_.name, fit.d_a(), basis("d_a = μ/√(½·(1 + σ²))"));
     Basis area = basis("A_z = Φ(d_a/√2), area under the fitted ROC");
-    const auto area_of = [this](std::span<const std::size_t> places) -> std::optional<double> {
-      const std::vector<RatingCount> counts = sum_of_participants(condition_, places);
-      if (!has_both_kinds(counts)) return std::nullopt;
-      const std::optional<NormalRoc> resampled = fit_roc(counts, RocVariance::free);
-      return resampled ? std::optional<double>(resampled->area()) : std::nullopt;
-    };
-    const ParticipantBootstrap bootstrap = bootstrap_participants(
-        {.participants = condition_.of_participants.size(), .confidence = confidence_}, area_of);
-    if (bootstrap.interval) {
-      area.n = condition_.of_participants.size();
-      area.method += "; expanded percentiles, bootstrap over participants, " +
-                     way_of_counting(bootstrap.draws) + ", " + std::to_string(bootstrap.without) +
-                     " without an estimate";
-      area.interval = bootstrap.interval;
-      area.confidence = confidence_;
+    if (condition_.of_participants.size() > 1) {
+      area.method += "; over participants together, without an interval by a bootstrap over them" +
+                     simulated_coverage({93, 96}, {12, 87});
     }
     list_.number("uv.az", condition_.name, fit.area(), area);
     add_mean_area();
@@ -274,7 +249,10 @@ class RocList final {
       return "without an interval, because " + std::to_string(missing) +
              " participants have no estimate";
     });
-    for (const Finding& finding : findings) list_.copy(finding);
+    for (Finding& finding : findings) {
+      if (finding.low && finding.high) finding.method += simulated_coverage({92, 97});
+      list_.copy(finding);
+    }
   }
 
   void add_test(const NormalRoc& equal, const NormalRoc& free) {
