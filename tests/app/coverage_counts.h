@@ -67,19 +67,28 @@ inline std::vector<DrawnCount> coverage_counts(const std::string& part,
   return counts;
 }
 
-/// "88 to 95 %": the lowest and the highest coverage over the settings in which participants differ or do not, rounded outwards.
-inline std::string span_of_coverage(const std::string& part, const std::string& quantity,
-                                    std::optional<bool> differ = {}) {
+/// "88 to 95 %": the lowest and the highest coverage over these settings, rounded outwards; without those in which fewer than one
+/// table in twenty has the interval.
+inline std::string span_of_coverage(const std::vector<DrawnCount>& counts) {
   double lowest = 100.0;
   double highest = 0.0;
-  for (const DrawnCount& count : coverage_counts(part, quantity)) {
-    if (differ && (count.spread > 0.0) != *differ) continue;
+  for (const DrawnCount& count : counts) {
     if (count.given < 0.05 * count.tables) continue;
     const double covered = 100.0 * (count.given - count.failed) / count.given;
     lowest = std::min(lowest, std::floor(covered));
     highest = std::max(highest, std::ceil(covered));
   }
   return std::to_string(std::lround(lowest)) + " to " + std::to_string(std::lround(highest)) + " %";
+}
+
+/// Of the settings in which participants differ or do not.
+inline std::string span_of_coverage(const std::string& part, const std::string& quantity,
+                                    std::optional<bool> differ = {}) {
+  std::vector<DrawnCount> counts = coverage_counts(part, quantity);
+  std::erase_if(counts, [differ](const DrawnCount& count) {
+    return differ && (count.spread > 0.0) != *differ;
+  });
+  return span_of_coverage(counts);
 }
 
 }  // namespace asperity

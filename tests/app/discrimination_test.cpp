@@ -26,6 +26,7 @@
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "renderers/built_in_models.h"
+#include "tests/app/coverage_counts.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/made_up_study.h"
 
@@ -33,6 +34,7 @@ namespace asperity {
 namespace {
 
 using nlohmann::json;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -96,14 +98,36 @@ TEST(Discrimination, HasGeometricMeansWithoutNegativeLimits) {
   }
 }
 
+/// "22 to 95 %": of the geometric mean of the JNDs of participants who lapse or never do.
+std::string coverage_of_comparisons(bool have_lapses) {
+  std::vector<DrawnCount> counts = coverage_counts("comparison_thresholds", "geomean.jnd");
+  std::erase_if(counts, [have_lapses](const DrawnCount& count) {
+    return (count.effect > 0.0) != have_lapses;
+  });
+  return span_of_coverage(counts);
+}
+
 // Without lapses the fixed rate of 2 % makes the function steeper than it is.
 TEST(Discrimination, ByComparisonStatesThatTheLapseRateIsAssumed) {
   EXPECT_THAT(answer_to(outcome_of_comparers(), "threshold"),
               HasSubstr("take the lapse rates of 2 % as known"));
   EXPECT_THAT(table_of(outcome_of_comparers(), "mean_thresholds").note.english(),
-              HasSubstr("in 41 to 66 % of the studies"));
+              HasSubstr("in " + coverage_of_comparisons(false) + " of the studies"));
+  EXPECT_THAT(table_of(outcome_of_comparers(), "mean_thresholds").note.english(),
+              HasSubstr("in " + coverage_of_comparisons(true) + " with lapse rates of 2 %"));
+  EXPECT_THAT(answer_to(outcome_of_comparers(), "threshold"),
+              HasSubstr("in " + coverage_of_comparisons(false) + " of the studies (" +
+                        coverage_of_comparisons(true) + " with lapse rates"));
+  const Finding* const mean =
+      FoundNumbers(outcome_of_comparers().findings).find("geomean.jnd", "all");
+  ASSERT_NE(mean, nullptr);
+  EXPECT_EQ(mean->method.ends_with(coverage_of_comparisons(false) +
+                                   " where participants never lapse, and " +
+                                   coverage_of_comparisons(true) + " with lapse rates of 2 %"),
+            mean->low.has_value());
   EXPECT_THAT(estimate_sentence(outcome_of_comparers()).text,
-              HasSubstr("The JNDs assume lapse rates of 2 %"));
+              AllOf(HasSubstr("The JNDs assume lapse rates of 2 %"),
+                    HasSubstr("in " + coverage_of_comparisons(false) + " of simulated studies")));
   EXPECT_THAT(answer_to(outcome_of_performers(), "threshold"), Not(HasSubstr("lapse rates")));
   EXPECT_THAT(estimate_sentence(outcome_of_performers()).text, Not(HasSubstr("lapse rates")));
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
 #include <utility>
 
 #include "analysis/geometric_mean.h"
@@ -9,6 +10,7 @@
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/left_out_thresholds.h"
 #include "app/findings/tidy/finding_list.h"
+#include "app/findings/tidy/simulated_coverage.h"
 
 namespace asperity {
 
@@ -48,6 +50,12 @@ void add_geometric(const char* quantity, const std::string& key, const std::vect
               .interval = mean.interval};
   if (mean.interval) basis.confidence = kConfidenceOfMeans;
   list.number(quantity, key, mean.mean, basis);
+}
+
+/// Of the geometric mean of the JNDs of comparisons, which are fitted with lapse rates of 2 %.
+std::string coverage_with_fixed_lapses() {
+  return simulated_coverage({22, 95}) + " where participants never lapse, and " +
+         text_of(CoverageSpan{91, 96}) + " with lapse rates of 2 %";
 }
 
 /// A word in place of a mean that would not be a bound.
@@ -164,6 +172,10 @@ std::vector<Finding> means_of(const DiscriminationResults& results) {
       std::vector<Finding> of_condition = list.take();
       drop_intervals(of_condition, [&left_out](const Finding&) { return bound_text(left_out); });
       for (Finding& finding : of_condition) {
+        if (finding.quantity == "geomean.jnd" && finding.low &&
+            !results.study.task.is_performance) {
+          finding.method += coverage_with_fixed_lapses();
+        }
         finding.unit = unit;
         finding.analysis = kMeanThresholds;
         means.push_back(std::move(finding));

@@ -2604,8 +2604,8 @@
         <translation>%1 Die Schwellen und ihre KIs setzen die Fehlerraten (lapse rates) von 2 % als bekannt voraus.</translation>
     </message>
     <message>
-        <source>%1 The JNDs and their CIs take the lapse rates of 2 % as known: for participants who never lapse, simulated JNDs were too small by 11 to 13 %, and the CI of the mean contained the true JND in 41 to 66 % of the studies (94 % with lapse rates of 2 %).</source>
-        <translation>%1 Die Unterschiedsschwellen und ihre KIs setzen die Fehlerraten (lapse rates) von 2 % als bekannt voraus: Bei Versuchspersonen ohne Aussetzer waren simulierte Unterschiedsschwellen um 11 bis 13 % zu klein, und das KI des Mittelwerts enthielt die wahre Unterschiedsschwelle in 41 bis 66 % der Studien (94 % bei Fehlerraten (lapse rates) von 2 %).</translation>
+        <source>%1 The JNDs and their CIs take the lapse rates of 2 % as known: for participants who never lapse, simulated JNDs were too small by 11 to 13 %, and the CI of the mean contained the true JND in 22 to 95 % of the studies (91 to 96 % with lapse rates of 2 %).</source>
+        <translation>%1 Die Unterschiedsschwellen und ihre KIs setzen die Fehlerraten (lapse rates) von 2 % als bekannt voraus: Bei Versuchspersonen ohne Aussetzer waren simulierte Unterschiedsschwellen um 11 bis 13 % zu klein, und das KI des Mittelwerts enthielt die wahre Unterschiedsschwelle in 22 bis 95 % der Studien (91 bis 96 % bei Fehlerraten (lapse rates) von 2 %).</translation>
     </message>
     <message>
         <source>No mean threshold is reported.</source>
@@ -2636,8 +2636,8 @@
         <translation>Geometrische Mittel der Schwellen von %1 Versuchspersonen: %2 (%3).</translation>
     </message>
     <message>
-        <source>The CIs of means take lapse rates that are fixed at 2 % as known: in simulations of comparisons by participants who never lapse they contained the true JND in 41 to 66 % of the studies, and in 94 % with lapse rates of 2 %.</source>
-        <translation>Die KIs der Mittelwerte setzen die auf 2 % festgelegten Fehlerraten (lapse rates) als bekannt voraus: In Simulationen von Vergleichen ohne Aussetzer enthielten sie die wahre Unterschiedsschwelle in 41 bis 66 % der Studien, bei Fehlerraten (lapse rates) von 2 % in 94 %.</translation>
+        <source>The CIs of means take lapse rates that are fixed at 2 % as known: in simulations of comparisons by participants who never lapse they contained the true JND in 22 to 95 % of the studies, in fewer of them the more participants and trials there were, and in 91 to 96 % with lapse rates of 2 %.</source>
+        <translation>Die KIs der Mittelwerte setzen die auf 2 % festgelegten Fehlerraten (lapse rates) als bekannt voraus: In Simulationen von Vergleichen ohne Aussetzer enthielten sie die wahre Unterschiedsschwelle in 22 bis 95 % der Studien, in umso weniger, je mehr Versuchspersonen und Durchgänge es waren, und bei Fehlerraten (lapse rates) von 2 % in 91 bis 96 %.</translation>
     </message>
     <message>
         <source>A mean that leaves out thresholds is an upper bound if all of these lie below the presented levels, a lower bound if all lie above, and otherwise neither and not reported. It has no CI: in simulations in which 27 and 34 % of the thresholds were left out, the t-based CI of the others contained the true mean in 75 and 48 % of the studies.</source>
