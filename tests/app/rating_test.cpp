@@ -12,6 +12,7 @@
 #include "app/findings/reading_table.h"
 #include "app/findings/study/analyze_study.h"
 #include "tests/app/analysed_study.h"
+#include "tests/app/coverage_counts.h"
 
 namespace asperity {
 namespace {
@@ -624,10 +625,20 @@ TEST(RatingComponents, HaveLoadingsForOneComponentPerFiveItems) {
   }
   for (const Finding* const corrected : FoundNumbers(nine.findings).all("loading.corrected")) {
     EXPECT_TRUE(corrected->key.ends_with("|C1")) << corrected->key;
+    EXPECT_TRUE(corrected->value && !corrected->low && !corrected->high) << corrected->key;
+    EXPECT_THAT(corrected->method, HasSubstr(span_of_coverage("components", "loading.corrected")));
+  }
+  for (const Finding* const corrected : FoundNumbers(nine.findings).all("proportion.corrected")) {
     EXPECT_LE(corrected->low.value(), corrected->value.value()) << corrected->key;
     EXPECT_GE(corrected->high.value(), corrected->value.value()) << corrected->key;
+    EXPECT_THAT(corrected->method,
+                HasSubstr(span_of_coverage("components", "proportion.corrected")));
   }
   EXPECT_EQ(FoundNumbers(nine.findings).all("loading").size(), 2U);
+  EXPECT_THAT(find_table(nine, "components")->note.english(),
+              HasSubstr(span_of_coverage("components", "proportion.corrected")));
+  EXPECT_THAT(find_table(nine, "loadings")->note.english(),
+              HasSubstr(span_of_coverage("components", "loading.corrected")));
   EXPECT_EQ(FoundNumbers(profiles_of_items(10).findings).all("loading").size(), 4U);
 }
 

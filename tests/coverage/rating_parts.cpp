@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "analysis/number_text.h"
+#include "analysis/principal_components.h"
 #include "tests/coverage/coverage_parts.h"
 
 namespace asperity {
@@ -216,6 +221,33 @@ FirstComponent first_component() {
           .loading_of_first = (largest < 0.0 ? -1.0 : 1.0) * std::sqrt(eigenvalue) * axis[0]};
 }
 
+/// The family gives corrected loadings no interval, and states the coverage that this one has: that of the jackknife over the
+/// participants.
+std::vector<Finding> findings_of_components(const TidyInput& input) {
+  const TidyTable& table = input.table();
+  const LabelColumn participants = table.all_labels("subject");
+  const LabelColumn items = table.all_labels("item");
+  const LabelColumn scales = table.all_labels("scale");
+  const std::vector<double> scores = table.all_numbers("score");
+  std::vector<Eigen::MatrixXd> of_people(participants.names.size(),
+                                         Eigen::MatrixXd(kRatedItems, kRatedScales));
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    of_people[participants.codes[row]](static_cast<Eigen::Index>(items.codes[row]),
+                                       static_cast<Eigen::Index>(scales.codes[row])) = scores[row];
+  }
+  const std::optional<CorrectedComponents> corrected =
+      corrected_components(of_people, input.options.confidence());
+  std::vector<Finding> findings = components_findings(input);
+  for (Finding& finding : findings) {
+    if (!corrected || finding.quantity != "loading.corrected" || finding.key != "0|C1") continue;
+    const std::optional<ComponentEstimate>& loading = corrected->loadings.front().front();
+    if (!loading) continue;
+    finding.low = loading->interval.low;
+    finding.high = loading->interval.high;
+  }
+  return findings;
+}
+
 std::vector<CheckedInterval> component_intervals(const CoverageSetting&) {
   const FirstComponent first = first_component();
   return {{.quantity = "proportion.corrected", .key = "C1", .truth = first.proportion},
@@ -280,7 +312,7 @@ std::span<const CoveragePart> rating_parts() {
                    .spread = "SD of the participants' ratings",
                    .settings = kOfComponents,
                    .draw = draw_mean_ratings,
-                   .findings = components_findings,
+                   .findings = findings_of_components,
                    .intervals = component_intervals,
                    .tests = no_tests,
                    .tables = 1000}};

@@ -10,6 +10,7 @@
 
 #include "analysis/principal_components.h"
 #include "app/findings/tidy/finding_list.h"
+#include "app/findings/tidy/simulated_coverage.h"
 #include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {
@@ -113,33 +114,41 @@ std::vector<Finding> components_findings(const TidyInput& input) {
   const double confidence = input.options.confidence();
   const std::optional<CorrectedComponents> corrected_of =
       corrected_components(of_people, confidence);
-  const auto add_corrected = [&](const char* quantity, const std::string& key,
-                                 const std::optional<ComponentEstimate>& estimate) {
+  const std::string method_of_corrected = basis.method +
+                                          "; without the variance that the participants' "
+                                          "deviations add to observed means";
+  const auto add_proportion = [&](const std::string& key,
+                                  const std::optional<ComponentEstimate>& estimate) {
     if (!estimate) return;
-    Basis corrected{.n = of_people.size(),
-                    .method = basis.method +
-                              "; without the variance that the participants' deviations add to "
-                              "observed means; t interval of the jackknife over participants",
-                    .interval = estimate->interval,
-                    .confidence = confidence};
-    findings.number(quantity, key, estimate->corrected, std::move(corrected));
+    findings.number(
+        "proportion.corrected", key, estimate->corrected,
+        {.n = of_people.size(),
+         .method = method_of_corrected + "; t interval of the jackknife over participants" +
+                   simulated_coverage({94, 100}),
+         .interval = estimate->interval,
+         .confidence = confidence});
+  };
+  const auto add_loading = [&](const std::string& key,
+                               const std::optional<ComponentEstimate>& estimate) {
+    if (!estimate) return;
+    findings.number("loading.corrected", key, estimate->corrected,
+                    {.n = of_people.size(),
+                     .method = method_of_corrected +
+                               "; without an interval by the jackknife over participants" +
+                               simulated_coverage({60, 97})});
   };
   for (Eigen::Index component = 0; component < columns; ++component) {
     const auto place = static_cast<std::size_t>(component);
     const std::string name = component_name(component);
     findings.number("eigenvalue", name, found->eigenvalues(component), basis);
     findings.number("proportion", name, found->proportion(component), basis);
-    if (corrected_of) {
-      add_corrected("proportion.corrected", name, corrected_of->proportions[place]);
-    }
+    if (corrected_of) add_proportion(name, corrected_of->proportions[place]);
     findings.number("parallel.limit", name, noise.limits(component), limit);
     for (Eigen::Index scale = 0; scale < columns; ++scale) {
       const auto of_scale = static_cast<std::size_t>(scale);
       const std::string key = both(scales[of_scale], name);
       findings.number("loading", key, found->loadings(scale, component), basis);
-      if (corrected_of) {
-        add_corrected("loading.corrected", key, corrected_of->loadings[of_scale][place]);
-      }
+      if (corrected_of) add_loading(key, corrected_of->loadings[of_scale][place]);
     }
     for (Eigen::Index item = 0; item < rows; ++item) {
       findings.number("score", both(items[static_cast<std::size_t>(item)], name),

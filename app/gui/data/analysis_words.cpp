@@ -59,7 +59,6 @@ constexpr std::array kHeadings{
     Word{"construct", QT_TRANSLATE_NOOP("AnalysisWords", "construct")},
     Word{"correct", QT_TRANSLATE_NOOP("AnalysisWords", "correct")},
     Word{"corrected", QT_TRANSLATE_NOOP("AnalysisWords", "corrected")},
-    Word{"corrected 95 %", QT_TRANSLATE_NOOP("AnalysisWords", "corrected, 95 % CI")},
     Word{"criterion", QT_TRANSLATE_NOOP("AnalysisWords", "criterion")},
     Word{"criterion_k", QT_TRANSLATE_NOOP("AnalysisWords", "criterion k, differencing")},
     Word{"d_prime", QT_TRANSLATE_NOOP("AnalysisWords", "d′")},

@@ -2752,12 +2752,12 @@
         <translation>Geometrische Mittel über die Versuchspersonen, deren Reiz angeglichen wurde, mit t-basierten 95-%-KIs auf der logarithmischen Skala, und ohne KI, wenn eine Angleichung nicht gelang: Die angeglichenen sind dann eine Auswahl (bei Schwellen innerhalb der Stufen enthielten solche KIs den wahren Mittelwert in 48 bis 75 % der simulierten Studien). Der Bezugsreiz hat die relative Amplitude 1.</translation>
     </message>
     <message>
-        <source>The components are those of the correlations of the scales over the items’ mean ratings. A component is retained if its eigenvalue and those of all components before it exceed the limit: the 95th percentile of the eigenvalues of tables of random numbers of the same size (parallel analysis). The deviations of single participants add variance to observed means, so that their first proportion and loadings are too small: corrected values are without this variance, with CIs by the jackknife over participants, if five participants or more rated every item on every scale. They do not generalise to other items. A percentile bootstrap contained the true first proportion in 0 to 32 % of simulations.</source>
-        <translation>Die Komponenten sind die der Korrelationen der Skalen über die mittleren Einstufungen der Items. Eine Komponente wird beibehalten, wenn ihr Eigenwert und die aller Komponenten vor ihr die Grenze überschreiten: das 95. Perzentil der Eigenwerte von Tabellen gleich vieler Zufallszahlen (Parallelanalyse). Die Abweichungen einzelner Versuchspersonen vergrößern die Varianz beobachteter Mittelwerte, sodass ihr erster Anteil und ihre Ladungen zu klein sind: Korrigierte Werte sind ohne diese Varianz, mit KIs nach dem Jackknife über die Versuchspersonen, wenn mindestens fünf Versuchspersonen jedes Item auf jeder Skala eingestuft haben. Sie gelten nicht für andere Items. Ein Perzentil-Bootstrap enthielt den wahren ersten Anteil in 0 bis 32 % der Simulationen.</translation>
+        <source>The components are those of the correlations of the scales over the items’ mean ratings. A component is retained if its eigenvalue and those of all components before it exceed the limit: the 95th percentile of the eigenvalues of tables of random numbers of the same size (parallel analysis). The deviations of single participants add variance to observed means, so that their first proportion and loadings are too small: corrected values are without this variance, if five participants or more rated every item on every scale; proportions have CIs by the jackknife over participants, which contained the true first proportion in 94 to 100 % of simulations. They do not generalise to other items. A percentile bootstrap contained the true first proportion in 0 to 32 % of simulations.</source>
+        <translation>Die Komponenten sind die der Korrelationen der Skalen über die mittleren Einstufungen der Items. Eine Komponente wird beibehalten, wenn ihr Eigenwert und die aller Komponenten vor ihr die Grenze überschreiten: das 95. Perzentil der Eigenwerte von Tabellen gleich vieler Zufallszahlen (Parallelanalyse). Die Abweichungen einzelner Versuchspersonen vergrößern die Varianz beobachteter Mittelwerte, sodass ihr erster Anteil und ihre Ladungen zu klein sind: Korrigierte Werte sind ohne diese Varianz, wenn mindestens fünf Versuchspersonen jedes Item auf jeder Skala eingestuft haben; Anteile haben KIs nach dem Jackknife über die Versuchspersonen, die in 94 bis 100 % der Simulationen den wahren ersten Anteil enthielten. Sie gelten nicht für andere Items. Ein Perzentil-Bootstrap enthielt den wahren ersten Anteil in 0 bis 32 % der Simulationen.</translation>
     </message>
     <message>
-        <source>A loading is the correlation of a scale with a component; corrected: without the variance of the participants’ deviations, with a CI by the jackknife over participants. A score is the position of an item on a component.</source>
-        <translation>Eine Ladung ist die Korrelation einer Skala mit einer Komponente; korrigiert: ohne die Varianz der Abweichungen der Versuchspersonen, mit KI nach dem Jackknife über die Versuchspersonen. Ein Komponentenwert ist die Lage eines Items auf einer Komponente.</translation>
+        <source>A loading is the correlation of a scale with a component; corrected: without the variance of the participants’ deviations. It has no CI: in simulations that of the jackknife over participants contained the true loading in 60 to 97 % of the studies. A score is the position of an item on a component.</source>
+        <translation>Eine Ladung ist die Korrelation einer Skala mit einer Komponente; korrigiert: ohne die Varianz der Abweichungen der Versuchspersonen. Sie hat kein KI: In Simulationen enthielt das nach dem Jackknife über die Versuchspersonen die wahre Ladung in 60 bis 97 % der Studien. Ein Komponentenwert ist die Lage eines Items auf einer Komponente.</translation>
     </message>
     <message>
         <source>Groups are assigned and reported, and not compared: the responses of all groups are analysed together. To compare them, export the responses.</source>
@@ -3636,10 +3636,6 @@
     <message>
         <source>corrected</source>
         <translation>korrigiert</translation>
-    </message>
-    <message>
-        <source>corrected, 95 % CI</source>
-        <translation>korrigiert, 95-%-KI</translation>
     </message>
     <message>
         <source>proportion, corrected</source>
