@@ -19,6 +19,7 @@ namespace asperity {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// The smallest coverage over the settings whose true value has an absolute value from `from` to `to`, in whole per cent.
 std::string smallest_coverage(const std::string& part, const std::string& quantity, double from,
@@ -125,6 +126,27 @@ TEST(StatedCoverage, OfAreasOfParticipantsIsThatOfTheSimulations) {
                 span_of_coverage("areas_of_participants", "uv.az", true) + " where they differ"));
 }
 
+TEST(StatedCoverage, OfDifferencesOfAMixedModelIsThatOfTheSimulations) {
+  TidyInput input{};
+  input.tables.emplace_back(
+      "subject,item,y\na,x,1\na,y,3\na,x,2\na,y,2\nb,x,2\nb,y,4\nb,x,3\nb,y,5\nc,x,1\nc,y,2\n",
+      "t.csv");
+  const std::vector<std::pair<std::string, std::vector<std::string>>> fixed{{"item", {"x", "y"}}};
+  input.options.set("fixed", fixed);
+  const std::vector<Finding> findings = tidy_family("lmm").findings(input);
+  const auto difference = std::find_if(findings.begin(), findings.end(), [](const Finding& one) {
+    return one.quantity == "lmm.beta" && one.key == "item|y";
+  });
+  ASSERT_NE(difference, findings.end());
+  EXPECT_THAT(difference->method,
+              HasSubstr(span_of_coverage("varying_items", "lmm.beta", true) + " where they vary"));
+  std::vector<DrawnCount> alike = coverage_counts("continuous_scale", "lmm.beta");
+  for (const DrawnCount& count : coverage_counts("varying_items", "lmm.beta")) {
+    if (count.spread == 0.0) alike.push_back(count);
+  }
+  EXPECT_THAT(difference->method, HasSubstr(span_of_coverage(alike)));
+}
+
 /// "up to 7 %": the greatest Type I error rate over the designs with these numbers of participants.
 std::string greatest_size(const std::string& part, const std::string& quantity, double from,
                           double to) {
@@ -154,9 +176,42 @@ std::string method_in(const char* family, const std::string& quantity, const cha
   return {};
 }
 
+TEST(StatedSize, OfCorrectedAnalysesOfVarianceIsThatOfTheSimulations) {
+  TidyInput input{};
+  input.tables.emplace_back(
+      "subject,item,y\na,x,1\na,y,3\na,z,2\nb,x,2\nb,y,2\nb,z,5\nc,x,4\nc,y,3\nc,z,1\nd,x,2\nd,y,"
+      "5\nd,z,3\n",
+      "t.csv");
+  const std::vector<std::pair<std::string, std::vector<std::string>>> within{
+      {"item", {"x", "y", "z"}}};
+  input.options.set("within", within);
+  double least = 100.0;
+  double greatest = 0.0;
+  for (const DrawnCount& count : coverage_counts("varying_items", "p.GG")) {
+    const double size = 100.0 * count.failed / count.given;
+    least = std::min(least, size);
+    greatest = std::max(greatest, size);
+  }
+  EXPECT_THAT(method_of(tidy_family("rmanova").findings(input), "p.GG"),
+              HasSubstr("was " + std::to_string(std::lround(least)) + " to " +
+                        std::to_string(std::lround(greatest)) + " %"));
+}
+
 TEST(StatedSize, OfMixedModelsOfRatingsIsTheGreatestOfTheSimulations) {
   EXPECT_THAT(method_in("lmm", "lmm.F.p", "y"),
               HasSubstr("up to " + greatest_size("continuous_scale", "lmm.F.p", 2.0, 20.0)));
+  const std::vector<DrawnCount> sizes = coverage_counts("varying_items", "lmm.F.p");
+  const auto greatest_with = [&sizes](double spread) {
+    double greatest = 0.0;
+    for (const DrawnCount& count : sizes) {
+      if (count.spread == spread) greatest = std::max(greatest, 100.0 * count.failed / count.given);
+    }
+    return std::to_string(std::lround(greatest));
+  };
+  EXPECT_THAT(method_in("lmm", "lmm.F.p", "y"),
+              HasSubstr("up to " + greatest_with(0.5) + " and " + greatest_with(1.0) + " %"));
+  const std::string beta = method_in("lmm", "lmm.beta", "y");
+  EXPECT_THAT(beta, Not(HasSubstr("in simulations"))) << "the intercept";
   const std::string ordinal = method_in("ordinal", "lr.p", "score");
   EXPECT_THAT(ordinal,
               HasSubstr("up to " + greatest_size("ordered_categories", "lr.p", 3.0, 20.0)));

@@ -15,6 +15,7 @@
 #include "analysis/number_text.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/mixed_rows.h"
+#include "app/findings/tidy/simulated_coverage.h"
 #include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {
@@ -241,10 +242,11 @@ class MixedFindings final {
     }
     const auto& fit = std::get<LinearMixedFit>(answer);
     list_.word("lmm.status", "", "ok", "ok", basis(method_));
-    coefficient(fit, "intercept", 0);
+    coefficient(fit, "intercept", 0, "");
     for (const MixedTerm& term : table_.terms) {
       for (std::size_t i = 0; i < term.keys.size(); ++i) {
-        coefficient(fit, term.keys[i], term.columns.first + static_cast<Eigen::Index>(i));
+        coefficient(fit, term.keys[i], term.columns.first + static_cast<Eigen::Index>(i),
+                    term.is_factor ? coverage_of_levels() : "");
       }
       if (term.is_factor) factor(fit, term);
     }
@@ -265,9 +267,16 @@ class MixedFindings final {
     list_.number(quantity, key, value, basis(std::move(method)));
   }
 
-  void coefficient(const LinearMixedFit& fit, const std::string& key, Eigen::Index column) {
+  static std::string coverage_of_levels() {
+    return simulated_coverage({92, 96}) +
+           " where the differences between levels are the same for all participants, and " +
+           text_of(CoverageSpan{68, 90}) + " where they vary over participants";
+  }
+
+  void coefficient(const LinearMixedFit& fit, const std::string& key, Eigen::Index column,
+                   const std::string& coverage) {
     const LinearMixedFit::Combination effect = fit.effect(column, confidence_);
-    const char* const interval = "; interval with Satterthwaite's degrees of freedom";
+    const std::string interval = "; interval with Satterthwaite's degrees of freedom" + coverage;
     Basis shown = basis(method_ + interval);
     shown.interval = effect.interval;
     shown.confidence = confidence_;
@@ -294,7 +303,8 @@ class MixedFindings final {
         "lmm.F.p", term.name, test.p,
         "F test of all levels of a factor, Satterthwaite; in simulations in which neither "
         "levels nor participants differed the Type I error rate at α = .05 was up to 7 %, and with "
-        "effects that vary over participants (SDs of half and one residual SD) 17 and 33 %");
+        "effects that vary over participants (SDs of half and one residual SD) up to 25 and "
+        "54 %");
   }
 
   const MixedTable& table_;

@@ -79,7 +79,7 @@ std::string exploration_method(const AnalysisOutcome& outcome, Sources& sources)
          cited("Satterthwaite 1946", sources) +
          ", and the tests are exploratory. They assume the same effects for all participants and "
          "are "
-         "liberal otherwise (Type I error rates of 17 and 33 % at α = .05 in simulations of "
+         "liberal otherwise (Type I error rates of up to 25 and 54 % at α = .05 in simulations of "
          "ratings "
          "whose effects varied with SDs of half and one residual SD).";
 }
