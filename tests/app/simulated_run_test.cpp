@@ -270,8 +270,8 @@ TEST(PowerModel, RefusesAPredictorThatIsMeasuredOnRenderedSurfaces) {
   const Protocol protocol =
       read_protocol(file.dump(), "roughness_force", test::models_of_library());
   EXPECT_THAT([&] { assumptions_of(protocol); },
-              ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("\"main\""), HasSubstr("force_N"),
-                                                      HasSubstr("asperity simulate"))));
+              ThrowsMessage<std::runtime_error>(
+                  AllOf(HasSubstr("\"main\""), HasSubstr("force_N"), HasSubstr("--physics"))));
 }
 
 TEST(PowerModel, KeepsStandardDeviationsWithoutEffects) {
