@@ -93,6 +93,9 @@ Database::Database(std::filesystem::path folder, const std::filesystem::path& fi
       fail(SQLITE_READONLY, "cannot be written to");
     }
     sqlite3_busy_timeout(handle_, kBusyTimeout_ms);
+    // Rules for writing, whose statement reads the schema: a seal is checked without locks, in a file that may be
+    // being compacted, and must not find that it makes no sense.
+    if ((flags & SQLITE_OPEN_READONLY) != 0) return;
     execute("PRAGMA foreign_keys = ON; PRAGMA recursive_triggers = ON; PRAGMA synchronous = FULL;");
   } catch (...) {
     sqlite3_close_v2(handle_);

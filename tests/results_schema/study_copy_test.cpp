@@ -369,6 +369,18 @@ TEST(SealOf, AFileThatBecameShorterMeanwhileHolds) {
   EXPECT_LT(std::filesystem::file_size(folder / "s" / "study.sqlite"), before);
 }
 
+// As the middle of a compaction can look, which is read without locks.
+TEST(SealOf, AFileWhoseSchemaMakesNoSenseIsAnsweredAndNoError) {
+  const TemporaryFolder folder;
+  { recorded_study(folder / "s"); }
+  const std::filesystem::path file = folder / "s" / "study.sqlite";
+  std::string content = read_file(file);
+  constexpr std::size_t kHeader_bytes = 100;  // of the file; the root page of the schema follows
+  content.replace(kHeader_bytes, 400, std::string(400, '\xff'));
+  write_file(file, content, Overwrite::allow);
+  EXPECT_EQ(seal_of(folder / "s", {}), Seal::broken);
+}
+
 TEST(StudyVerify, FindsFilesThatAreMissingOrChanged) {
   const TemporaryFolder folder;
   const auto [study, session_id] = recorded_study(folder / "s");
