@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Fails when a source file includes a folder that its own folder may not know.
 
-The rules are the tables of docs/architecture.md with the columns "folder" and "may include": the picture that people read and the
+The rules are the tables of docs/layers.md with the columns "folder" and "may include": what people read and the
 check are one. A row holds for its folder and all below it that have no separate row; what a component of app/ may include, the
 folders inside it may include as well. "all" means every folder, "Qt" the headers of Qt. The rows themselves must not form a circle.
 """
@@ -64,13 +64,13 @@ class Layers:
                     seen.add(other)
                     ahead.append(other)
             if row in seen:
-                yield f"docs/architecture.md: {row}/ may include itself by way of others; remove one of the names in their rows"
+                yield f"docs/layers.md: {row}/ may include itself by way of others; remove one of the names in their rows"
 
 
 def complaints(root: pathlib.Path):
-    layers = Layers(read_rules(root / "docs" / "architecture.md"))
+    layers = Layers(read_rules(root / "docs" / "layers.md"))
     if not layers.rules:
-        yield "docs/architecture.md: no table has the columns folder and may include"
+        yield "docs/layers.md: no table has the columns folder and may include"
     yield from layers.circles()
     tops = {folder.split("/")[0] for folder in layers.rules} | {"bench"}
     for top in sorted(tops - {"bench", "tests"}):
@@ -80,7 +80,7 @@ def complaints(root: pathlib.Path):
             relative = path.relative_to(root).as_posix()
             row = layers.row_of(path.parent.relative_to(root).as_posix())
             if row == "app":
-                yield f"{relative}: its folder has no row in docs/architecture.md"
+                yield f"{relative}: its folder has no row in docs/layers.md"
                 continue
             for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
                 match = INCLUDE.match(line)

@@ -15,7 +15,7 @@ def check(files: dict[str, str], rows: dict[str, str]) -> tuple[int, str]:
         root = pathlib.Path(folder)
         (root / "docs").mkdir()
         table = "".join(f"| [`{name}/`](x) | {may} | … |\n" for name, may in rows.items())
-        (root / "docs" / "architecture.md").write_text(HEAD + table + "\nText.\n", encoding="utf-8")
+        (root / "docs" / "layers.md").write_text(HEAD + table + "\nText.\n", encoding="utf-8")
         for name, text in files.items():
             path = root / name
             path.parent.mkdir(parents=True, exist_ok=True)
