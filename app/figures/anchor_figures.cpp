@@ -13,6 +13,7 @@
 #include "app/figures/figure_kinds.h"
 #include "app/figures/single_participants.h"
 #include "app/findings/study/anchors.h"
+#include "app/findings/study/cell_words.h"
 
 namespace asperity {
 

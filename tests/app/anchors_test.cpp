@@ -14,6 +14,7 @@
 #include "analysis/random.h"
 #include "app/exports/export_study.h"
 #include "app/findings/reading_table.h"
+#include "app/findings/study/cell_words.h"
 #include "tests/app/analysed_study.h"
 #include "tests/app/exported_study.h"
 

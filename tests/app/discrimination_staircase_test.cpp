@@ -21,6 +21,7 @@
 #include "app/findings/study/discrimination_thresholds.h"
 #include "app/findings/study/discrimination_tracks.h"
 #include "app/findings/study/study_analysis.h"
+#include "app/findings/study/study_tables.h"
 #include "app/findings/study/study_tests.h"
 #include "protocols/file/stored_protocol.h"
 #include "tests/app/made_up_choices.h"

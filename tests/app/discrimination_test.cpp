@@ -22,6 +22,7 @@
 #include "app/findings/study/discrimination_tasks.h"
 #include "app/findings/study/estimate_sentences.h"
 #include "app/findings/study/study_analysis.h"
+#include "app/findings/study/study_tables.h"
 #include "app/findings/study/study_tests.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"

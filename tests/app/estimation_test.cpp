@@ -13,6 +13,7 @@
 #include "app/findings/reading_table.h"
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/study_findings.h"
+#include "app/findings/study/study_tables.h"
 #include "app/findings/study/study_tests.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/app/analysed_study.h"

@@ -16,6 +16,7 @@
 #include "app/findings/reading_table.h"
 #include "app/findings/study/analyze_study.h"
 #include "app/findings/study/exploration_model.h"
+#include "app/findings/study/study_tables.h"
 #include "app/findings/study/study_tests.h"
 #include "tests/app/analysed_study.h"
 

@@ -15,6 +15,7 @@
 
 #include "app/findings/reading_table.h"
 #include "app/findings/study/cell_words.h"
+#include "app/findings/study/study_tables.h"
 #include "app/findings/study/test_methods.h"
 #include "app/report/text/report_sexes.h"
 #include "tests/app/analysed_study.h"

@@ -10,7 +10,7 @@
 #include "app/cli/output/terminal.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/cell_words.h"
-#include "app/findings/study/study_tests.h"
+#include "app/findings/study/study_tables.h"
 #include "app/words/text_parts.h"
 
 namespace asperity {

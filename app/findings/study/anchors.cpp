@@ -13,6 +13,7 @@
 #include "analysis/summary.h"
 #include "analysis/t_test.h"
 #include "app/findings/reading_table.h"
+#include "app/findings/study/cell_words.h"
 #include "protocols/kinds/experiment_kind.h"
 
 namespace asperity {

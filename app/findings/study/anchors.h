@@ -12,11 +12,6 @@ inline constexpr const char* kAnchors = "anchors";
 /// The table of their means by place and their change over a run of the block.
 inline constexpr const char* kAnchorTrend = "anchor_trend";
 
-/// The measures of `kAnchorTrend`: of estimates the change is a ratio, of the others a difference.
-inline constexpr const char* kAnchorEstimate = "anchor_estimate";
-inline constexpr const char* kAnchorRating = "anchor_rating";
-inline constexpr const char* kAnchorCorrect = "anchor_correct";
-
 /// Adds these tables if a block has an anchor in the middle or at the end: those only at the start are references of a scale.
 /// No finding contains anchors, and nothing is tested.
 ///

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "app/findings/reading_number.h"
-#include "app/findings/study/anchors.h"
 #include "app/findings/study/test_methods.h"
 #include "app/records/felt_octaves.h"
 #include "app/words/text_parts.h"

@@ -8,6 +8,11 @@
 
 namespace asperity {
 
+/// Codes of the measures in the table of anchors by place: of estimates the change is a ratio, of the others a difference.
+inline constexpr const char* kAnchorEstimate = "anchor_estimate";
+inline constexpr const char* kAnchorRating = "anchor_rating";
+inline constexpr const char* kAnchorCorrect = "anchor_correct";
+
 /// "d′" for `d_prime` in the column `measure`, "pairs: a / b" for `pairs|a|b` in the column `test`,
 /// "20 participants" for `20|participants` in the column `n`. Words without a display text, and all
 /// names from a study, are unchanged.

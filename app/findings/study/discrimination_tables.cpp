@@ -225,7 +225,7 @@ std::vector<BlockWithProcedure> blocks_with_procedure(
   std::vector<BlockWithProcedure> blocks{};
   for (const auto& [name, block] : gathered.blocks) {
     const std::optional<DiscriminationTask> task = discrimination_task(name, block);
-    if (!task || !has_levels_of_procedure(block)) continue;
+    if (!task || !block.has_procedure) continue;
     const bool is_analysed = std::any_of(
         all.begin(), all.end(), [&task](const auto& each) { return each.study.task == *task; });
     const bool is_simulated = task->is_performance && task->design == &two_alternatives();

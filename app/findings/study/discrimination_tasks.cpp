@@ -132,8 +132,8 @@ DiscriminationStudy study_of(const GatheredAnswers& gathered, const Discriminati
          .chosen_place = place_of(gathered.word(gathered.reply_of(answer).answer)),
          .confidence = answer.confidence,
          .block = answer.block,
-         .by_procedure = answer.track != 0 &&
-                         has_levels_of_procedure(gathered.blocks.at(gathered.word(answer.block))),
+         .by_procedure =
+             answer.track != 0 && gathered.blocks.at(gathered.word(answer.block)).has_procedure,
          .session = answer.session,
          .block_ordinal = answer.block_ordinal,
          .track = answer.track,
@@ -237,7 +237,7 @@ std::optional<DiscriminationTask> discrimination_task(const std::string& block_n
                           .is_sequential = block.is_sequential,
                           .asks_for_less = asked->asks_for_less,
                           .varied = *block.vary,
-                          .has_levels_of_procedure = asperity::has_levels_of_procedure(block)};
+                          .has_levels_of_procedure = block.has_procedure};
   task.varied.unit = unit_of_parameter(task.varied.parameter);
   return task;
 }
@@ -250,13 +250,6 @@ bool is_hit_response(const DiscriminationTask& task, std::size_t comparisons,
 
 bool counts_standard(const DiscriminationTask& task, double trend) {
   return !task.is_performance && task.asks_for_less.value_or(trend < 0.0);
-}
-
-bool has_levels_of_procedure(const StoredProtocol::Block& block) { return block.has_procedure; }
-
-bool has_levels_of_procedure(const GatheredAnswers& gathered) {
-  return std::any_of(gathered.blocks.begin(), gathered.blocks.end(),
-                     [](const auto& each) { return has_levels_of_procedure(each.second); });
 }
 
 std::vector<DiscriminationStudy> discrimination_studies(const GatheredAnswers& gathered) {
@@ -273,7 +266,7 @@ std::vector<DiscriminationStudy> discrimination_studies(const GatheredAnswers& g
                               [&task](const auto& each) { return each.task == *task; });
     if (known == tasks.end()) known = tasks.insert(tasks.end(), BlocksOfTask{.task = *task});
     known->blocks.insert(name);
-    known->has_procedure = known->has_procedure || has_levels_of_procedure(block);
+    known->has_procedure = known->has_procedure || block.has_procedure;
   }
   std::vector<DiscriminationStudy> studies{};
   for (const BlocksOfTask& each : tasks) {

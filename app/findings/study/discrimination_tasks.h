@@ -33,7 +33,9 @@ struct DiscriminationTask {
   std::optional<bool> asks_for_less{};
   Dimension
       varied{};  ///< with the unit of the parameter and the value of the standard; without levels
-  bool has_levels_of_procedure = false;  ///< of the block with `name`
+  /// Whether a procedure chose the levels of the block with `name`; proportions over such levels depend on the procedure and are
+  /// never reported.
+  bool has_levels_of_procedure = false;
 
   double standard() const { return *varied.standard; }
   /// Whether the standard has nothing of the parameter, so that the comparison is detected.
@@ -54,12 +56,6 @@ bool is_hit_response(const DiscriminationTask& task, std::size_t comparisons,
 /// Whether the psychometric function is that of the choices of the standard: the question asks for less of the parameter, or,
 /// where the protocol does not state it, the choices of the comparison decrease with the parameter (`trend_of_choices`).
 bool counts_standard(const DiscriminationTask& task, double trend);
-
-/// Whether a procedure chose the levels of the block from the responses. Proportions over such levels depend on the
-/// procedure and are never reported.
-bool has_levels_of_procedure(const StoredProtocol::Block& block);
-/// The same of any of the gathered blocks.
-bool has_levels_of_procedure(const GatheredAnswers& gathered);
 
 /// Responses to the trials with one value of the parameter. Responses "cannot tell" are trials, but not hits.
 struct ChoiceCount {
@@ -104,7 +100,7 @@ struct DiscriminationTrial {
   std::size_t chosen_place = 0;
   std::optional<double> confidence{};  ///< of the response, where it was rated
   std::uint32_t block = kNoWord;       ///< word of its name
-  bool by_procedure = false;      ///< a procedure chose the level from the responses
+  bool by_procedure = false;           ///< a procedure chose the level from the responses
   /// As in GatheredAnswer. The numbers of tracks are unique within a run of a block, so that session, block ordinal and
   /// track identify a track of a participant.
   int session = 1;

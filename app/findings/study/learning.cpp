@@ -10,7 +10,6 @@
 #include "analysis/learning.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/answer_columns.h"
-#include "app/findings/study/discrimination_tasks.h"
 #include "app/findings/study/study_analysis.h"
 #include "app/findings/study/study_findings.h"
 
@@ -179,8 +178,11 @@ void add_learning(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
       analysis_of(kLearningOfTimes, kLearningFamily, times_by_trial(gathered, numbers));
   std::vector<Finding> of_correct{};
   // Over levels that a procedure chose, proportions correct depend on the procedure.
+  const bool has_procedure =
+      std::any_of(gathered.blocks.begin(), gathered.blocks.end(),
+                  [](const auto& block) { return block.second.has_procedure; });
   std::optional<TidyInput> input =
-      has_levels_of_procedure(gathered) ? std::nullopt : correct_by_trial(gathered, numbers);
+      has_procedure ? std::nullopt : correct_by_trial(gathered, numbers);
   if (input) {
     of_correct = analysis_of(kLearningCorrect, kLearningFamily, std::move(*input));
   }

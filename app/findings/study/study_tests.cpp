@@ -10,11 +10,7 @@
 #include "analysis/number_text.h"
 #include "app/findings/reading_number.h"
 #include "app/findings/reading_table.h"
-#include "app/findings/study/catch_exclusions.h"
 #include "app/findings/study/cell_words.h"
-#include "app/findings/study/exploration.h"
-#include "app/findings/study/exploration_model.h"
-#include "app/findings/study/table_quantities.h"
 #include "app/findings/study/test_sentences.h"
 #include "protocols/kinds/experiment_kind.h"
 
@@ -116,83 +112,6 @@ std::vector<std::pair<const char*, Cell>> named_cells_of(const StudyTests::Test&
       {"family", text_cell(family)},
       {"role", std::string(test.role == TestRole::confirmatory ? "confirmatory" : "exploratory")},
       {"status", test.p ? Cell{} : Cell{test.status}}};
-}
-
-/// Looks up cells by the name of their column.
-class TestRow final {
- public:
-  TestRow(const Table& table, const std::vector<Cell>& row) : table_(table), row_(row) {}
-
-  /// Missing where there is no such column.
-  Cell cell(const std::string& column) const {
-    const std::optional<std::size_t> at = column_of(table_, column);
-    return at ? row_[*at] : Cell{};
-  }
-  std::string text(const std::string& column) const {
-    const Cell content = cell(column);
-    const auto* text = std::get_if<std::string>(&content);
-    return text == nullptr ? std::string() : *text;
-  }
-  std::optional<double> number(const std::string& column) const { return number_of(cell(column)); }
-
- private:
-  const Table& table_;
-  const std::vector<Cell>& row_;
-};
-
-/// The code of the test, and after a stroke the number of permutations, as `words_of_cell` reads
-/// it.
-Cell method_cell(const TestRow& row) {
-  const std::string permutations = row.text("permutations");
-  if (permutations.empty()) return row.cell("method");
-  return row.text("method") + '|' + permutations;
-}
-
-/// The code of the test, and after a stroke its subject.
-Cell test_cell(const TestRow& row) {
-  const std::string about = row.text("about");
-  return row.text("test") + (about.empty() ? "" : '|' + about);
-}
-
-/// The number, and after a stroke its unit; missing where nothing was tested.
-Cell n_cell(const TestRow& row) {
-  const double n = row.number("n").value_or(0.0);
-  return n > 0.0 ? Cell{fixed(n, 0) + '|' + row.text("unit")} : Cell{};
-}
-
-/// "F(2, 38) = 5.17", "F(1.54, 29.18) = 5.17, ε = .77"
-Cell statistic_cell(const TestRow& row) {
-  const std::optional<double> value = row.number("value");
-  if (!value) return {};
-  std::vector<double> degrees{};
-  for (const char* column : {"df1", "df2"}) {
-    if (const std::optional<double> df = row.number(column)) degrees.push_back(*df);
-  }
-  return statistic_text(row.text("statistic"), degrees, *value, row.number("epsilon"));
-}
-
-/// "d = 2.74 [1.75, 3.71]"
-Cell effect_cell(const TestRow& row) {
-  const std::optional<double> value = row.number("effect");
-  if (!value) return {};
-  return effect_text(row.text("effect_size"), *value,
-                     {.low = row.number("effect_low"), .high = row.number("effect_high")});
-}
-
-/// Combines statistics with their degrees of freedom, and effect sizes with their intervals, in one
-/// cell each.
-Table with_joined_cells(const Table& tests) {
-  Table made{{"test", "method", "n", "statistic", "effect_size", "p", "p_holm", "p_smallest",
-              "role", "status"},
-             {}};
-  for (const std::vector<Cell>& cells : tests.rows) {
-    const TestRow row(tests, cells);
-    made.rows.push_back({test_cell(row), method_cell(row), n_cell(row), statistic_cell(row),
-                         effect_cell(row), row.cell("p"), row.cell("p_holm"),
-                         row.cell("p_smallest"), row.cell("role"), row.cell("status")});
-  }
-  drop_empty_columns(made, 1);
-  return made;
 }
 
 /// Records the smallest attainable p; that of a single participant is 1, which is not a test. `people`: all participants, of
@@ -586,15 +505,6 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
   }
   outcome.tables.push_back(std::move(made));
   outcome.note_of_tests_without_sexes = note_on_family(in_family, kSexesTest);
-}
-
-Table reading_table(const NamedTable& table) {
-  if (name_without_ending(table.name) == StudyTests::kTable)
-    return reading_table(with_joined_cells(table.table));
-  const bool is_of_exploration = table.name == kExploration || table.name == kExplorationForces ||
-                                 table.name == kExplorationModel;
-  return reading_table(is_of_exploration ? with_exploration_as_read(table)
-                                         : with_quantities(table));
 }
 
 }  // namespace asperity

@@ -14,7 +14,7 @@
 #include "app/figures/figures_of.h"
 #include "app/findings/reading_number.h"
 #include "app/findings/reading_table.h"
-#include "app/findings/study/study_tests.h"
+#include "app/findings/study/study_tables.h"
 #include "app/gui/data/analysis_words.h"
 #include "app/gui/data/figure_view.h"
 #include "app/gui/look/controls.h"

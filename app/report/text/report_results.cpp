@@ -16,6 +16,7 @@
 #include "app/findings/study/exploration.h"
 #include "app/findings/study/exploration_model.h"
 #include "app/findings/study/study_findings.h"
+#include "app/findings/study/study_tables.h"
 #include "app/findings/study/study_tests.h"
 #include "app/findings/study/test_methods.h"
 #include "app/findings/tidy/finding_list.h"

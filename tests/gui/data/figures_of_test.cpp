@@ -20,6 +20,7 @@
 #include "app/figures/sweep_figure.h"
 #include "app/findings/found_numbers.h"
 #include "app/findings/study/anchors.h"
+#include "app/findings/study/cell_words.h"
 #include "app/findings/study/exploration.h"
 #include "renderers/built_in_models.h"
 #include "tests/gui/data/drawn_case.h"

@@ -13,6 +13,7 @@
 #include "app/findings/study/discrimination_thresholds.h"
 #include "app/findings/study/discrimination_tracks.h"
 #include "app/findings/study/level_words.h"
+#include "app/findings/study/shown_thresholds.h"
 #include "app/findings/study/task_words.h"
 #include "app/findings/study/threshold_sentences.h"
 #include "app/words/text_parts.h"

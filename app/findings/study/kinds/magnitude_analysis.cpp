@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -121,6 +123,26 @@ std::string transformation_of_magnitude(const Protocol& protocol) {
   }
   return logarithms + ". They were not normalised, because the standard determined the modulus, " +
          number + ", for all participants.";
+}
+
+/// Of a magnitude estimation, from logarithms (base 10) in the cells of stimuli and conditions: level and level_sd (without a
+/// standard), and noise_sd.
+ShownParameters shown_magnitude_parameters(const GatheredAnswers& gathered,
+                                           const TabulatedQuestion& asked) {
+  const auto* const line = std::get_if<LineForm>(&asked.question.form);
+  const double longest = line == nullptr ? 1.0 : line->longest;
+  ShownParameters shown{};
+  add_shown_components(
+      gathered, asked,
+      [&](const GatheredAnswer& answer) {
+        return gathered.word(gathered.level(answer, gathered.estimation.factor())) + '|' +
+               gathered.word(gathered.level(answer, gathered.estimation.condition));
+      },
+      [longest](double number) {
+        return number > 0.0 ? std::optional(std::log10(number / longest)) : std::nullopt;
+      },
+      shown);
+  return shown;
 }
 
 }  // namespace

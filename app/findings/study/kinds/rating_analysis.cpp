@@ -1,6 +1,8 @@
 #include "app/findings/study/kinds/rating_analysis.h"
 
 #include <array>
+#include <numbers>
+#include <optional>
 #include <string>
 
 #include "app/findings/study/rating_sentences.h"
@@ -42,6 +44,34 @@ std::string paper_task_of_rating(const Protocol& protocol) {
 
 std::string fit_of_rating(const Protocol&, const AnalysisOutcome& outcome) {
   return rating_methods_text(outcome);
+}
+
+/// The cell of a response: the item of its surface where the block has several, and the levels of the factors.
+std::string cell_of_response(const GatheredAnswers& gathered, const GatheredAnswer& answer,
+                             const TabulatedQuestion& asked) {
+  if (asked.items.size() > 1) {
+    return gathered.word(gathered.surfaces_of(answer).front().item);
+  }
+  std::string cell{};
+  for (const auto& [factor, levels] : asked.factors) {
+    cell += gathered.word(gathered.level(answer, factor)) + '|';
+  }
+  if (asked.block.vary) cell += gathered.word(gathered.level(answer, asked.block.vary->factor));
+  return cell;
+}
+
+/// Of a rating: level, level_sd and noise_sd, and with several items difference_sd (√2·VarianceComponents::interaction_sd). The
+/// limits of the scale are ignored.
+ShownParameters shown_rating_parameters(const GatheredAnswers& gathered,
+                                        const TabulatedQuestion& asked) {
+  ShownParameters shown{};
+  const auto components = add_shown_components(
+      gathered, asked,
+      [&](const GatheredAnswer& answer) { return cell_of_response(gathered, answer, asked); },
+      [](double number) { return std::optional(number); }, shown);
+  if (!components) return shown;
+  shown["difference_sd"] = std::numbers::sqrt2 * components->interaction_sd;
+  return shown;
 }
 
 }  // namespace
