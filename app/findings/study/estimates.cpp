@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "analysis/number_text.h"
+#include "analysis/summary.h"
 #include "app/findings/study/answer_columns.h"
+#include "app/findings/study/repetition_reliability.h"
 #include "results_schema/tables/table.h"
 
 namespace asperity {
@@ -98,21 +100,6 @@ void set_normalisation(const EstimationDeclaration& estimation,
   }
 }
 
-}  // namespace
-
-EstimateNormalisation used_normalisation(const EstimationDeclaration& estimation,
-                                         const std::vector<Estimated>& estimates) {
-  if (estimation.normalisation() != EstimateNormalisation::standard) {
-    return estimation.normalisation();
-  }
-  const std::string standard = stimulus_of_standard(estimation);
-  const bool is_estimated =
-      std::any_of(estimates.begin(), estimates.end(),
-                  [&standard](const Estimated& one) { return one.spacing == standard; });
-  // Responses to the standard may be missing; then there is nothing to divide by.
-  return is_estimated ? EstimateNormalisation::standard : EstimateNormalisation::none;
-}
-
 std::vector<Estimated> estimates_in(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   std::vector<Estimated> estimates{};
   for (const GatheredAnswer& answer : gathered.answers) {
@@ -156,24 +143,76 @@ std::vector<Estimated> estimates_in(const GatheredAnswers& gathered, AnalysisOut
   return estimates;
 }
 
+/// Those declared in their order, then the others by value.
 std::vector<std::string> levels_of(const std::vector<Estimated>& estimates,
-                                   std::string Estimated::*name) {
+                                   std::string Estimated::*name,
+                                   const std::vector<std::string>& declared) {
   std::vector<std::string> levels{};
   for (const Estimated& one : estimates) levels.push_back(one.*name);
   std::sort(levels.begin(), levels.end(), precedes_by_value);
   levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
-  return levels;
-}
-
-std::vector<std::string> conditions_of(const std::vector<Estimated>& estimates,
-                                       const std::vector<std::string>& declared) {
-  std::vector<std::string> conditions = levels_of(estimates, &Estimated::condition);
-  std::stable_sort(conditions.begin(), conditions.end(),
+  std::stable_sort(levels.begin(), levels.end(),
                    [&declared](const std::string& one, const std::string& other) {
                      return std::find(declared.begin(), declared.end(), one) <
                             std::find(declared.begin(), declared.end(), other);
                    });
-  return conditions;
+  return levels;
+}
+
+}  // namespace
+
+EstimateNormalisation used_normalisation(const EstimationDeclaration& estimation,
+                                         const std::vector<Estimated>& estimates) {
+  if (estimation.normalisation() != EstimateNormalisation::standard) {
+    return estimation.normalisation();
+  }
+  const std::string standard = stimulus_of_standard(estimation);
+  const bool is_estimated =
+      std::any_of(estimates.begin(), estimates.end(),
+                  [&standard](const Estimated& one) { return one.spacing == standard; });
+  // Responses to the standard may be missing; then there is nothing to divide by.
+  return is_estimated ? EstimateNormalisation::standard : EstimateNormalisation::none;
+}
+
+ComparedEstimates compared_estimates(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
+  ComparedEstimates compared{.gathered = gathered, .estimates = estimates_in(gathered, outcome)};
+  const EstimationDeclaration& declared = gathered.estimation;
+  compared.conditions = levels_of(compared.estimates, &Estimated::condition, declared.conditions);
+  compared.stimuli = levels_of(compared.estimates, &Estimated::spacing, declared.item_levels);
+  std::stable_sort(
+      compared.estimates.begin(), compared.estimates.end(),
+      [&compared](const Estimated& one, const Estimated& other) {
+        const auto place = [&compared](const Estimated& estimate) {
+          return std::pair(
+              std::find(compared.conditions.begin(), compared.conditions.end(), estimate.condition),
+              std::find(compared.stimuli.begin(), compared.stimuli.end(), estimate.spacing));
+        };
+        return place(one) < place(other);
+      });
+  return compared;
+}
+
+EstimateCells cells_of(const std::vector<Estimated>& estimates) {
+  EstimateCells cells{};
+  for (const Estimated& one : estimates) {
+    cells[{one.person, one.condition, one.spacing}].push_back(std::log10(one.estimate));
+  }
+  return cells;
+}
+
+double mean_logarithm(const std::vector<double>& logarithms) {
+  return summary_of(logarithms)->mean;
+}
+
+void ask_reliability_of_estimates(const ComparedEstimates& compared, AnalysisOutcome& outcome) {
+  std::vector<RepeatedEstimate> repeated{};
+  for (const Estimated& one : compared.estimates) {
+    repeated.push_back({.person = one.person,
+                        .surface = cell_key(one.condition, one.spacing),
+                        .repetition = one.repetition,
+                        .value = std::log10(one.estimate)});
+  }
+  ask_reliability_of_estimates(compared.gathered, repeated, outcome);
 }
 
 TidyInput curves_table(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates) {
@@ -271,21 +310,21 @@ std::map<std::uint32_t, double> log_scales(const EstimationDeclaration& estimati
 
 }  // namespace
 
-TidyInput anova_table(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates,
-                      const std::vector<std::string>& conditions,
-                      const std::vector<std::string>& spacings, const std::string& factor) {
+TidyInput anova_table(const ComparedEstimates& compared, const std::string& factor) {
   TidyInput input{};
-  const std::map<std::uint32_t, double> scales = log_scales(gathered.estimation, estimates);
-  std::vector<Estimated> logs = estimates;
+  const std::map<std::uint32_t, double> scales =
+      log_scales(compared.gathered.estimation, compared.estimates);
+  std::vector<Estimated> logs = compared.estimates;
   for (Estimated& one : logs) {
     const auto scale = scales.find(one.person);
     one.estimate = std::log10(one.estimate) - (scale == scales.end() ? 0.0 : scale->second);
   }
-  input.tables.push_back(estimates_table(gathered, logs, {"condition", factor.c_str(), "y"},
+  input.tables.push_back(estimates_table(compared.gathered, logs,
+                                         {"condition", factor.c_str(), "y"},
                                          [](double estimate) { return estimate; }));
   std::vector<std::pair<std::string, std::vector<std::string>>> within{};
-  if (conditions.size() > 1) within.emplace_back("condition", conditions);
-  within.emplace_back(factor, spacings);
+  if (compared.conditions.size() > 1) within.emplace_back("condition", compared.conditions);
+  within.emplace_back(factor, compared.stimuli);
   input.options.set("within", within);
   return input;
 }

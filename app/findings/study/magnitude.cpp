@@ -5,10 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <map>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -16,7 +14,6 @@
 #include "app/findings/study/estimates.h"
 #include "app/findings/study/kinds/magnitude_analysis.h"
 #include "app/findings/study/magnitude_effects.h"
-#include "app/findings/study/repetition_reliability.h"
 #include "app/findings/study/roughness_peaks.h"
 #include "app/findings/study/stimulus_estimates.h"
 #include "app/findings/study/study_findings.h"
@@ -25,23 +22,10 @@ namespace asperity {
 
 namespace {
 
-/// By condition and spacing: logarithms of the estimates of each participant.
-using Cells = std::map<std::tuple<std::uint32_t, std::string, std::string>, std::vector<double>>;
-
-double mean_of(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
-}
-
-void add_estimates(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates,
-                   const std::vector<std::string>& conditions,
-                   const std::vector<std::string>& spacings, const FoundNumbers& found,
+void add_estimates(const ComparedEstimates& compared, const FoundNumbers& found,
                    AnalysisOutcome& outcome) {
-  Cells cells{};
-  for (const Estimated& one : estimates) {
-    cells[{one.person, one.condition, one.spacing}].push_back(std::log10(one.estimate));
-  }
+  const GatheredAnswers& gathered = compared.gathered;
+  const EstimateCells cells = cells_of(compared.estimates);
   NamedTable curves{
       kRoughness,
       phrase("Analysis", "Roughness by spacing and condition"),
@@ -59,7 +43,7 @@ void add_estimates(const GatheredAnswers& gathered, const std::vector<Estimated>
         phrase("Analysis",
                "Geometric means of the estimates. %1 raw: not normalised. left out: number of "
                "participants without an estimate in some cell; only raw includes them.")
-            .with(normalisation_note(gathered.estimation, estimates));
+            .with(normalisation_note(gathered.estimation, compared.estimates));
   }
   if (gathered.people.size() > 1 && is_within) {
     curves.note =
@@ -76,13 +60,13 @@ void add_estimates(const GatheredAnswers& gathered, const std::vector<Estimated>
       phrase("Analysis",
              "Geometric means over repetitions. The estimates of participants with an empty cell "
              "are not normalised and are left out of curves and tests.")};
-  for (const std::string& condition : conditions) {
-    for (const std::string& spacing : spacings) {
+  for (const std::string& condition : compared.conditions) {
+    for (const std::string& spacing : compared.stimuli) {
       std::vector<double> raw{};
       for (std::uint32_t person = 0; person < gathered.people.size(); ++person) {
         const auto cell = cells.find({person, condition, spacing});
         if (cell == cells.end()) continue;
-        raw.push_back(mean_of(cell->second));
+        raw.push_back(mean_logarithm(cell->second));
         const std::string& label = gathered.people[person].label;
         persons.table.rows.push_back(
             {label, condition, *number_in(spacing), static_cast<std::int64_t>(cell->second.size()),
@@ -97,23 +81,19 @@ void add_estimates(const GatheredAnswers& gathered, const std::vector<Estimated>
       curves.table.rows.push_back(
           {condition, *number_in(spacing), static_cast<std::int64_t>(raw.size()),
            static_cast<std::int64_t>(raw.size() - std::min(counted, raw.size())),
-           found.cell("geomean", cell), low, high, std::pow(10.0, mean_of(raw))});
+           found.cell("geomean", cell), low, high, std::pow(10.0, mean_logarithm(raw))});
     }
   }
   outcome.tables.push_back(std::move(curves));
   outcome.tables.push_back(std::move(persons));
 }
 
-/// Findings, tables and figures list the conditions in one order, independent of the order of sessions.
-void sort_by_condition(const std::vector<std::string>& conditions,
-                       std::vector<Estimated>& estimates) {
-  std::stable_sort(estimates.begin(), estimates.end(),
-                   [&conditions](const Estimated& one, const Estimated& other) {
-                     const auto place = [&conditions](const Estimated& estimate) {
-                       return std::find(conditions.begin(), conditions.end(), estimate.condition);
-                     };
-                     return place(one) < place(other);
-                   });
+std::vector<Finding> anova_of(const ComparedEstimates& compared) {
+  return analysis_of(kAnova, "rmanova", anova_table(compared));
+}
+
+std::vector<Finding> curves_of(const ComparedEstimates& compared) {
+  return analysis_of(kRoughness, "magnitude", curves_table(compared.gathered, compared.estimates));
 }
 
 /// One for every pair of conditions with curves, tested or not: the number of tests that are corrected together must not depend on
@@ -144,19 +124,13 @@ std::vector<StudyTest> test_magnitude(const GatheredAnswers& gathered) {
   if (!gathered.estimation.items.empty()) return test_stimulus_estimates(gathered);
   StudyTests tests(gathered);
   AnalysisOutcome unused{};
-  std::vector<Estimated> estimates = estimates_in(gathered, unused);
-  if (estimates.empty()) return std::move(tests).take_family();
-  const std::vector<std::string> conditions =
-      conditions_of(estimates, gathered.estimation.conditions);
-  sort_by_condition(conditions, estimates);
-  const std::vector<std::string> spacings = levels_of(estimates, &Estimated::spacing);
-  const std::vector<Finding> anova =
-      analysis_of(kAnova, "rmanova", anova_table(gathered, estimates, conditions, spacings));
-  add_effect_tests(FoundNumbers(anova), conditions.size(), kEffects, tests);
+  const ComparedEstimates compared = compared_estimates(gathered, unused);
+  if (compared.estimates.empty()) return std::move(tests).take_family();
+  const std::vector<Finding> anova = anova_of(compared);
+  add_effect_tests(FoundNumbers(anova), compared.conditions.size(), kEffects, tests);
   if (tests.is_in_family("peaks")) {
-    const std::vector<Finding> curves =
-        analysis_of(kRoughness, "magnitude", curves_table(gathered, estimates));
-    add_peak_tests(conditions, FoundNumbers(curves), tests);
+    const std::vector<Finding> curves = curves_of(compared);
+    add_peak_tests(compared.conditions, FoundNumbers(curves), tests);
   }
   return std::move(tests).take_family();
 }
@@ -166,19 +140,15 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
     analyze_stimulus_estimates(gathered, outcome);
     return;
   }
-  std::vector<Estimated> estimates = estimates_in(gathered, outcome);
-  if (estimates.empty()) return;
-  const std::vector<std::string> conditions =
-      conditions_of(estimates, gathered.estimation.conditions);
-  sort_by_condition(conditions, estimates);
-  const std::vector<std::string> spacings = levels_of(estimates, &Estimated::spacing);
-  const std::vector<Finding> roughness =
-      analysis_of(kRoughness, "magnitude", curves_table(gathered, estimates));
-  const std::vector<Finding> anova =
-      analysis_of(kAnova, "rmanova", anova_table(gathered, estimates, conditions, spacings));
+  const ComparedEstimates compared = compared_estimates(gathered, outcome);
+  if (compared.estimates.empty()) return;
+  const std::vector<std::string>& conditions = compared.conditions;
+  const std::vector<std::string>& spacings = compared.stimuli;
+  const std::vector<Finding> roughness = curves_of(compared);
+  const std::vector<Finding> anova = anova_of(compared);
   const FoundNumbers found(roughness);
   const FoundNumbers found_anova(anova);
-  add_estimates(gathered, estimates, conditions, spacings, found, outcome);
+  add_estimates(compared, found, outcome);
   add_peaks(conditions, spacings, found, outcome);
   add_anova(found_anova, outcome);
   if (const Finding* incomplete = found.find("subjects.incomplete");
@@ -222,14 +192,7 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   ask_peaks(conditions, spacings, found, outcome);
   ask_peak_ratios(found, tests, outcome);
   ask_types(conditions, found, outcome);
-  std::vector<RepeatedEstimate> repeated{};
-  for (const Estimated& one : estimates) {
-    repeated.push_back({.person = one.person,
-                        .surface = cell_key(one.condition, one.spacing),
-                        .repetition = one.repetition,
-                        .value = std::log10(one.estimate)});
-  }
-  ask_reliability_of_estimates(gathered, repeated, outcome);
+  ask_reliability_of_estimates(compared, outcome);
   keep_findings(roughness, outcome);
   keep_findings(anova, outcome);
 }

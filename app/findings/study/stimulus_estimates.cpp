@@ -7,7 +7,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -18,7 +17,6 @@
 #include "app/findings/study/cell_words.h"
 #include "app/findings/study/estimates.h"
 #include "app/findings/study/magnitude_effects.h"
-#include "app/findings/study/repetition_reliability.h"
 #include "app/findings/study/similarity_properties.h"
 #include "app/findings/study/study_findings.h"
 #include "app/findings/study/study_tests.h"
@@ -31,18 +29,6 @@ namespace {
 
 constexpr const char* kExponents = "exponents";
 constexpr const char* kOnlyCondition = "all";
-
-/// The stimuli in the protocol's order; levels that it does not list come last, in the order of levels_of.
-std::vector<std::string> stimuli_in(const std::vector<Estimated>& estimates,
-                                    const std::vector<std::string>& declared) {
-  std::vector<std::string> stimuli = levels_of(estimates, &Estimated::spacing);
-  std::stable_sort(stimuli.begin(), stimuli.end(),
-                   [&declared](const std::string& one, const std::string& other) {
-                     return std::find(declared.begin(), declared.end(), one) <
-                            std::find(declared.begin(), declared.end(), other);
-                   });
-  return stimuli;
-}
 
 bool is_stated_predictor(const EstimationDeclaration& estimation) {
   return estimation.predictor == kLevelPredictor || estimation.predictor == kValuePredictor;
@@ -140,26 +126,9 @@ Phrase predictor_with_unit(const EstimationDeclaration& estimation) {
   return name_of_stated_predictor(estimation) + " (" + unit + ')';
 }
 
-using Cells = std::map<std::tuple<std::uint32_t, std::string, std::string>, std::vector<double>>;
-
-double mean_logarithm(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
-}
-
 Cell text_or_no_cell(const std::string& text) { return text.empty() ? Cell{} : Cell{text}; }
 
-/// What the tables are made from.
-struct Compared {
-  const GatheredAnswers& gathered;
-  const std::vector<Estimated>& estimates;
-  const std::vector<std::string>& conditions;
-  const std::vector<std::string>& stimuli;
-  const std::map<std::string, double>& predictor;
-};
-
-Phrase note_on_stimulus_means(const Compared& compared) {
+Phrase note_on_stimulus_means(const ComparedEstimates& compared) {
   const Phrase note =
       phrase("Analysis",
              "Geometric means of the estimates. %1 raw: not normalised. left out: number of "
@@ -176,12 +145,9 @@ Phrase note_on_stimulus_means(const Compared& compared) {
       .with(note);
 }
 
-void add_stimulus_means(const Compared& compared, const FoundNumbers& found,
+void add_stimulus_means(const ComparedEstimates& compared, const FoundNumbers& found,
                         AnalysisOutcome& outcome) {
-  Cells cells{};
-  for (const Estimated& one : compared.estimates) {
-    cells[{one.person, one.condition, one.spacing}].push_back(std::log10(one.estimate));
-  }
+  const EstimateCells cells = cells_of(compared.estimates);
   NamedTable means{kStimulusEstimates,
                    phrase("Analysis", "Estimates by stimulus and condition"),
                    {{"condition", "stimulus", "predictor", "persons", "left_out", "normalised",
@@ -233,7 +199,8 @@ void add_stimulus_means(const Compared& compared, const FoundNumbers& found,
   outcome.tables.push_back(std::move(persons));
 }
 
-void add_exponents(const Compared& compared, const FoundNumbers& found, AnalysisOutcome& outcome) {
+void add_exponents(const ComparedEstimates& compared, const FoundNumbers& found,
+                   AnalysisOutcome& outcome) {
   NamedTable exponents{
       kExponents,
       phrase("Analysis", "Exponents of the power functions"),
@@ -257,13 +224,14 @@ void add_exponents(const Compared& compared, const FoundNumbers& found, Analysis
 }
 
 /// One test per condition; named by the predictor where there is only one.
-std::string about_condition(const Compared& compared, const std::string& condition) {
+std::string about_condition(const ComparedEstimates& compared, const std::string& condition) {
   if (condition != kOnlyCondition) return condition;
   const EstimationDeclaration& estimation = compared.gathered.estimation;
   return is_stated_predictor(estimation) ? estimation.items : estimation.predictor;
 }
 
-void add_exponent_tests(const Compared& compared, const FoundNumbers& found, StudyTests& tests) {
+void add_exponent_tests(const ComparedEstimates& compared, const FoundNumbers& found,
+                        StudyTests& tests) {
   if (compared.predictor.empty()) return;
   for (const std::string& condition : compared.conditions) {
     const std::string about = about_condition(compared, condition);
@@ -278,8 +246,8 @@ void add_exponent_tests(const Compared& compared, const FoundNumbers& found, Stu
   }
 }
 
-void ask_exponents(const Compared& compared, const FoundNumbers& found, const StudyTests& tests,
-                   AnalysisOutcome& outcome) {
+void ask_exponents(const ComparedEstimates& compared, const FoundNumbers& found,
+                   const StudyTests& tests, AnalysisOutcome& outcome) {
   constexpr int kDecimals = 2;
   Phrase answer{};
   const Finding* first = nullptr;
@@ -313,26 +281,19 @@ void ask_exponents(const Compared& compared, const FoundNumbers& found, const St
                kExponents, first);
 }
 
-/// Findings, tables and figures have one order, independent of that of the sessions.
-void sort_estimates(const std::vector<std::string>& conditions,
-                    const std::vector<std::string>& stimuli, std::vector<Estimated>& estimates) {
-  std::stable_sort(estimates.begin(), estimates.end(), [&](const Estimated& a, const Estimated& b) {
-    const auto place = [](const std::vector<std::string>& names, const std::string& name) {
-      return std::find(names.begin(), names.end(), name) - names.begin();
-    };
-    return std::pair(place(conditions, a.condition), place(stimuli, a.spacing)) <
-           std::pair(place(conditions, b.condition), place(stimuli, b.spacing));
-  });
+ComparedEstimates with_predictor(ComparedEstimates compared, AnalysisOutcome& outcome) {
+  if (!compared.estimates.empty()) {
+    compared.predictor = predictor_of(compared.gathered, compared.stimuli, outcome);
+  }
+  return compared;
 }
 
-std::vector<Finding> anova_of(const Compared& compared) {
+std::vector<Finding> anova_of(const ComparedEstimates& compared) {
   if (compared.stimuli.size() < 2) return {};
-  return analysis_of(kAnova, "rmanova",
-                     anova_table(compared.gathered, compared.estimates, compared.conditions,
-                                 compared.stimuli, "stimulus"));
+  return analysis_of(kAnova, "rmanova", anova_table(compared, "stimulus"));
 }
 
-std::vector<Finding> curves_of(const Compared& compared) {
+std::vector<Finding> curves_of(const ComparedEstimates& compared) {
   return analysis_of(kStimulusEstimates, "magnitude",
                      items_table(compared.gathered, compared.estimates, compared.predictor));
 }
@@ -342,17 +303,11 @@ std::vector<Finding> curves_of(const Compared& compared) {
 std::vector<StudyTest> test_stimulus_estimates(const GatheredAnswers& gathered) {
   StudyTests tests(gathered);
   AnalysisOutcome unused{};
-  std::vector<Estimated> estimates = estimates_in(gathered, unused);
-  if (estimates.empty()) return std::move(tests).take_family();
-  const std::vector<std::string> conditions =
-      conditions_of(estimates, gathered.estimation.conditions);
-  const std::vector<std::string> stimuli = stimuli_in(estimates, gathered.estimation.item_levels);
-  const std::map<std::string, double> predictor = predictor_of(gathered, stimuli, unused);
-  sort_estimates(conditions, stimuli, estimates);
-  const Compared compared{gathered, estimates, conditions, stimuli, predictor};
+  const ComparedEstimates compared = with_predictor(compared_estimates(gathered, unused), unused);
+  if (compared.estimates.empty()) return std::move(tests).take_family();
   const std::vector<Finding> anova = anova_of(compared);
   if (!anova.empty()) {
-    add_effect_tests(FoundNumbers(anova), conditions.size(), kEffectsOfStimuli, tests);
+    add_effect_tests(FoundNumbers(anova), compared.conditions.size(), kEffectsOfStimuli, tests);
   }
   if (tests.is_in_family("exponent")) {
     const std::vector<Finding> curves = curves_of(compared);
@@ -362,19 +317,13 @@ std::vector<StudyTest> test_stimulus_estimates(const GatheredAnswers& gathered) 
 }
 
 void analyze_stimulus_estimates(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
-  std::vector<Estimated> estimates = estimates_in(gathered, outcome);
-  if (estimates.empty()) return;
-  const std::vector<std::string> conditions =
-      conditions_of(estimates, gathered.estimation.conditions);
-  const std::vector<std::string> stimuli = stimuli_in(estimates, gathered.estimation.item_levels);
-  const std::map<std::string, double> predictor = predictor_of(gathered, stimuli, outcome);
-  sort_estimates(conditions, stimuli, estimates);
-  const Compared compared{gathered, estimates, conditions, stimuli, predictor};
+  const ComparedEstimates compared = with_predictor(compared_estimates(gathered, outcome), outcome);
+  if (compared.estimates.empty()) return;
   const std::vector<Finding> means = curves_of(compared);
   const FoundNumbers found(means);
   add_stimulus_means(compared, found, outcome);
   add_exponents(compared, found, outcome);
-  if (!predictor.empty()) {
+  if (!compared.predictor.empty()) {
     outcome.name_of_predictor = predictor_name(gathered.estimation);
     outcome.unit_of_predictor = unit_of_predictor(gathered.estimation);
   }
@@ -383,7 +332,7 @@ void analyze_stimulus_estimates(const GatheredAnswers& gathered, AnalysisOutcome
   const FoundNumbers found_anova(anova);
   if (!anova.empty()) {
     add_anova(found_anova, outcome, kEffectsOfStimuli);
-    add_effect_tests(found_anova, conditions.size(), kEffectsOfStimuli, tests);
+    add_effect_tests(found_anova, compared.conditions.size(), kEffectsOfStimuli, tests);
   }
   add_exponent_tests(compared, found, tests);
   tests.finish(outcome);
@@ -406,14 +355,7 @@ void analyze_stimulus_estimates(const GatheredAnswers& gathered, AnalysisOutcome
               {},
               kEffectsOfStimuli},
              found_anova, tests, outcome);
-  std::vector<RepeatedEstimate> repeated{};
-  for (const Estimated& one : estimates) {
-    repeated.push_back({.person = one.person,
-                        .surface = cell_key(one.condition, one.spacing),
-                        .repetition = one.repetition,
-                        .value = std::log10(one.estimate)});
-  }
-  ask_reliability_of_estimates(gathered, repeated, outcome);
+  ask_reliability_of_estimates(compared, outcome);
   keep_findings(means, outcome);
   keep_findings(anova, outcome);
 }
