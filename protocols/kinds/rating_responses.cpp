@@ -13,7 +13,6 @@ namespace asperity {
 namespace {
 
 constexpr const char* kItemDifference = "difference";
-constexpr const char* kScaleUnit = "unit of the scale";
 
 /// Whether the scale accompanies a question of another kind.
 bool accompanies(const TabulatedQuestion& asked) {
@@ -130,21 +129,9 @@ std::vector<ResponseParameter> parameters_of_rating(const TabulatedQuestion& of)
                  .sd_meaning = "SD over participants of this difference",
                  .usual_sd = 0.1 * range});
   }
-  list.assumed({.name = "level",
-                .unit = kScaleUnit,
-                .meaning = "mean rating of all items",
-                .value = form.minimum + 0.5 * range});
-  list.assumed({.name = "level_sd",
-                .range = ParameterRange::not_negative,
-                .unit = kScaleUnit,
-                .meaning = "SD over participants of the mean rating of all items",
-                .value = 0.1 * range});
-  list.assumed({.name = "noise_sd",
-                .range = ParameterRange::not_negative,
-                .unit = kScaleUnit,
-                .meaning = "SD of the ratings of one participant for one item",
-                .value = 0.15 * range});
-  list.lapse();
+  list.scale(range, {.meaning = "mean rating of all items", .value = form.minimum + 0.5 * range},
+             "SD over participants of the mean rating of all items",
+             "SD of the ratings of one participant for one item");
   return list.take();
 }
 

@@ -186,6 +186,23 @@ void ParameterList::effect(Effect effect) {
   parameters_.push_back(std::move(sd));
 }
 
+void ParameterList::scale(double range, ResponseParameter level, std::string level_sd,
+                          std::string noise_sd) {
+  const auto deviation = [](const char* name, std::string meaning, double usual) {
+    return ResponseParameter{.name = name,
+                             .range = ParameterRange::not_negative,
+                             .unit = kScaleUnit,
+                             .meaning = std::move(meaning),
+                             .value = usual};
+  };
+  level.name = "level";
+  level.unit = kScaleUnit;
+  assumed(std::move(level));
+  assumed(deviation("level_sd", std::move(level_sd), 0.1 * range));
+  assumed(deviation("noise_sd", std::move(noise_sd), 0.15 * range));
+  lapse();
+}
+
 void ParameterList::lapse() {
   assumed({.name = "lapse",
            .range = ParameterRange::proportion,

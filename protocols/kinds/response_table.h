@@ -121,6 +121,9 @@ struct ResponseTable {
 /// is not among them.
 double place_among(const std::vector<std::string>& names, std::string_view name) noexcept;
 
+/// The unit of what is rated on a scale.
+inline constexpr const char* kScaleUnit = "unit of the scale";
+
 /// Collects the parameters of a table.
 class ParameterList final {
  public:
@@ -143,6 +146,8 @@ class ParameterList final {
   /// it, the effect has to be stated; otherwise it is assumed to be null.
   void effect_of_groups(ResponseParameter effect);
   void assumed(ResponseParameter parameter) { parameters_.push_back(std::move(parameter)); }
+  /// A rating on a scale of this range: `level` with a value and a meaning, `level_sd`, `noise_sd` and `lapse`.
+  void scale(double range, ResponseParameter level, std::string level_sd, std::string noise_sd);
   /// `lapse`: the probability of a response that does not depend on the surfaces.
   void lapse();
   std::vector<ResponseParameter> take() { return std::move(parameters_); }

@@ -12,47 +12,35 @@ namespace {
 
 constexpr const char* kStructure = "structure";
 constexpr const char* kIdentical = "identical";
-constexpr const char* kUnitOfDissimilarity = "unit of the scale";
 
 std::vector<ResponseParameter> parameters_of_similarity(const TabulatedQuestion& asked) {
   const auto& form = std::get<ScaleForm>(asked.question.form);
   const double range = form.maximum - form.minimum;
   ParameterList list(asked);
   list.effect({.effect = {.name = kStructure,
-                          .unit = kUnitOfDissimilarity,
+                          .unit = kScaleUnit,
                           .meaning = "mean dissimilarity of the most distant pair minus that of "
                                      "neighbours; the items are equally spaced on one dimension"},
                .tests = {"configuration", "properties"},
-               .sd_unit = kUnitOfDissimilarity,
+               .sd_unit = kScaleUnit,
                .sd_meaning = "SD over participants of the difference between any two pairs",
                .usual_sd = 0.15 * range});
   if (asked.block.all_pairs && asked.block.all_pairs->with_identical) {
     list.effect({.effect = {.name = kIdentical,
-                            .unit = kUnitOfDissimilarity,
+                            .unit = kScaleUnit,
                             .meaning = "mean dissimilarity of different minus that of identical "
                                        "pairs"},
                  .tests = {"identical"},
-                 .sd_unit = kUnitOfDissimilarity,
+                 .sd_unit = kScaleUnit,
                  .sd_meaning = "SD over participants of this difference",
                  .usual_sd = 0.1 * range});
   }
-  list.assumed({.name = "level",
-                .unit = kUnitOfDissimilarity,
-                .meaning =
-                    "mean dissimilarity of the pairs of different items, from 0 at the end of "
-                    "the scale for identical surfaces",
-                .value = 0.5 * range});
-  list.assumed({.name = "level_sd",
-                .range = ParameterRange::not_negative,
-                .unit = kUnitOfDissimilarity,
-                .meaning = "SD over participants of this mean",
-                .value = 0.1 * range});
-  list.assumed({.name = "noise_sd",
-                .range = ParameterRange::not_negative,
-                .unit = kUnitOfDissimilarity,
-                .meaning = "SD of the ratings of one participant for one pair",
-                .value = 0.15 * range});
-  list.lapse();
+  list.scale(range,
+             {.meaning = "mean dissimilarity of the pairs of different items, from 0 at the end of "
+                         "the scale for identical surfaces",
+              .value = 0.5 * range},
+             "SD over participants of this mean",
+             "SD of the ratings of one participant for one pair");
   return list.take();
 }
 
