@@ -167,17 +167,17 @@ void say_in_order(const std::vector<Diagnostic>& problems,
 }
 
 /// Adds what the stimuli whose files are available show, and returns their drag; none where a session would fail.
-std::vector<StimulusDrag> examined(ProtocolCheck& check, const std::filesystem::path& study,
-                                   const ModelRegistry& models, const std::stop_token& stop) {
+std::vector<StimulusDrag> examined(ProtocolCheck& check, const CheckedProtocol& checked,
+                                   const std::filesystem::path& study, const ModelRegistry& models,
+                                   const std::stop_token& stop) {
   StimulusBuilder builder(models, study);
   {
     const ShownCourse shown("examining the stimuli of " + check.protocol->name, stop);
-    add_examination(check,
-                    examine_stimuli(*check.protocol, check.file, study, builder, shown.course()));
+    add_examination(check, examine_stimuli(checked, study, builder, shown.course()));
   }
   if (!check.diagnostics.empty()) return {};
   const ShownCourse shown("measuring the drag of " + check.protocol->name, stop);
-  return drag_of_stimuli(*check.protocol, builder, shown.course());
+  return drag_of_stimuli(checked, builder, shown.course());
 }
 
 }  // namespace
@@ -235,14 +235,12 @@ void add_check(CLI::App& program, Job& job) {
         std::vector<StimulusDrag> drags{};
         try {
           if (check.is_valid()) {
+            const CheckedProtocol checked(*check.protocol, check.file);
             const std::filesystem::path study = options->study.value_or("");
             if (options->study) {
-              for (Diagnostic& warning :
-                   warnings_about_sessions(*check.protocol, check.file, study, models)) {
-                check.warnings.push_back(std::move(warning));
-              }
+              append(check.warnings, warnings_about_sessions(checked, study, models));
             }
-            drags = examined(check, study, models, stop);
+            drags = examined(check, checked, study, models, stop);
           }
         } catch (const std::exception& error) {  // the other files are checked all the same
           check.diagnostics.push_back({check.file, 1, 1, "", message_of(error)});
@@ -256,8 +254,7 @@ void add_check(CLI::App& program, Job& job) {
           const ShownCourse shown("comparing " + check.protocol->name + " with the device", stop);
           comparison = compare_with(*device, *check.protocol, check.file, options->study, now_utc,
                                     models, shown.course());
-          check.warnings.insert(check.warnings.end(), comparison.warnings.begin(),
-                                comparison.warnings.end());
+          append(check.warnings, comparison.warnings);
           if (!comparison.refusal.empty()) {
             check.diagnostics.push_back(JsonDocument(check.protocol->source, check.file)
                                             .at_key("/device", comparison.refusal));

@@ -58,7 +58,7 @@ void warn_of_other_builds(const RunInputs& inputs, const Study& study,
   const Protocol protocol = load_protocol(inputs.protocol, models, inputs.study);
   const SessionMode mode = inputs.is_virtual ? SessionMode::simulate : inputs.mode;
   for (const Diagnostic& warning :
-       warnings_about_plugins(protocol, inputs.protocol.string(), study, models, mode)) {
+       warnings_about_plugins({protocol, inputs.protocol.string()}, study, models, mode)) {
     say(warning_text(warning));
   }
 }
@@ -181,7 +181,7 @@ void add_run(CLI::App& program, Job& job) {
       inputs.ready = [&](const Protocol& protocol) {
         if (inputs.pacing == RunPacing::real_time) {
           for (const Diagnostic& warning :
-               warnings_about_rate(protocol, inputs.protocol.string(), models)) {
+               warnings_about_rate({protocol, inputs.protocol.string()}, models)) {
             say(warning_text(warning));
           }
         }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,7 +35,7 @@ std::string stimulus_key(const StimulusDescription& stimulus) {
 
 /// In the order of the trials, which must outlive them.
 std::vector<ExploredStimulus> explored_stimuli(const Protocol& protocol,
-                                               const std::vector<Trial>& trials) {
+                                               std::span<const Trial> trials) {
   std::vector<ExploredStimulus> stimuli{};
   std::set<std::string> listed{};
   for (const Trial& trial : trials) {
@@ -89,9 +90,9 @@ std::vector<LevelFamily> level_families(const Protocol& protocol,
 
 }  // namespace
 
-void for_each_stimulus(const Protocol& protocol, const StimuliCourse& course,
+void for_each_stimulus(const Protocol& protocol, std::span<const Trial> trials,
+                       const StimuliCourse& course,
                        const std::function<void(const ExploredStimulus&)>& examine) {
-  const std::vector<Trial> trials = possible_trials(protocol);
   const std::vector<ExploredStimulus> stimuli = explored_stimuli(protocol, trials);
   for (std::size_t i = 0; i < stimuli.size() && !course.stop.stop_requested(); ++i) {
     if (course.progress)
@@ -100,9 +101,9 @@ void for_each_stimulus(const Protocol& protocol, const StimuliCourse& course,
   }
 }
 
-void for_each_stimulus_near_limit(const Protocol& protocol, const StimuliCourse& course,
+void for_each_stimulus_near_limit(const Protocol& protocol, std::span<const Trial> trials,
+                                  const StimuliCourse& course,
                                   const std::function<Nearness(const ExploredStimulus&)>& examine) {
-  const std::vector<Trial> trials = possible_trials(protocol);
   const std::vector<ExploredStimulus> stimuli = explored_stimuli(protocol, trials);
   std::size_t settled = 0;  // examined or left out
   const auto nearness_of = [&](const LevelFamily::Member& member) {

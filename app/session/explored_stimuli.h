@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <stop_token>
 
 #include "protocols/design/protocol.h"
@@ -25,12 +26,13 @@ struct ExploredStimulus {
   std::size_t index = 0;  ///< in the order of the trials
 };
 
-/// Calls `examine` for every stimulus that a session of the protocol can present (possible_trials), once for each of its
+/// Calls `examine` for every stimulus that a session of the protocol can present (`trials`: possible_trials), once for each of its
 /// explorations, in the order of the trials. Two stimuli of one name are different where factors or roving choose other
 /// parameters, materials, bodies or files for them.
 ///
 /// Errors: those of `examine`.
-void for_each_stimulus(const Protocol& protocol, const StimuliCourse& course,
+void for_each_stimulus(const Protocol& protocol, std::span<const Trial> trials,
+                       const StimuliCourse& course,
                        const std::function<void(const ExploredStimulus&)>& examine);
 
 /// How near a stimulus is to the limit of a warning.
@@ -47,7 +49,8 @@ enum class Nearness {
 /// out is beyond the limit. This is so where the level multiplies the force of every motion, as a Young's modulus does, or its
 /// texture. A quantity that rises and falls again, as at a resonance, would have to more than double and to fall by half between
 /// two ends to be missed.
-void for_each_stimulus_near_limit(const Protocol& protocol, const StimuliCourse& course,
+void for_each_stimulus_near_limit(const Protocol& protocol, std::span<const Trial> trials,
+                                  const StimuliCourse& course,
                                   const std::function<Nearness(const ExploredStimulus&)>& examine);
 
 }  // namespace asperity

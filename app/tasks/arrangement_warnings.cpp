@@ -51,10 +51,10 @@ std::optional<double> visit_s(const Exploration& exploration, int strokes) {
 
 }  // namespace
 
-std::vector<Diagnostic> warnings_about_arrangements(const Protocol& protocol,
-                                                    const std::string& file_name,
+std::vector<Diagnostic> warnings_about_arrangements(const CheckedProtocol& checked,
                                                     StimulusBuilder& builder) {
-  const JsonDocument document(protocol.source, file_name);
+  const Protocol& protocol = checked.protocol;
+  const JsonDocument document(protocol.source, checked.file_name);
   std::vector<Diagnostic> warnings{};
   std::set<std::string> said{};
   const auto warn = [&](const Trial& trial, const std::string& what, std::string message) {
@@ -62,7 +62,7 @@ std::vector<Diagnostic> warnings_about_arrangements(const Protocol& protocol,
     warnings.push_back(document.at(pointer_to("/blocks", trial.block) + "/arrangement/surfaces",
                                    std::move(message)));
   };
-  for (const Trial& trial : possible_trials(protocol)) {
+  for (const Trial& trial : checked.trials()) {
     const Arrangement& arrangement = trial.arrangement;
     const Exploration& exploration = exploration_of(protocol, trial);
     if (arrangement.strokes) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/session/stimulus_builder.h"
-#include "protocols/design/protocol.h"
+#include "app/tasks/checked_protocol.h"
 #include "protocols/file/diagnostic.h"
 
 namespace asperity {
@@ -20,8 +20,7 @@ namespace asperity {
 /// exploration), and for every block whose visits end after more strokes than the contact time permits.
 ///
 /// Textures are compared where their files are available (StimulusBuilder::can_make), and have been checked before.
-std::vector<Diagnostic> warnings_about_arrangements(const Protocol& protocol,
-                                                    const std::string& file_name,
+std::vector<Diagnostic> warnings_about_arrangements(const CheckedProtocol& checked,
                                                     StimulusBuilder& builder);
 
 }  // namespace asperity

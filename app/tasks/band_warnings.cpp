@@ -6,7 +6,6 @@
 
 #include "analysis/number_text.h"
 #include "app/session/explored_stimuli.h"
-#include "protocols/file/protocol_reader.h"
 
 namespace asperity {
 namespace {
@@ -23,12 +22,13 @@ std::string remedy_for_band(const ForceModel& model) {
 
 }  // namespace
 
-std::vector<Diagnostic> warnings_about_bands(const Protocol& protocol, const std::string& file_name,
+std::vector<Diagnostic> warnings_about_bands(const CheckedProtocol& checked,
                                              StimulusBuilder& builder) {
+  const Protocol& protocol = checked.protocol;
   constexpr double kRounding = 1.0 + 1e-9;
   std::vector<Diagnostic> warnings{};
   std::set<std::string> reported{};  // one texture stands for the others of a stimulus
-  for_each_stimulus(protocol, {}, [&](const ExploredStimulus& one) {
+  for_each_stimulus(protocol, checked.trials(), {}, [&](const ExploredStimulus& one) {
     const StimulusDescription& stimulus = one.planned.stimulus;
     const std::string& where = one.planned.stimulus_template;
     if (!builder.can_make(stimulus) || reported.contains(where)) return;
@@ -37,13 +37,12 @@ std::vector<Diagnostic> warnings_about_bands(const Protocol& protocol, const std
     const double highest_Hz = band_Hz(*prepared.model, prepared.inputs, kAtRest_m_per_s);
     if (highest_Hz <= kRounding * 0.5 * protocol.rate_Hz) return;
     reported.insert(where);
-    warnings.push_back(place_of_stimulus(protocol, file_name, where));
-    warnings.back().message =
-        "the force of the stimulus \"" + stimulus.name +
-        "\" changes with time at frequencies up to " + number_text(highest_Hz) +
-        " Hz, above the Nyquist frequency of the servo loop, half of " +
-        number_text(protocol.rate_Hz) + " Hz: these frequencies would be aliased; " +
-        remedy_for_band(*prepared.model);
+    warnings.push_back(checked.at_stimulus(
+        where, "the force of the stimulus \"" + stimulus.name +
+                   "\" changes with time at frequencies up to " + number_text(highest_Hz) +
+                   " Hz, above the Nyquist frequency of the servo loop, half of " +
+                   number_text(protocol.rate_Hz) + " Hz: these frequencies would be aliased; " +
+                   remedy_for_band(*prepared.model)));
   });
   return warnings;
 }

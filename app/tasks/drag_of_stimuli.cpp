@@ -71,10 +71,11 @@ std::optional<double> drag_of(const PlannedPresentation& planned, const AimedStr
 
 }  // namespace
 
-std::vector<StimulusDrag> drag_of_stimuli(const Protocol& protocol, StimulusBuilder& builder,
+std::vector<StimulusDrag> drag_of_stimuli(const CheckedProtocol& checked, StimulusBuilder& builder,
                                           const StimuliCourse& course) {
+  const Protocol& protocol = checked.protocol;
   std::vector<StimulusDrag> drags{};
-  for_each_stimulus(protocol, course, [&](const ExploredStimulus& one) {
+  for_each_stimulus(protocol, checked.trials(), course, [&](const ExploredStimulus& one) {
     const StimulusDescription& stimulus = one.planned.stimulus;
     const std::optional<AimedStroke> stroke = aimed_stroke(one.exploration, stimulus.patch);
     if (!stroke) return;

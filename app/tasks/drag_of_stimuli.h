@@ -8,7 +8,7 @@
 
 #include "app/session/explored_stimuli.h"
 #include "app/session/stimulus_builder.h"
-#include "protocols/design/protocol.h"
+#include "app/tasks/checked_protocol.h"
 
 namespace asperity {
 
@@ -24,7 +24,7 @@ struct StimulusDrag {
 /// force at which the exploration aims: that of sliding_drag, along x, of a point model on a body as on a plane. A model that has
 /// only the law `rounded` (`pd_gradient`) has μ·F_n/√(1 + (v₀/v)²). Stimuli whose files are not available
 /// (StimulusBuilder::can_make), those that cannot be rendered and those without a contact at this force are left out.
-std::vector<StimulusDrag> drag_of_stimuli(const Protocol& protocol, StimulusBuilder& builder,
+std::vector<StimulusDrag> drag_of_stimuli(const CheckedProtocol& checked, StimulusBuilder& builder,
                                           const StimuliCourse& course = {});
 
 /// "mean drag 0.198 N, 99.2 % of friction × normal force: fine, coarse (exploration stroke)", one line for all stimuli of

@@ -10,7 +10,6 @@
 
 #include "analysis/number_text.h"
 #include "device/probe_state.h"
-#include "protocols/file/protocol_reader.h"
 
 namespace asperity {
 
@@ -54,35 +53,37 @@ double largest_normal_force_N(const PreparedStimulus& stimulus, const Protocol& 
 
 }  // namespace
 
-std::vector<Diagnostic> warnings_about_forces(const Protocol& protocol,
-                                              const std::string& file_name,
+std::vector<Diagnostic> warnings_about_forces(const CheckedProtocol& checked,
                                               StimulusBuilder& builder,
                                               const StimuliCourse& course) {
+  const Protocol& protocol = checked.protocol;
   std::vector<Diagnostic> warnings{};
   std::set<std::string> reported{};  // one texture stands for the others of a stimulus
-  for_each_stimulus_near_limit(protocol, course, [&](const ExploredStimulus& one) {
-    const Band& band = one.exploration.normal_force_N;
-    const std::optional<double> requested_N = band.target ? band.target : band.minimum;
-    const StimulusDescription& stimulus = one.planned.stimulus;
-    if (!requested_N || stimulus.surface || stimulus.tool || !builder.can_make(stimulus)) {
-      return Nearness::far;
-    }
-    const std::string where = one.planned.stimulus_template + '\n' + one.exploration.name;
-    if (reported.contains(where)) return Nearness::far;
-    const double far_N = kFar * kReached * *requested_N;
-    const double largest_N = largest_normal_force_N(builder.unmatched(stimulus), protocol, far_N);
-    const Nearness nearness = largest_N >= far_N ? Nearness::far : Nearness::near;
-    if (largest_N >= kReached * *requested_N) return nearness;
-    reported.insert(where);
-    warnings.push_back(place_of_stimulus(protocol, file_name, one.planned.stimulus_template));
-    warnings.back().message =
-        "the stimulus \"" + stimulus.name + "\" exerts at most " + fixed(largest_N, 2) +
-        " N at rest, but the exploration \"" + one.exploration.name + "\" requests " +
-        number_text(*requested_N) +
-        " N: the force would be constant and without texture; raise the stiffness or the "
-        "parameter that limits the depth, or request less force";
-    return nearness;
-  });
+  for_each_stimulus_near_limit(
+      protocol, checked.trials(), course, [&](const ExploredStimulus& one) {
+        const Band& band = one.exploration.normal_force_N;
+        const std::optional<double> requested_N = band.target ? band.target : band.minimum;
+        const StimulusDescription& stimulus = one.planned.stimulus;
+        if (!requested_N || stimulus.surface || stimulus.tool || !builder.can_make(stimulus)) {
+          return Nearness::far;
+        }
+        const std::string where = one.planned.stimulus_template + '\n' + one.exploration.name;
+        if (reported.contains(where)) return Nearness::far;
+        const double far_N = kFar * kReached * *requested_N;
+        const double largest_N =
+            largest_normal_force_N(builder.unmatched(stimulus), protocol, far_N);
+        const Nearness nearness = largest_N >= far_N ? Nearness::far : Nearness::near;
+        if (largest_N >= kReached * *requested_N) return nearness;
+        reported.insert(where);
+        warnings.push_back(checked.at_stimulus(
+            one.planned.stimulus_template,
+            "the stimulus \"" + stimulus.name + "\" exerts at most " + fixed(largest_N, 2) +
+                " N at rest, but the exploration \"" + one.exploration.name + "\" requests " +
+                number_text(*requested_N) +
+                " N: the force would be constant and without texture; raise the stiffness or the "
+                "parameter that limits the depth, or request less force"));
+        return nearness;
+      });
   return warnings;
 }
 

@@ -7,7 +7,7 @@
 
 #include "app/session/explored_stimuli.h"
 #include "app/session/stimulus_builder.h"
-#include "protocols/design/protocol.h"
+#include "app/tasks/checked_protocol.h"
 #include "protocols/file/diagnostic.h"
 
 namespace asperity {
@@ -20,8 +20,7 @@ namespace asperity {
 /// and at least 2 cm. Bodies are not compared, nor
 /// stimuli whose files are not available (StimulusBuilder::can_make). Of varied levels those near the limit are examined
 /// (for_each_stimulus_near_limit). The files have been checked before.
-std::vector<Diagnostic> warnings_about_forces(const Protocol& protocol,
-                                              const std::string& file_name,
+std::vector<Diagnostic> warnings_about_forces(const CheckedProtocol& checked,
                                               StimulusBuilder& builder,
                                               const StimuliCourse& course = {});
 

@@ -6,17 +6,15 @@
 
 #include "app/session/attempt_measures.h"
 #include "app/session/explored_stimuli.h"
-#include "protocols/file/protocol_reader.h"
 #include "renderers/force/indentation_law.h"
 
 namespace asperity {
 
-std::vector<Diagnostic> warnings_about_indentation(const Protocol& protocol,
-                                                   const std::string& file_name,
+std::vector<Diagnostic> warnings_about_indentation(const CheckedProtocol& checked,
                                                    StimulusBuilder& builder) {
   std::vector<Diagnostic> warnings{};
   std::set<std::string> reported{};  // one texture stands for the others of a stimulus
-  for_each_stimulus(protocol, {}, [&](const ExploredStimulus& one) {
+  for_each_stimulus(checked.protocol, checked.trials(), {}, [&](const ExploredStimulus& one) {
     const StimulusDescription& stimulus = one.planned.stimulus;
     if (!builder.can_make(stimulus)) return;
     const std::string where = one.planned.stimulus_template + '\n' + one.exploration.name;
@@ -32,9 +30,10 @@ std::vector<Diagnostic> warnings_about_indentation(const Protocol& protocol,
         law->indentation_problem(habits_for(one.exploration, stimulus.patch).normal_force_N);
     if (!problem) return;
     reported.insert(where);
-    warnings.push_back(place_of_stimulus(protocol, file_name, one.planned.stimulus_template));
-    warnings.back().message = "the stimulus \"" + stimulus.name + "\" in the exploration \"" +
-                              one.exploration.name + "\": " + *problem;
+    warnings.push_back(checked.at_stimulus(one.planned.stimulus_template,
+                                           "the stimulus \"" + stimulus.name +
+                                               "\" in the exploration \"" + one.exploration.name +
+                                               "\": " + *problem));
   });
   return warnings;
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/session/stimulus_builder.h"
-#include "protocols/design/protocol.h"
+#include "app/tasks/checked_protocol.h"
 #include "protocols/file/diagnostic.h"
 
 namespace asperity {
@@ -16,8 +16,7 @@ namespace asperity {
 /// elastic_halfspace.
 ///
 /// Stimuli whose files are not available are left out (StimulusBuilder::can_make). The files have been checked before.
-std::vector<Diagnostic> warnings_about_indentation(const Protocol& protocol,
-                                                   const std::string& file_name,
+std::vector<Diagnostic> warnings_about_indentation(const CheckedProtocol& checked,
                                                    StimulusBuilder& builder);
 
 }  // namespace asperity

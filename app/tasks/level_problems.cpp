@@ -7,7 +7,6 @@
 
 #include "protocols/design/json_pointer.h"
 #include "protocols/file/json_document.h"
-#include "protocols/plan/plan.h"
 #include "results_schema/tables/table.h"
 
 namespace asperity {
@@ -48,13 +47,13 @@ std::vector<Diagnostic> problems_of_values(const Protocol& protocol, const std::
   return problems;
 }
 
-std::vector<Diagnostic> problems_of_scaled_heights(const Protocol& protocol,
-                                                   const std::string& file_name,
+std::vector<Diagnostic> problems_of_scaled_heights(const CheckedProtocol& checked,
                                                    StimulusBuilder& builder) {
-  const JsonDocument document(protocol.source, file_name);
+  const Protocol& protocol = checked.protocol;
+  const JsonDocument document(protocol.source, checked.file_name);
   std::vector<Diagnostic> problems{};
   std::set<std::pair<std::string, std::string>> looked_at{};  // blocks and files
-  for (const Trial& trial : possible_trials(protocol)) {
+  for (const Trial& trial : checked.trials()) {
     const auto block = protocol.blocks.find(trial.block);
     if (block == protocol.blocks.end() || !block->second.vary) continue;
     const Dimension& dimension = *block->second.vary;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/session/stimulus_builder.h"
-#include "protocols/design/protocol.h"
+#include "app/tasks/checked_protocol.h"
 #include "protocols/file/diagnostic.h"
 
 namespace asperity {
@@ -23,8 +23,7 @@ std::vector<Diagnostic> problems_of_values(const Protocol& protocol, const std::
 /// with the relief, of which it is the same proportion at all levels.
 ///
 /// The files have been checked before.
-std::vector<Diagnostic> problems_of_scaled_heights(const Protocol& protocol,
-                                                   const std::string& file_name,
+std::vector<Diagnostic> problems_of_scaled_heights(const CheckedProtocol& checked,
                                                    StimulusBuilder& builder);
 
 }  // namespace asperity

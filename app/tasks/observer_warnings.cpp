@@ -116,9 +116,9 @@ std::string judged_force(ObserverDeclaration::MagnitudeOf what) {
 
 }  // namespace
 
-std::vector<Diagnostic> warnings_about_observer(const Protocol& protocol,
-                                                const std::string& file_name,
+std::vector<Diagnostic> warnings_about_observer(const CheckedProtocol& checked,
                                                 StimulusBuilder& builder) {
+  const Protocol& protocol = checked.protocol;
   std::vector<Diagnostic> warnings{};
   const ObserverDeclaration& observer = protocol.observer;
   const auto is_compared = [](const auto& named) {
@@ -128,8 +128,8 @@ std::vector<Diagnostic> warnings_about_observer(const Protocol& protocol,
   if (observer.deaf || std::none_of(protocol.blocks.begin(), protocol.blocks.end(), is_compared)) {
     return warnings;
   }
-  const JsonDocument document(protocol.source, file_name);
-  const std::vector<Trial> trials = possible_trials(protocol);
+  const JsonDocument document(protocol.source, checked.file_name);
+  const std::vector<Trial>& trials = checked.trials();
   for (const auto& named : protocol.blocks) {
     if (!is_compared(named)) continue;
     const Protocol::Block& block = named.second;

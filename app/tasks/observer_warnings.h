@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/session/stimulus_builder.h"
-#include "protocols/design/protocol.h"
+#include "app/tasks/checked_protocol.h"
 #include "protocols/file/diagnostic.h"
 
 namespace asperity {
@@ -26,8 +26,7 @@ namespace asperity {
 ///
 /// Stimuli whose files are not available are not compared (StimulusBuilder::can_make), nor an observer that ignores the
 /// surfaces.
-std::vector<Diagnostic> warnings_about_observer(const Protocol& protocol,
-                                                const std::string& file_name,
+std::vector<Diagnostic> warnings_about_observer(const CheckedProtocol& checked,
                                                 StimulusBuilder& builder);
 
 }  // namespace asperity

@@ -6,8 +6,6 @@
 #include <optional>
 #include <set>
 
-#include "protocols/file/protocol_reader.h"
-#include "protocols/plan/plan.h"
 #include "renderers/offline/along_path.h"
 #include "results_schema/error_text.h"
 
@@ -51,32 +49,29 @@ std::optional<std::string> failure_of(const PreparedStimulus& stimulus, double r
 
 }  // namespace
 
-std::vector<Diagnostic> problems_of_plugin_stimuli(const Protocol& protocol,
-                                                   const std::string& file_name,
+std::vector<Diagnostic> problems_of_plugin_stimuli(const CheckedProtocol& checked,
                                                    StimulusBuilder& builder) {
   std::vector<Diagnostic> problems{};
   std::set<std::string> compared{};
   std::set<std::string> reported{};  // one stimulus stands for the others of a template
-  for (const Trial& trial : possible_trials(protocol)) {
-    for (const PlannedPresentation& planned : trial.presentations) {
-      const StimulusDescription& stimulus = planned.stimulus;
-      const ForceModel* const model = builder.models().find(stimulus.model);
-      if (model == nullptr || !model->plugin || !builder.can_make(stimulus)) continue;
-      if (!compared.insert(stimulus.name).second || reported.contains(planned.stimulus_template)) {
-        continue;
-      }
-      std::optional<std::string> failure{};
-      try {
-        failure = failure_of(builder.unmatched(stimulus), protocol.rate_Hz);
-      } catch (const std::exception& error) {
-        failure = message_of(error);
-      }
-      if (!failure) continue;
-      reported.insert(planned.stimulus_template);
-      problems.push_back(place_of_stimulus(protocol, file_name, planned.stimulus_template));
-      problems.back().message =
-          "the stimulus \"" + stimulus.name + "\" cannot be rendered: " + *failure;
+  for (const auto& [trial, planned] : checked.presentations()) {
+    const StimulusDescription& stimulus = planned.stimulus;
+    const ForceModel* const model = builder.models().find(stimulus.model);
+    if (model == nullptr || !model->plugin || !builder.can_make(stimulus)) continue;
+    if (!compared.insert(stimulus.name).second || reported.contains(planned.stimulus_template)) {
+      continue;
     }
+    std::optional<std::string> failure{};
+    try {
+      failure = failure_of(builder.unmatched(stimulus), checked.protocol.rate_Hz);
+    } catch (const std::exception& error) {
+      failure = message_of(error);
+    }
+    if (!failure) continue;
+    reported.insert(planned.stimulus_template);
+    problems.push_back(checked.at_stimulus(
+        planned.stimulus_template,
+        "the stimulus \"" + stimulus.name + "\" cannot be rendered: " + *failure));
   }
   return problems;
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/session/stimulus_builder.h"
-#include "protocols/design/protocol.h"
+#include "app/tasks/checked_protocol.h"
 #include "protocols/file/diagnostic.h"
 
 namespace asperity {
@@ -14,8 +14,7 @@ namespace asperity {
 /// The stimuli of loaded plug-ins that would fail in a session: each is made once with the values of the protocol, and stroked
 /// across the surface and beyond its border, above it and up to 2 mm in it. The conformance suite, which every plug-in has
 /// passed, does not know these values. Stimuli whose files are not available are left out.
-std::vector<Diagnostic> problems_of_plugin_stimuli(const Protocol& protocol,
-                                                   const std::string& file_name,
+std::vector<Diagnostic> problems_of_plugin_stimuli(const CheckedProtocol& checked,
                                                    StimulusBuilder& builder);
 
 }  // namespace asperity

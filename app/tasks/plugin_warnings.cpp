@@ -5,26 +5,22 @@
 #include <set>
 #include <utility>
 
-#include "protocols/file/protocol_reader.h"
-#include "protocols/plan/plan.h"
 
 namespace asperity {
 namespace {
 
 /// The first stimulus of each force model that is a loaded plug-in.
-std::map<std::string, std::string> stimuli_of_plugins(const Protocol& protocol,
+std::map<std::string, std::string> stimuli_of_plugins(const CheckedProtocol& checked,
                                                       const ModelRegistry& models) {
   std::map<std::string, std::string> stimuli{};
   const bool has_plugins =
       std::any_of(models.models().begin(), models.models().end(),
                   [](const ForceModel& model) { return model.plugin.has_value(); });
   if (!has_plugins) return stimuli;
-  for (const Trial& trial : possible_trials(protocol)) {
-    for (const PlannedPresentation& planned : trial.presentations) {
-      const ForceModel* const model = models.find(planned.stimulus.model);
-      if (model == nullptr || !model->plugin) continue;
-      stimuli.try_emplace(planned.stimulus.model, planned.stimulus_template);
-    }
+  for (const auto& [trial, planned] : checked.presentations()) {
+    const ForceModel* const model = models.find(planned.stimulus.model);
+    if (model == nullptr || !model->plugin) continue;
+    stimuli.try_emplace(planned.stimulus.model, planned.stimulus_template);
   }
   return stimuli;
 }
@@ -68,10 +64,10 @@ Phrase remedy_for_builds() {
                 "that rendered the attempts");
 }
 
-std::vector<OtherBuild> other_builds(const Protocol& protocol, const Study& study,
+std::vector<OtherBuild> other_builds(const CheckedProtocol& checked, const Study& study,
                                      const ModelRegistry& models, std::optional<SessionMode> mode) {
   std::vector<OtherBuild> builds{};
-  const std::map<std::string, std::string> stimuli = stimuli_of_plugins(protocol, models);
+  const std::map<std::string, std::string> stimuli = stimuli_of_plugins(checked, models);
   if (stimuli.empty()) return builds;
   for (const PluginUse& use : study.plugin_uses()) {
     const auto stimulus = stimuli.find(use.model);
@@ -87,7 +83,7 @@ std::vector<OtherBuild> other_builds(const Protocol& protocol, const Study& stud
                       .loaded_sha256 = loaded.plugin->sha256});
   }
   if (builds.empty()) return builds;
-  for (const SessionRow& session : sessions_analysed_together(protocol, study, mode)) {
+  for (const SessionRow& session : sessions_analysed_together(checked.protocol, study, mode)) {
     for (const AttemptRow& attempt : study.attempts(session.id)) {
       for (OtherBuild& build : builds) build.attempts += is_rendered_by(build, attempt) ? 1 : 0;
     }
@@ -96,14 +92,13 @@ std::vector<OtherBuild> other_builds(const Protocol& protocol, const Study& stud
   return builds;
 }
 
-std::vector<Diagnostic> warnings_about_plugins(const Protocol& protocol,
-                                               const std::string& file_name, const Study& study,
+std::vector<Diagnostic> warnings_about_plugins(const CheckedProtocol& checked, const Study& study,
                                                const ModelRegistry& models,
                                                std::optional<SessionMode> mode) {
   std::vector<Diagnostic> warnings{};
-  for (const OtherBuild& build : other_builds(protocol, study, models, mode)) {
-    warnings.push_back(place_of_stimulus(protocol, file_name, build.stimulus_template));
-    warnings.back().message = build.text().english() + "; " + remedy_for_builds().english();
+  for (const OtherBuild& build : other_builds(checked, study, models, mode)) {
+    warnings.push_back(checked.at_stimulus(
+        build.stimulus_template, build.text().english() + "; " + remedy_for_builds().english()));
   }
   return warnings;
 }

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/tasks/checked_protocol.h"
 #include "app/words/phrase.h"
-#include "protocols/design/protocol.h"
 #include "protocols/file/diagnostic.h"
 #include "renderers/force/force_model.h"
 #include "results_schema/study.h"
@@ -33,12 +33,11 @@ Phrase remedy_for_builds();
 /// The builds whose attempts would be analysed together with new ones: those of sessions of this name and version of the
 /// protocol, of one mode or, without it, of any. Excluded sessions and participants who have withdrawn are left out.
 /// Attempts are read only in a study with such builds. Errors: ResultsError.
-std::vector<OtherBuild> other_builds(const Protocol& protocol, const Study& study,
+std::vector<OtherBuild> other_builds(const CheckedProtocol& checked, const Study& study,
                                      const ModelRegistry& models, std::optional<SessionMode> mode);
 
 /// The same as warnings, at the first stimulus with the force model.
-std::vector<Diagnostic> warnings_about_plugins(const Protocol& protocol,
-                                               const std::string& file_name, const Study& study,
+std::vector<Diagnostic> warnings_about_plugins(const CheckedProtocol& checked, const Study& study,
                                                const ModelRegistry& models,
                                                std::optional<SessionMode> mode);
 

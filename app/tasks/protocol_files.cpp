@@ -1,11 +1,9 @@
 #include "app/tasks/protocol_files.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <set>
 #include <span>
@@ -39,6 +37,7 @@
 #include "protocols/file/warnings.h"
 #include "protocols/plan/block_design.h"
 #include "protocols/plan/course.h"
+#include "protocols/plan/plan.h"
 #include "renderers/pd_gradient/geometry/finest_wave.h"
 #include "renderers/servo/contact.h"
 #include "results_schema/error_text.h"
@@ -125,16 +124,13 @@ std::optional<std::string> complaint_about_file(const NamedFile& named,
 }
 
 /// Checks shapes with a relief: whether they can be made depends on the pitch of its file.
-std::vector<Diagnostic> problems_of_shapes(const Protocol& protocol, const std::string& file_name,
+std::vector<Diagnostic> problems_of_shapes(const CheckedProtocol& checked,
                                            StimulusBuilder& builder) {
   std::map<std::pair<std::string, std::string>, const BodyDescription*> bodies{};
-  const std::vector<Trial> trials = possible_trials(protocol);
-  for (const Trial& trial : trials) {
-    for (const PlannedPresentation& planned : trial.presentations) {
-      for (const auto* const body : {&planned.stimulus.surface, &planned.stimulus.tool}) {
-        if (*body && (*body)->shape) {
-          bodies.emplace(std::pair((*body)->name, (*body)->height_field.value_or("")), &**body);
-        }
+  for (const auto& [trial, planned] : checked.presentations()) {
+    for (const auto* const body : {&planned.stimulus.surface, &planned.stimulus.tool}) {
+      if (*body && (*body)->shape) {
+        bodies.emplace(std::pair((*body)->name, (*body)->height_field.value_or("")), &**body);
       }
     }
   }
@@ -143,9 +139,8 @@ std::vector<Diagnostic> problems_of_shapes(const Protocol& protocol, const std::
     try {
       builder.require_body(*body);
     } catch (const std::exception& error) {
-      problems.push_back(place_of_body(protocol, file_name, body->name));
-      problems.back().message =
-          "the body \"" + body->name + "\" cannot be made: " + message_of(error);
+      problems.push_back(checked.at_body(
+          body->name, "the body \"" + body->name + "\" cannot be made: " + message_of(error)));
     }
   }
   return problems;
@@ -164,22 +159,20 @@ std::string name_of_making(const StimulusDescription& stimulus) {
 }
 
 /// Declared assets whose content their model refuses: only the model can read it.
-std::vector<Diagnostic> problems_of_assets(const Protocol& protocol, const std::string& file_name,
+std::vector<Diagnostic> problems_of_assets(const CheckedProtocol& checked,
                                            StimulusBuilder& builder) {
   std::vector<Diagnostic> problems{};
   std::set<std::string> made{};
-  for (const Trial& trial : possible_trials(protocol)) {
-    for (const PlannedPresentation& planned : trial.presentations) {
-      const ForceModel* const model = builder.models().find(planned.stimulus.model);
-      if (model == nullptr || model->declaration.assets.empty()) continue;
-      if (!made.insert(name_of_making(planned.stimulus)).second) continue;
-      try {
-        make_renderer(*model, builder.unmatched(planned.stimulus).inputs);
-      } catch (const std::exception& error) {
-        problems.push_back(place_of_stimulus(protocol, file_name, planned.stimulus_template));
-        problems.back().message = "the stimulus \"" + planned.stimulus.name +
-                                  "\" cannot be rendered: " + message_of(error);
-      }
+  for (const auto& [trial, planned] : checked.presentations()) {
+    const ForceModel* const model = builder.models().find(planned.stimulus.model);
+    if (model == nullptr || model->declaration.assets.empty()) continue;
+    if (!made.insert(name_of_making(planned.stimulus)).second) continue;
+    try {
+      make_renderer(*model, builder.unmatched(planned.stimulus).inputs);
+    } catch (const std::exception& error) {
+      problems.push_back(checked.at_stimulus(planned.stimulus_template,
+                                             "the stimulus \"" + planned.stimulus.name +
+                                                 "\" cannot be rendered: " + message_of(error)));
     }
   }
   return problems;
@@ -342,13 +335,13 @@ std::vector<Diagnostic> problems_of_named_files(
   return problems;
 }
 
-std::vector<Diagnostic> problems_of_files(const Protocol& protocol, const std::string& file_name,
+std::vector<Diagnostic> problems_of_files(const CheckedProtocol& checked,
                                           const std::filesystem::path& study,
                                           StimulusBuilder& builder) {
   std::vector<Diagnostic> problems = problems_of_named_files(
-      protocol, file_name, study, builder, [](const Diagnostic&) { return true; });
-  if (problems.empty()) problems = problems_of_shapes(protocol, file_name, builder);
-  if (problems.empty()) problems = problems_of_assets(protocol, file_name, builder);
+      checked.protocol, checked.file_name, study, builder, [](const Diagnostic&) { return true; });
+  if (problems.empty()) problems = problems_of_shapes(checked, builder);
+  if (problems.empty()) problems = problems_of_assets(checked, builder);
   return problems;
 }
 
@@ -364,9 +357,10 @@ Protocol load_protocol_to_run(const std::filesystem::path& file, const std::file
                               StimulusBuilder& builder, RehearsalMemory* memory) {
   Protocol protocol = load_protocol(file, builder.models(), study);
   const std::string found = found_file(file, study).string();
-  std::vector<Diagnostic> problems = problems_of_files(protocol, found, study, builder);
-  if (problems.empty()) problems = problems_of_plugin_stimuli(protocol, found, builder);
-  const auto rehearsed = [&] { return rehearse(protocol, found, builder); };
+  const CheckedProtocol checked(protocol, found);
+  std::vector<Diagnostic> problems = problems_of_files(checked, study, builder);
+  if (problems.empty()) problems = problems_of_plugin_stimuli(checked, builder);
+  const auto rehearsed = [&] { return rehearse(checked, builder); };
   if (problems.empty()) {
     problems = memory == nullptr ? rehearsed()
                                  : memory->problems_once(content_key(protocol, study), rehearsed);
@@ -378,48 +372,45 @@ Protocol load_protocol_to_run(const std::filesystem::path& file, const std::file
 namespace {
 
 /// `beyond_s` of contact are checked for warnings.
-RehearsedStimuli rehearsed_stimuli(const Protocol& protocol, const std::string& file_name,
-                                   StimulusBuilder& builder, double beyond_s,
-                                   const std::stop_token& stop) {
+RehearsedStimuli rehearsed_stimuli(const CheckedProtocol& checked, StimulusBuilder& builder,
+                                   double beyond_s, const std::stop_token& stop) {
+  const Protocol& protocol = checked.protocol;
   std::set<std::string> made{};
   std::set<std::string> untouched{};
   std::set<std::string> said{};
   RehearsedStimuli found{};
-  for (const Trial& trial : possible_trials(protocol)) {
-    for (const PlannedPresentation& planned : trial.presentations) {
-      const StimulusDescription& stimulus = planned.stimulus;
-      if (!stimulus.surface) continue;
-      if (stop.stop_requested()) return found;
-      const Exploration& exploration = exploration_of(protocol, trial);
-      if (!made.insert(name_of_making(stimulus) + ' ' + exploration.name).second) continue;
-      const auto add = [&](std::vector<Diagnostic>& list, std::string message) {
-        list.push_back(place_of_stimulus(protocol, file_name, planned.stimulus_template));
-        list.back().message = std::move(message);
-      };
-      try {
-        const PreparedStimulus prepared = builder.unmatched(stimulus);
-        const HandHabits habits = habits_for(exploration, stimulus.patch);
-        const auto renderer = make_renderer(*prepared.model, prepared.inputs);
-        // already reported with another tool
-        if (untouched.contains(stimulus.surface->name)) continue;
-        const FirstTouch touch = first_touch(*renderer, habits, protocol.rate_Hz, beyond_s);
-        if (touch == FirstTouch::from_outside) {
-          if (beyond_s <= 0.0) continue;
-          for (LimitBeyond& beyond : limits_beyond(stimulus, prepared, *renderer)) {
-            // The same contact with another exploration, a few ticks longer or shorter.
-            const std::string what = name_of_making(stimulus) + ' ' + beyond.limit;
-            if (said.insert(what).second) add(found.warnings, std::move(beyond.sentence));
-          }
-          continue;
+  for (const auto& [trial, planned] : checked.presentations()) {
+    const StimulusDescription& stimulus = planned.stimulus;
+    if (!stimulus.surface) continue;
+    if (stop.stop_requested()) return found;
+    const Exploration& exploration = exploration_of(protocol, trial);
+    if (!made.insert(name_of_making(stimulus) + ' ' + exploration.name).second) continue;
+    try {
+      const PreparedStimulus prepared = builder.unmatched(stimulus);
+      const HandHabits habits = habits_for(exploration, stimulus.patch);
+      const auto renderer = make_renderer(*prepared.model, prepared.inputs);
+      // already reported with another tool
+      if (untouched.contains(stimulus.surface->name)) continue;
+      const FirstTouch touch = first_touch(*renderer, habits, protocol.rate_Hz, beyond_s);
+      if (touch == FirstTouch::from_outside) {
+        if (beyond_s <= 0.0) continue;
+        for (const LimitBeyond& beyond : limits_beyond(stimulus, prepared, *renderer)) {
+          // The same contact with another exploration, a few ticks longer or shorter.
+          const std::string what = name_of_making(stimulus) + ' ' + beyond.limit;
+          if (!said.insert(what).second) continue;
+          found.warnings.push_back(checked.at_stimulus(planned.stimulus_template, beyond.sentence));
         }
-        untouched.insert(stimulus.surface->name);
-        found.problems.push_back(place_of_body(protocol, file_name, stimulus.surface->name));
-        found.problems.back().message = never_touched(
-            stimulus, *builder.body(*stimulus.surface, BodyRole::surface).mesh, habits, touch);
-      } catch (const std::exception& error) {
-        add(found.problems,
-            "the stimulus \"" + stimulus.name + "\" cannot be rendered: " + message_of(error));
+        continue;
       }
+      untouched.insert(stimulus.surface->name);
+      found.problems.push_back(checked.at_body(
+          stimulus.surface->name,
+          never_touched(stimulus, *builder.body(*stimulus.surface, BodyRole::surface).mesh, habits,
+                        touch)));
+    } catch (const std::exception& error) {
+      found.problems.push_back(checked.at_stimulus(
+          planned.stimulus_template,
+          "the stimulus \"" + stimulus.name + "\" cannot be rendered: " + message_of(error)));
     }
   }
   return found;
@@ -427,15 +418,14 @@ RehearsedStimuli rehearsed_stimuli(const Protocol& protocol, const std::string& 
 
 }  // namespace
 
-std::vector<Diagnostic> rehearse(const Protocol& protocol, const std::string& file_name,
-                                 StimulusBuilder& builder) {
-  return rehearsed_stimuli(protocol, file_name, builder, 0.0, {}).problems;
+std::vector<Diagnostic> rehearse(const CheckedProtocol& checked, StimulusBuilder& builder) {
+  return rehearsed_stimuli(checked, builder, 0.0, {}).problems;
 }
 
-RehearsedStimuli rehearse_with_warnings(const Protocol& protocol, const std::string& file_name,
-                                        StimulusBuilder& builder, const std::stop_token& stop) {
+RehearsedStimuli rehearse_with_warnings(const CheckedProtocol& checked, StimulusBuilder& builder,
+                                        const std::stop_token& stop) {
   constexpr double kWatched_s = 0.02;
-  return rehearsed_stimuli(protocol, file_name, builder, kWatched_s, stop);
+  return rehearsed_stimuli(checked, builder, kWatched_s, stop);
 }
 
 namespace {
@@ -450,10 +440,8 @@ void add_problems_of_files(const ProtocolReading& reading, const std::filesystem
                reading.problems.begin(), reading.problems.end(),
                [&place](const Diagnostic& problem) { return problem.pointer == place.pointer; });
   };
-  for (Diagnostic& problem :
-       problems_of_named_files(*reading.protocol, check.file, study, builder, is_looked_at)) {
-    check.diagnostics.push_back(std::move(problem));
-  }
+  append(check.diagnostics,
+         problems_of_named_files(*reading.protocol, check.file, study, builder, is_looked_at));
 }
 
 }  // namespace
@@ -498,16 +486,13 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
     return check;
   }
   check.protocol = std::move(reading.protocol);
+  const CheckedProtocol checked(*check.protocol, check.file);
   if (study) {
     StimulusBuilder builder(models, *study);
-    check.diagnostics = problems_of_files(*check.protocol, check.file, *study, builder);
-    if (check.diagnostics.empty()) {
-      check.diagnostics = problems_of_scaled_heights(*check.protocol, check.file, builder);
-    }
+    check.diagnostics = problems_of_files(checked, *study, builder);
+    if (check.diagnostics.empty()) check.diagnostics = problems_of_scaled_heights(checked, builder);
   }
-  for (Diagnostic& problem : problems_of_values(*check.protocol, check.file)) {
-    check.diagnostics.push_back(std::move(problem));
-  }
+  append(check.diagnostics, problems_of_values(*check.protocol, check.file));
   sort_by_line(check.diagnostics);
   // A real device is not opened: it may be on another machine.
   if (device) {
@@ -523,13 +508,10 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
   }
   const Plan example = example_plan(*check.protocol, {1, 0});
   check.cost = cost_of(*check.protocol, example);
-  for (std::vector<Diagnostic>& warnings :
-       std::array{warnings_about_plan(*check.protocol, check.file, example),
-                  warnings_about_analysis(*check.protocol, check.file),
-                  warnings_about_rate(*check.protocol, check.file, models),
-                  warnings_about_design(*check.protocol, check.file)}) {
-    std::move(warnings.begin(), warnings.end(), std::back_inserter(check.warnings));
-  }
+  append(check.warnings, warnings_about_plan(*check.protocol, check.file, example));
+  append(check.warnings, warnings_about_analysis(*check.protocol, check.file));
+  append(check.warnings, warnings_about_rate(checked, models));
+  append(check.warnings, warnings_about_design(*check.protocol, check.file));
   for (const auto& [name, block] : check.protocol->blocks) {
     if (block.phase != Phase::main) continue;
     if (std::string design = design_of(*check.protocol, block, example); !design.empty()) {
@@ -580,27 +562,23 @@ std::optional<Diagnostic> warning_about_version(const Protocol& protocol,
                               "tables of an export would distinguish them; raise \"version\"");
 }
 
-std::vector<Diagnostic> warnings_about_sessions(const Protocol& protocol,
-                                                const std::string& file_name, const Study& study,
+std::vector<Diagnostic> warnings_about_sessions(const CheckedProtocol& checked, const Study& study,
                                                 const ModelRegistry& models) {
-  std::vector<Diagnostic> warnings =
-      warnings_about_plugins(protocol, file_name, study, models, std::nullopt);
-  if (auto warning = warning_about_version(protocol, file_name, study)) {
+  std::vector<Diagnostic> warnings = warnings_about_plugins(checked, study, models, std::nullopt);
+  if (auto warning = warning_about_version(checked.protocol, checked.file_name, study)) {
     warnings.insert(warnings.begin(), std::move(*warning));
   }
   return warnings;
 }
 
-std::vector<Diagnostic> warnings_about_sessions(const Protocol& protocol,
-                                                const std::string& file_name,
+std::vector<Diagnostic> warnings_about_sessions(const CheckedProtocol& checked,
                                                 const std::filesystem::path& study,
                                                 const ModelRegistry& models) {
   try {
     if (!Study::exists(study)) return {};
-    return warnings_about_sessions(protocol, file_name, Study::open(study, Access::read_only),
-                                   models);
+    return warnings_about_sessions(checked, Study::open(study, Access::read_only), models);
   } catch (const std::exception& error) {
-    return {JsonDocument(protocol.source, file_name)
+    return {JsonDocument(checked.protocol.source, checked.file_name)
                 .at_key("/version",
                         "whether the study has sessions with another text of this version, or with "
                         "another build of a plug-in, could not be determined: " +

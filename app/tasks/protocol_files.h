@@ -11,6 +11,7 @@
 
 #include "app/session/rehearsal/rehearsal_memory.h"
 #include "app/session/stimulus_builder.h"
+#include "app/tasks/checked_protocol.h"
 #include "app/words/phrase.h"
 #include "device/device_capability.h"
 #include "protocols/file/protocol_reader.h"
@@ -41,8 +42,7 @@ Protocol load_protocol_to_run(const std::filesystem::path& file, const std::file
 /// Finds the problems at which a session would fail in a trial: every stimulus of two bodies is
 /// made once as in a session, and the simulated device's hand strokes at its place until it touches
 /// it. Takes a second or two. The files have been checked before.
-std::vector<Diagnostic> rehearse(const Protocol& protocol, const std::string& file_name,
-                                 StimulusBuilder& builder);
+std::vector<Diagnostic> rehearse(const CheckedProtocol& checked, StimulusBuilder& builder);
 
 /// The same, with the stimuli that violate an assumption of their model: for every stimulus that
 /// the hand touches, a warning for each assumption that is violated in at least half of the
@@ -53,8 +53,8 @@ struct RehearsedStimuli {
   std::vector<Diagnostic> problems{};
   std::vector<Diagnostic> warnings{};
 };
-RehearsedStimuli rehearse_with_warnings(const Protocol& protocol, const std::string& file_name,
-                                        StimulusBuilder& builder, const std::stop_token& stop = {});
+RehearsedStimuli rehearse_with_warnings(const CheckedProtocol& checked, StimulusBuilder& builder,
+                                        const std::stop_token& stop = {});
 
 /// Every problem of one file, and a summary of its plan when there is none.
 struct ProtocolCheck {
@@ -102,13 +102,11 @@ std::optional<Diagnostic> warning_about_version(const Protocol& protocol,
 
 /// The warnings about sessions of the study that are analysed together with new ones: of another text of this version, and
 /// with another build of a plug-in. Errors: ResultsError as for Study.
-std::vector<Diagnostic> warnings_about_sessions(const Protocol& protocol,
-                                                const std::string& file_name, const Study& study,
+std::vector<Diagnostic> warnings_about_sessions(const CheckedProtocol& checked, const Study& study,
                                                 const ModelRegistry& models);
 /// The same for the study in a folder; none where there is no study. If it cannot be read, a warning at the key "version"
 /// states this: the protocol can be checked all the same.
-std::vector<Diagnostic> warnings_about_sessions(const Protocol& protocol,
-                                                const std::string& file_name,
+std::vector<Diagnostic> warnings_about_sessions(const CheckedProtocol& checked,
                                                 const std::filesystem::path& study,
                                                 const ModelRegistry& models);
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "protocols/design/protocol.h"
+#include "app/tasks/checked_protocol.h"
 #include "protocols/file/diagnostic.h"
 #include "renderers/force/force_model.h"
 
@@ -14,7 +14,7 @@ namespace asperity {
 /// A warning for every force model whose tick can take longer than a period at the protocol's rate
 /// (ModelDeclaration::maximum_rate_Hz): late ticks are missed deadlines and can invalidate attempts. At `device.rate_Hz`, where it
 /// has to be corrected. No file is needed.
-std::vector<Diagnostic> warnings_about_rate(const Protocol& protocol, const std::string& file_name,
+std::vector<Diagnostic> warnings_about_rate(const CheckedProtocol& checked,
                                             const ModelRegistry& models);
 
 }  // namespace asperity

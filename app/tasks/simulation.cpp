@@ -340,18 +340,14 @@ void Simulation::prepare(Study& study) {
   check_sessions(study);
   if (inputs_.resume) check_recordings(study);
   for (std::size_t i = 0; i < protocols_.size() && inputs_.warned; ++i) {
-    const std::string file = inputs_.protocols[i].string();
-    if (const auto warning = warning_about_version(protocols_[i], file, study)) {
+    const CheckedProtocol checked(protocols_[i], inputs_.protocols[i].string());
+    if (const auto warning = warning_about_version(checked.protocol, checked.file_name, study)) {
       inputs_.warned(*warning);
     }
-    for (const Diagnostic& warning : warnings_about_plugins(
-             protocols_[i], file, study, builder_.models(), SessionMode::simulate)) {
-      inputs_.warned(warning);
-    }
-    for (const Diagnostic& warning :
-         warnings_about_stimuli(protocols_[i], file, builder_, {.stop = stop_})) {
-      inputs_.warned(warning);
-    }
+    std::vector<Diagnostic> warnings =
+        warnings_about_plugins(checked, study, builder_.models(), SessionMode::simulate);
+    append(warnings, warnings_about_stimuli(checked, builder_, {.stop = stop_}));
+    for (const Diagnostic& warning : warnings) inputs_.warned(warning);
   }
   if (there.begun == batch_) return;
   if (there.of_seed > 0 && inputs_.noticed) {

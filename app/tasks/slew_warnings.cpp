@@ -14,7 +14,6 @@
 #include "device/force_limiter.h"
 #include "device/probe_state.h"
 #include "device/virtual_hand.h"
-#include "protocols/file/protocol_reader.h"
 
 namespace asperity {
 namespace {
@@ -206,32 +205,36 @@ LimitedMotions limited_motions(const PreparedStimulus& stimulus, const Protocol&
 
 }  // namespace
 
-std::vector<Diagnostic> warnings_about_slew(const Protocol& protocol, const std::string& file_name,
+std::vector<Diagnostic> warnings_about_slew(const CheckedProtocol& checked,
                                             StimulusBuilder& builder, const StimuliCourse& course) {
+  const Protocol& protocol = checked.protocol;
   std::vector<Diagnostic> warnings{};
   std::set<std::string> reported{};  // one texture stands for the others of a stimulus
-  for_each_stimulus_near_limit(protocol, course, [&](const ExploredStimulus& one) {
-    const StimulusDescription& stimulus = one.planned.stimulus;
-    if (stimulus.surface || stimulus.tool || !builder.can_make(stimulus)) return Nearness::far;
-    const std::string where = one.planned.stimulus_template + '\n' + one.exploration.name;
-    if (reported.contains(where)) return Nearness::far;
-    LimitedMotions motions{};
-    try {
-      motions = limited_motions(builder.prepare(one.planned), protocol, one.exploration);
-    } catch (const std::exception&) {  // the session's preparation reports it
-      return Nearness::near;
-    }
-    if (motions.text.empty()) return motions.nearness;
-    reported.insert(where);
-    warnings.push_back(place_of_stimulus(protocol, file_name, one.planned.stimulus_template));
-    warnings.back().message =
-        "the force of the stimulus \"" + stimulus.name + "\" (model " + stimulus.model +
-        ") would be limited in " + motions.text + " in the exploration \"" + one.exploration.name +
-        "\": within a millisecond it would grow or turn by more than " +
-        number_text(ForceLimits{}.slew_N) +
-        " N, and another texture would be felt; lower the amplitude, the stiffness or the speed";
-    return motions.nearness;
-  });
+  for_each_stimulus_near_limit(
+      protocol, checked.trials(), course, [&](const ExploredStimulus& one) {
+        const StimulusDescription& stimulus = one.planned.stimulus;
+        if (stimulus.surface || stimulus.tool || !builder.can_make(stimulus)) return Nearness::far;
+        const std::string where = one.planned.stimulus_template + '\n' + one.exploration.name;
+        if (reported.contains(where)) return Nearness::far;
+        LimitedMotions motions{};
+        try {
+          motions = limited_motions(builder.prepare(one.planned), protocol, one.exploration);
+        } catch (const std::exception&) {  // the session's preparation reports it
+          return Nearness::near;
+        }
+        if (motions.text.empty()) return motions.nearness;
+        reported.insert(where);
+        warnings.push_back(checked.at_stimulus(
+            one.planned.stimulus_template,
+            "the force of the stimulus \"" + stimulus.name + "\" (model " + stimulus.model +
+                ") would be limited in " + motions.text + " in the exploration \"" +
+                one.exploration.name +
+                "\": within a millisecond it would grow or turn by more than " +
+                number_text(ForceLimits{}.slew_N) +
+                " N, and another texture would be felt; lower the amplitude, the "
+                "stiffness or the speed"));
+        return motions.nearness;
+      });
   return warnings;
 }
 

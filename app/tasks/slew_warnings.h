@@ -7,7 +7,7 @@
 
 #include "app/session/explored_stimuli.h"
 #include "app/session/stimulus_builder.h"
-#include "protocols/design/protocol.h"
+#include "app/tasks/checked_protocol.h"
 #include "protocols/file/diagnostic.h"
 
 namespace asperity {
@@ -22,7 +22,7 @@ namespace asperity {
 /// places along the stroke, straight and at the speed of the simulated hand (HandHabits::approach_speed_m_per_s), to the depth at
 /// which the plane alone would give the force. Bodies are not compared, nor stimuli that cannot be rendered or whose files are
 /// not available (StimulusBuilder::can_make). Of varied levels those near the limit are examined (for_each_stimulus_near_limit).
-std::vector<Diagnostic> warnings_about_slew(const Protocol& protocol, const std::string& file_name,
+std::vector<Diagnostic> warnings_about_slew(const CheckedProtocol& checked,
                                             StimulusBuilder& builder,
                                             const StimuliCourse& course = {});
 

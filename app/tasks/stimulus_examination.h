@@ -8,8 +8,8 @@
 
 #include "app/session/explored_stimuli.h"
 #include "app/session/stimulus_builder.h"
+#include "app/tasks/checked_protocol.h"
 #include "app/tasks/protocol_files.h"
-#include "protocols/design/protocol.h"
 #include "protocols/file/diagnostic.h"
 
 namespace asperity {
@@ -33,7 +33,7 @@ struct StimulusExamination {
 ///
 /// When a stop is requested, the result is incomplete. `course.progress` receives the progress of `warnings_about_stimuli`.
 /// Errors: as StimulusBuilder; none where the files have been checked before.
-StimulusExamination examine_stimuli(const Protocol& protocol, const std::string& file_name,
+StimulusExamination examine_stimuli(const CheckedProtocol& checked,
                                     const std::filesystem::path& study, StimulusBuilder& builder,
                                     const StimuliCourse& course = {});
 

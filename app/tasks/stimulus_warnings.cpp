@@ -2,7 +2,6 @@
 
 #include <array>
 #include <functional>
-#include <iterator>
 
 #include "app/tasks/arrangement_warnings.h"
 #include "app/tasks/band_warnings.h"
@@ -25,24 +24,21 @@ StimuliCourse half_of(const StimuliCourse& course, double begin) {
 
 }  // namespace
 
-std::vector<Diagnostic> warnings_about_stimuli(const Protocol& protocol,
-                                               const std::string& file_name,
+std::vector<Diagnostic> warnings_about_stimuli(const CheckedProtocol& checked,
                                                StimulusBuilder& builder,
                                                const StimuliCourse& course) {
   using Part = std::function<std::vector<Diagnostic>()>;
   const std::array<Part, 6> parts{
-      [&] { return warnings_about_arrangements(protocol, file_name, builder); },
-      [&] { return warnings_about_forces(protocol, file_name, builder, half_of(course, 0.0)); },
-      [&] { return warnings_about_bands(protocol, file_name, builder); },
-      [&] { return warnings_about_slew(protocol, file_name, builder, half_of(course, 0.5)); },
-      [&] { return warnings_about_indentation(protocol, file_name, builder); },
-      [&] { return warnings_about_observer(protocol, file_name, builder); }};
+      [&] { return warnings_about_arrangements(checked, builder); },
+      [&] { return warnings_about_forces(checked, builder, half_of(course, 0.0)); },
+      [&] { return warnings_about_bands(checked, builder); },
+      [&] { return warnings_about_slew(checked, builder, half_of(course, 0.5)); },
+      [&] { return warnings_about_indentation(checked, builder); },
+      [&] { return warnings_about_observer(checked, builder); }};
   std::vector<Diagnostic> warnings{};
   for (const Part& part : parts) {
     if (course.stop.stop_requested()) break;
-    std::vector<Diagnostic> found = part();
-    warnings.insert(warnings.end(), std::make_move_iterator(found.begin()),
-                    std::make_move_iterator(found.end()));
+    append(warnings, part());
   }
   return warnings;
 }

@@ -7,7 +7,7 @@
 
 #include "app/session/explored_stimuli.h"
 #include "app/session/stimulus_builder.h"
-#include "protocols/design/protocol.h"
+#include "app/tasks/checked_protocol.h"
 #include "protocols/file/diagnostic.h"
 
 namespace asperity {
@@ -17,8 +17,7 @@ namespace asperity {
 /// file (StimulusBuilder::can_make). `course` is that of the forces and then of the slew, which take nearly
 /// all of the time; a stop also takes effect between two of the functions. Errors: as StimulusBuilder; none where the files have
 /// been checked before.
-std::vector<Diagnostic> warnings_about_stimuli(const Protocol& protocol,
-                                               const std::string& file_name,
+std::vector<Diagnostic> warnings_about_stimuli(const CheckedProtocol& checked,
                                                StimulusBuilder& builder,
                                                const StimuliCourse& course = {});
 

@@ -309,10 +309,7 @@ std::vector<ProtocolOverview> protocol_overviews(const Study& study, const Model
     overview.check = check_protocol(file, models, study.folder(), std::nullopt);
     if (overview.check.protocol) {
       ProtocolCheck& check = overview.check;
-      for (Diagnostic& warning :
-           warnings_about_sessions(*check.protocol, check.file, study, models)) {
-        check.warnings.push_back(std::move(warning));
-      }
+      append(check.warnings, warnings_about_sessions({*check.protocol, check.file}, study, models));
       sort_by_line(check.warnings);
       const Plan plan = example_plan(*overview.check.protocol, {1, 0});
       if (!plan.trials.empty()) overview.blocks = plan.trials.back().block_ordinal;

@@ -15,7 +15,6 @@
 #include "app/words/text_parts.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/file/json_document.h"
-#include "protocols/plan/plan.h"
 #include "stimuli/heights/synthetic_surface.h"
 
 namespace asperity {
@@ -43,7 +42,7 @@ glm::dvec2 shown_m(const Shape& shape) {
   return {kWithoutEnd_m, kWithoutEnd_m};
 }
 
-std::map<std::string, TextureUse> uses_of(const Protocol& protocol) {
+std::map<std::string, TextureUse> uses_of(const CheckedProtocol& checked) {
   std::map<std::string, TextureUse> uses{};
   const auto use = [&uses](const std::string& texture, const std::optional<std::string>& field,
                            const StimulusDescription& stimulus, const glm::dvec2& widest_m) {
@@ -53,19 +52,17 @@ std::map<std::string, TextureUse> uses_of(const Protocol& protocol) {
     of.stimuli.insert(stimulus.name);
     of.widest_m = glm::max(of.widest_m, widest_m);
   };
-  for (const Trial& trial : possible_trials(protocol)) {
-    for (const PlannedPresentation& planned : trial.presentations) {
-      const StimulusDescription& stimulus = planned.stimulus;
-      if (!stimulus.surface || !stimulus.tool) {
-        const bool is_repeated = stimulus.patch.tiling == Tiling::repeat;
-        use(stimulus.texture, stimulus.height_field, stimulus,
-            is_repeated ? stimulus.patch.motion_scale * stimulus.patch.extent_m : glm::dvec2(0.0));
-      }
-      for (const auto* const body : {&stimulus.surface, &stimulus.tool}) {
-        if (!*body || !(*body)->shape) continue;
-        const std::string texture = (*body)->texture.value_or(stimulus.texture);
-        use(texture, (*body)->height_field, stimulus, shown_m(*(*body)->shape));
-      }
+  for (const auto& [trial, planned] : checked.presentations()) {
+    const StimulusDescription& stimulus = planned.stimulus;
+    if (!stimulus.surface || !stimulus.tool) {
+      const bool is_repeated = stimulus.patch.tiling == Tiling::repeat;
+      use(stimulus.texture, stimulus.height_field, stimulus,
+          is_repeated ? stimulus.patch.motion_scale * stimulus.patch.extent_m : glm::dvec2(0.0));
+    }
+    for (const auto* const body : {&stimulus.surface, &stimulus.tool}) {
+      if (!*body || !(*body)->shape) continue;
+      const std::string texture = (*body)->texture.value_or(stimulus.texture);
+      use(texture, (*body)->height_field, stimulus, shown_m(*(*body)->shape));
     }
   }
   return uses;
@@ -91,13 +88,13 @@ bool is_at_an_angle(const HeightFieldProvenance& made) {
 
 }  // namespace
 
-std::vector<Diagnostic> warnings_about_textures(const Protocol& protocol,
-                                                const std::string& file_name,
+std::vector<Diagnostic> warnings_about_textures(const CheckedProtocol& checked,
                                                 const std::filesystem::path& study) {
-  const JsonDocument document(protocol.source, file_name);
+  const Protocol& protocol = checked.protocol;
+  const JsonDocument document(protocol.source, checked.file_name);
   std::vector<Diagnostic> warnings{};
   const double motion_scale = protocol.patch.motion_scale;  // the same for all textures
-  for (const auto& [name, use] : uses_of(protocol)) {
+  for (const auto& [name, use] : uses_of(checked)) {
     const std::filesystem::path file = study / use.height_field;
     const HeightFieldProvenance made = provenance_of(file);
     const std::string place = pointer_to("/textures", name);

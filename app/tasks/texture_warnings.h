@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "protocols/design/protocol.h"
+#include "app/tasks/checked_protocol.h"
 #include "protocols/file/diagnostic.h"
 
 namespace asperity {
@@ -24,8 +24,7 @@ namespace asperity {
 /// None for surfaces that were not made by a formula. The files have been checked before.
 ///
 /// Errors: as `load_height_field`.
-std::vector<Diagnostic> warnings_about_textures(const Protocol& protocol,
-                                                const std::string& file_name,
+std::vector<Diagnostic> warnings_about_textures(const CheckedProtocol& checked,
                                                 const std::filesystem::path& study);
 
 }  // namespace asperity

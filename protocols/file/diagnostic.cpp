@@ -2,6 +2,7 @@
 
 #include "protocols/file/diagnostic.h"
 
+#include <iterator>
 #include <utility>
 
 namespace asperity {
@@ -14,6 +15,11 @@ std::string text_of(const Diagnostic& diagnostic) {
   text += ": error: " + diagnostic.message;
   if (!diagnostic.pointer.empty()) text += " (" + diagnostic.pointer + ")";
   return text;
+}
+
+void append(std::vector<Diagnostic>& diagnostics, std::vector<Diagnostic> added) {
+  diagnostics.insert(diagnostics.end(), std::make_move_iterator(added.begin()),
+                     std::make_move_iterator(added.end()));
 }
 
 namespace {

@@ -21,6 +21,8 @@ struct Diagnostic {
 /// `FILE:LINE:COLUMN: error: message (/json/pointer)`; `FILE: error: message` for a file that could not be read.
 std::string text_of(const Diagnostic& diagnostic);
 
+void append(std::vector<Diagnostic>& diagnostics, std::vector<Diagnostic> added);
+
 /// Reports an invalid protocol with all problems found.
 class ProtocolError final : public std::runtime_error {
  public:

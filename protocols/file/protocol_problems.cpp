@@ -57,19 +57,16 @@ ProtocolReading read_protocol_with_problems(std::string_view text, const std::st
   try {
     const JsonDocument document(text, file_name, &reading.problems);
     const bool has_unusable_texts = !reading.problems.empty();
-    const auto add = [&reading](const std::vector<Diagnostic>& found) {
-      reading.problems.insert(reading.problems.end(), found.begin(), found.end());
-    };
     const std::vector<Diagnostic> of_form = check_schema(document);
-    add(of_form);
+    append(reading.problems, of_form);
     reading.has_form = of_form.empty();
     if (reading.has_form) {
       reading.protocol = protocol_from_json(document.root(), models);
-      add(check_meaning(*reading.protocol, document, models));
+      append(reading.problems, check_meaning(*reading.protocol, document, models));
     } else {
       reading.repair = repaired(document);
       if (!reading.repair.roots.empty()) {
-        add(certain_problems(document, reading.repair, models));
+        append(reading.problems, certain_problems(document, reading.repair, models));
         reading.protocol = protocol_from_json(reading.repair.roots.front(), models);
       }
     }

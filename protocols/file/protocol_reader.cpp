@@ -18,17 +18,6 @@ Protocol read_protocol(std::string_view text, const std::string& file_name,
   return std::move(*reading.protocol);
 }
 
-Diagnostic place_of_body(const Protocol& protocol, const std::string& file_name,
-                         const std::string& body) {
-  return JsonDocument(protocol.source, file_name).at_key(pointer_to("/bodies", body), "");
-}
-
-Diagnostic place_of_stimulus(const Protocol& protocol, const std::string& file_name,
-                             const std::string& stimulus_template) {
-  return JsonDocument(protocol.source, file_name)
-      .at_key(pointer_to("/stimuli", stimulus_template), "");
-}
-
 std::vector<std::string> paths_of(const NamedFile& named) {
   if (named.kind != NamedFile::Kind::height_field) return {named.path};
   return {named.path, named.path + ".json"};

@@ -37,12 +37,6 @@ struct NamedFile {
 };
 /// All files of a study of which the named one consists: a height field has a sidecar.
 std::vector<std::string> paths_of(const NamedFile& named);
-/// The location of a body by name; complete except for its message.
-Diagnostic place_of_body(const Protocol& protocol, const std::string& file_name,
-                         const std::string& body);
-/// The location of a stimulus template by name; complete except for its message.
-Diagnostic place_of_stimulus(const Protocol& protocol, const std::string& file_name,
-                             const std::string& stimulus_template);
 /// All files that a protocol names: the one list of them, for everything that hashes, checks or lists files.
 std::vector<NamedFile> files_of(const Protocol& protocol, const std::string& file_name);
 /// The same with the JSON pointers of their places alone, without reading the source of the protocol.

@@ -47,7 +47,7 @@ class ArrangementWarnings : public testing::Test {
       make_small_study(folder_ / "study");
       builder_.emplace(models_, folder_ / "study");
     }
-    return warnings_about_arrangements(protocol, "p.json", *builder_);
+    return warnings_about_arrangements({protocol, "p.json"}, *builder_);
   }
   const TemporaryFolder folder_{};
   ModelRegistry models_ = built_in_models();

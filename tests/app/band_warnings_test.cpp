@@ -40,7 +40,7 @@ std::vector<Diagnostic> warned_of_noise(double noise_rate_Hz, double servo_rate_
     const ModelRegistry models = built_in_models();
     const Protocol protocol = read_protocol(source.dump(2), "p.json", declarations_of(models));
     StimulusBuilder without_files(models, {});
-    return warnings_about_stimuli(protocol, "p.json", without_files);
+    return warnings_about_stimuli({protocol, "p.json"}, without_files);
   }
   throw std::logic_error("the library has no amplitude_jnd");
 }

@@ -185,7 +185,7 @@ TEST_F(Bodies, WhoseSurfaceLiesNowhereUnderTheToolAreRefusedBeforeASession) {
     save_textured_mesh(study_ / "stimuli" / "cube.mesh", stored, Overwrite::allow);
     EXPECT_THAT(problems(), IsEmpty());  // the files are as they should be
     StimulusBuilder builder(models_, study_);
-    return rehearse(load_protocol(protocol_, models_, study_), protocol_.string(), builder);
+    return rehearse({load_protocol(protocol_, models_, study_), protocol_.string()}, builder);
   };
   const std::vector<Diagnostic> of_a_tool = refusals(placed(cube(0.004), BodyRole::tool));
   ASSERT_EQ(of_a_tool.size(), 1U);
@@ -261,9 +261,10 @@ TEST_F(Bodies, WithATileThatDoesNotCloseGiveAWarningWithBothNumbersAndTheRemedy)
   const auto warnings = [this] {
     StimulusBuilder builder(models_, study_);
     const Protocol protocol = load_protocol(protocol_, models_, study_);
-    RehearsedStimuli found = rehearse_with_warnings(protocol, protocol_.string(), builder);
+    const CheckedProtocol checked(protocol, protocol_.string());
+    RehearsedStimuli found = rehearse_with_warnings(checked, builder);
     EXPECT_THAT(found.problems, IsEmpty());
-    for (Diagnostic& warning : warnings_about_textures(protocol, protocol_.string(), study_)) {
+    for (Diagnostic& warning : warnings_about_textures(checked, study_)) {
       found.warnings.push_back(std::move(warning));
     }
     return found.warnings;
@@ -301,7 +302,7 @@ TEST_F(Bodies, WhoseTextureHasAnotherSpacingThanItsFileGiveAWarning) {
   const auto said = [this] {
     std::string all{};
     for (const Diagnostic& warning : warnings_about_textures(
-             load_protocol(protocol_, models_, study_), protocol_.string(), study_)) {
+             {load_protocol(protocol_, models_, study_), protocol_.string()}, study_)) {
       all += warning.pointer + ' ' + warning.message + '\n';
     }
     return all;

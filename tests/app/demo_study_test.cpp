@@ -35,7 +35,7 @@ TEST_F(DemoStudy, HasToolsThatAreCheckedPlannedFeltAndAnswered) {
   EXPECT_EQ(check.cost.contacts, 3 * check.cost.trials);
   const auto warnings_of = [&](const Protocol& rehearsed) {
     StimulusBuilder builder(models, study);
-    const RehearsedStimuli found = rehearse_with_warnings(rehearsed, file.string(), builder);
+    const RehearsedStimuli found = rehearse_with_warnings({rehearsed, file.string()}, builder);
     EXPECT_THAT(found.problems, IsEmpty());
     return found.warnings;
   };

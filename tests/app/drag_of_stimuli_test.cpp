@@ -35,7 +35,7 @@ class DragOfStimuli : public ::testing::Test {
     Protocol protocol = read_small_protocol(models_, small_protocol("", exploration));
     if (!law.empty()) protocol.stimuli.at("rendered").parameters["friction_law"].value = law;
     StimulusBuilder builder(models_, folder_ / "study");
-    return drag_of_stimuli(protocol, builder);
+    return drag_of_stimuli({protocol, "p.json"}, builder);
   }
 
   TemporaryFolder folder_{};
@@ -97,7 +97,7 @@ TEST_F(DragOfStimuli, IsNotStatedForAHandThatOnlyPresses) { EXPECT_THAT(drags(""
 TEST_F(DragOfStimuli, IsMeasuredOnStrokesThatAreLongEnough) {
   StimulusBuilder without_files(models_, {});
   const std::vector<StimulusDrag> found =
-      drag_of_stimuli(read_small_protocol(models_, kStrongGratings), without_files);
+      drag_of_stimuli({read_small_protocol(models_, kStrongGratings), "p.json"}, without_files);
   ASSERT_THAT(found, SizeIs(2));
   for (const StimulusDrag& drag : found) {
     EXPECT_NEAR(drag.of_coulomb, 1.0, 0.03) << drag.stimulus;
@@ -110,14 +110,14 @@ TEST_F(DragOfStimuli, IsNotMeasuredAfterAStop) {
   std::stop_source stop{};
   const StimuliCourse course{.stop = stop.get_token(),
                              .progress = [&](double) { stop.request_stop(); }};
-  EXPECT_THAT(drag_of_stimuli(protocol, without_files, course), SizeIs(1));
-  EXPECT_THAT(drag_of_stimuli(protocol, without_files, course), IsEmpty());
+  EXPECT_THAT(drag_of_stimuli({protocol, "p.json"}, without_files, course), SizeIs(1));
+  EXPECT_THAT(drag_of_stimuli({protocol, "p.json"}, without_files, course), IsEmpty());
 }
 
 TEST_F(DragOfStimuli, LeavesOutWhatCannotBeRendered) {
   StimulusBuilder without_the_texture(models_, folder_ / "elsewhere");
   const Protocol protocol = read_small_protocol(models_, small_protocol("", kStroking));
-  EXPECT_THAT(drag_of_stimuli(protocol, without_the_texture), IsEmpty());
+  EXPECT_THAT(drag_of_stimuli({protocol, "p.json"}, without_the_texture), IsEmpty());
 }
 
 // 1/√(1 + (v₀/v)²) with v₀ = 10 mm/s: the friction of pd_gradient depends on the speed.
@@ -127,7 +127,7 @@ TEST_F(DragOfStimuli, StatesWhatTheFrictionOfTwoBodiesLosesAtASpeed) {
   for (const LibraryProtocol& library : library_protocols()) {
     if (library.name != "roughness_speed") continue;
     const Protocol protocol = read_small_protocol(models_, std::string(library.text));
-    for (const StimulusDrag& drag : drag_of_stimuli(protocol, without_files)) {
+    for (const StimulusDrag& drag : drag_of_stimuli({protocol, "p.json"}, without_files)) {
       of_coulomb[drag.exploration] = drag.of_coulomb;
       EXPECT_NEAR(drag.mean_N, 0.2 * 0.8 * drag.of_coulomb, 1e-9) << drag.stimulus;
     }

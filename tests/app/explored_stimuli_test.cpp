@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "app/session/rehearsal/rehearsal.h"
+#include "protocols/plan/plan.h"
 #include "renderers/built_in_models.h"
 #include "tests/app/small_study.h"
 
@@ -68,10 +69,11 @@ class ExploredStimuli : public ::testing::Test {
 
   Names examined(const StimuliCourse& course, std::stop_source* stop = nullptr) {
     Names names{};
-    for_each_stimulus(protocol_, course, [&](const ExploredStimulus& one) {
-      names.emplace_back(one.planned.stimulus.name, one.exploration.name);
-      if (stop != nullptr) stop->request_stop();
-    });
+    for_each_stimulus(protocol_, possible_trials(protocol_), course,
+                      [&](const ExploredStimulus& one) {
+                        names.emplace_back(one.planned.stimulus.name, one.exploration.name);
+                        if (stop != nullptr) stop->request_stop();
+                      });
     return names;
   }
 
@@ -122,13 +124,15 @@ class LevelsNearALimit : public ::testing::Test {
   /// The levels that are examined, in tenths of a millimetre, if those from `first_near` on are near the limit.
   std::vector<int> examined(int first_near, const StimuliCourse& course = {}) {
     std::vector<int> levels{};
-    for_each_stimulus_near_limit(protocol_, course, [&](const ExploredStimulus& one) {
-      const double level_m = std::get<double>(one.planned.stimulus.parameters.at("wavelength_m"));
-      const int level = static_cast<int>(std::lround(1e4 * level_m));
-      if (level == 10) return Nearness::far;  // the standard
-      levels.push_back(level);
-      return level >= first_near ? Nearness::near : Nearness::far;
-    });
+    for_each_stimulus_near_limit(
+        protocol_, possible_trials(protocol_), course, [&](const ExploredStimulus& one) {
+          const double level_m =
+              std::get<double>(one.planned.stimulus.parameters.at("wavelength_m"));
+          const int level = static_cast<int>(std::lround(1e4 * level_m));
+          if (level == 10) return Nearness::far;  // the standard
+          levels.push_back(level);
+          return level >= first_near ? Nearness::near : Nearness::far;
+        });
     return levels;
   }
 

@@ -21,7 +21,7 @@ TEST(ForceWarnings, NameAStimulusThatCannotReachTheRequestedForce) {
   const auto warnings = [&](const std::string& band) {
     const Protocol protocol =
         read_small_protocol(models, small_protocol("", R"(, "normal_force_N": {)" + band + "}"));
-    return warnings_about_forces(protocol, "p.json", builder);
+    return warnings_about_forces({protocol, "p.json"}, builder);
   };
   EXPECT_TRUE(warnings(R"("minimum": 0.5, "target": 1.2, "maximum": 2.5)").empty());
   EXPECT_TRUE(warnings(R"("maximum": 2.5)").empty());

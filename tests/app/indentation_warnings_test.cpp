@@ -51,7 +51,7 @@ class IndentationWarnings : public ::testing::Test {
                                    const std::string& force_N) {
     StimulusBuilder builder(models_, folder_ / "study");
     return warnings_about_indentation(
-        read_small_protocol(models_, soft_surfaces(elastic_parameters, force_N)), "p.json",
+        {read_small_protocol(models_, soft_surfaces(elastic_parameters, force_N)), "p.json"},
         builder);
   }
 
@@ -75,7 +75,7 @@ TEST_F(IndentationWarnings, NameAnElasticSurfaceThatIsStrainedTooMuch) {
 TEST_F(IndentationWarnings, AreAmongTheWarningsOfACheck) {
   StimulusBuilder builder(models_, folder_ / "study");
   const std::vector<Diagnostic> found = warnings_about_stimuli(
-      read_small_protocol(models_, soft_surfaces("", "1")), "p.json", builder);
+      {read_small_protocol(models_, soft_surfaces("", "1")), "p.json"}, builder);
   EXPECT_THAT(found, testing::Contains(
                          testing::Field(&Diagnostic::message, HasSubstr("assumes small strains"))));
 }

@@ -91,7 +91,7 @@ TEST_P(LibraryForces, AreNotLimitedAtTheUpperEndOfTheBands) {
                                           declarations_of(models));
   StimulusBuilder builder(models, study);
   for (const Diagnostic& warning :
-       warnings_about_slew(protocol, std::string(GetParam().name), builder)) {
+       warnings_about_slew({protocol, std::string(GetParam().name)}, builder)) {
     ADD_FAILURE() << warning.message;
   }
 }

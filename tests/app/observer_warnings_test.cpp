@@ -36,7 +36,7 @@ Protocol patched(const std::string& name, const char* patch) {
 std::vector<Diagnostic> warned(const Protocol& protocol) {
   const ModelRegistry models = built_in_models();
   StimulusBuilder without_files(models, {});
-  return warnings_about_observer(protocol, "p.json", without_files);
+  return warnings_about_observer({protocol, "p.json"}, without_files);
 }
 
 TEST(ObserverWarnings, AreNoneForTheLibrary) {
@@ -93,10 +93,10 @@ TEST(StimulusWarnings, DoNotNeedAStudyForStimuliWithoutFiles) {
   const ModelRegistry models = built_in_models();
   StimulusBuilder without_files(models, {});
   const Protocol narrow = patched("spacing_jnd", R"({"surface": {"extent_m": [0.04, 0.1]}})");
-  const std::vector<Diagnostic> found = warnings_about_stimuli(narrow, "p.json", without_files);
+  const std::vector<Diagnostic> found = warnings_about_stimuli({narrow, "p.json"}, without_files);
   ASSERT_FALSE(found.empty());
   EXPECT_THAT(found[0].message, HasSubstr("the patches are 17 mm wide"));
-  EXPECT_THAT(warnings_about_stimuli(patched("photo_matching", "{}"), "p.json", without_files),
+  EXPECT_THAT(warnings_about_stimuli({patched("photo_matching", "{}"), "p.json"}, without_files),
               IsEmpty());
 }
 

@@ -68,7 +68,7 @@ class PluginBuilds : public testing::Test {
   std::vector<Diagnostic> warnings(std::optional<SessionMode> mode = {},
                                    const std::string& version_of_plugin = "1") {
     const ModelRegistry models = models_with_plugin(kLoaded, version_of_plugin);
-    return warnings_about_plugins(read_small_protocol(models, small_protocol()), "small.json",
+    return warnings_about_plugins({read_small_protocol(models, small_protocol()), "small.json"},
                                   made_.study(), models, mode);
   }
 

@@ -105,7 +105,7 @@ TEST_F(PointsOnBodies, WhoseBodyLiesNowhereUnderTheHandAreRefusedBeforeASession)
   save_stone(study_, 0.004);
   StimulusBuilder builder(models_, study_);
   const std::vector<Diagnostic> found =
-      rehearse(load_protocol(protocol_, models_, study_), protocol_.string(), builder);
+      rehearse({load_protocol(protocol_, models_, study_), protocol_.string()}, builder);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].pointer, "/bodies/stone");
   EXPECT_THAT(found[0].message,
@@ -120,7 +120,7 @@ TEST_F(PointsOnBodies, AreExaminedNoFurtherWhereTheHandWouldMissThem) {
                       R"("speed_m_per_s": {"target": 0.04}, "normal_force_N": {"target": 2})");
   const auto examined = [this] {
     StimulusBuilder builder(models_, study_);
-    return examine_stimuli(load_protocol(protocol_, models_, study_), protocol_.string(), study_,
+    return examine_stimuli({load_protocol(protocol_, models_, study_), protocol_.string()}, study_,
                            builder);
   };
   const auto says = Contains(Field(&Diagnostic::message, HasSubstr("exerts at most 1.50 N")));

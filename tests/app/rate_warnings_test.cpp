@@ -38,8 +38,8 @@ std::string protocol_of_model(std::string_view model, const std::string& rate_Hz
 
 std::vector<Diagnostic> warnings(std::string_view model, const std::string& rate_Hz) {
   const ModelRegistry models = built_in_models();
-  return warnings_about_rate(read_small_protocol(models, protocol_of_model(model, rate_Hz)),
-                             "p.json", models);
+  return warnings_about_rate(
+      {read_small_protocol(models, protocol_of_model(model, rate_Hz)), "p.json"}, models);
 }
 
 // The page of the model: 1 kHz, on a plane and on a body.

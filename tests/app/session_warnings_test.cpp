@@ -24,7 +24,7 @@ TEST(SessionWarnings, AreNoneWithoutAStudyAndStateThatOneCannotBeRead) {
   const ModelRegistry models = built_in_models();
   const Protocol protocol = read_small_protocol(models, small_protocol());
   const auto warnings = [&] {
-    return warnings_about_sessions(protocol, "small.json", folder.path(), models);
+    return warnings_about_sessions({protocol, "small.json"}, folder.path(), models);
   };
   EXPECT_THAT(warnings(), IsEmpty());
   write_file(folder / "study.sqlite",

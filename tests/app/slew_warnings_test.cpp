@@ -30,7 +30,7 @@ TEST(SlewWarnings, NameAStimulusThatWouldBeLimited) {
         read_small_protocol(models, small_protocol("", R"(, "normal_force_N": {"target": 1.0})"));
     protocol.material.stiffness_N_per_m = stiffness_N_per_m;
     for (auto& each : protocol.explorations) each.second.speed_m_per_s.maximum = speed_m_per_s;
-    return warnings_about_slew(protocol, "p.json", builder, course);
+    return warnings_about_slew({protocol, "p.json"}, builder, course);
   };
   EXPECT_TRUE(warnings(500.0, 0.06).empty());
   const std::vector<Diagnostic> found = warnings(100'000.0, 0.3);
@@ -71,7 +71,7 @@ std::vector<Diagnostic> warnings_of_lateral_force(double gain_N, const std::stri
   replace(R"("texture": "grain"})", R"("texture": "grain")" + stimulus + "}");
   Protocol protocol = read_small_protocol(models, text);
   protocol.stimuli.at("rendered").parameters["gain_N"].value = gain_N;
-  return warnings_about_slew(protocol, "p.json", builder);
+  return warnings_about_slew({protocol, "p.json"}, builder);
 }
 
 // A lateral force fades in over 0.1 mm, which 50 mm/s pass in two ticks: up to three quarters of it in one. At constant depth and
@@ -94,7 +94,7 @@ TEST(SlewWarnings, LeaveOutWhatCannotBeRendered) {
   const ModelRegistry models = built_in_models();
   StimulusBuilder without_the_texture(models, folder / "elsewhere");
   const Protocol protocol = read_small_protocol(models, small_protocol("", ""));
-  EXPECT_TRUE(warnings_about_slew(protocol, "p.json", without_the_texture).empty());
+  EXPECT_TRUE(warnings_about_slew({protocol, "p.json"}, without_the_texture).empty());
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ class StimulusExaminations : public testing::Test {
   Protocol read(const std::string& text) const { return read_small_protocol(models_, text); }
   StimulusExamination examined(const Protocol& protocol, const std::stop_token& stop = {}) const {
     StimulusBuilder builder(models_, study_);
-    return examine_stimuli(protocol, "small.json", study_, builder, {.stop = stop});
+    return examine_stimuli({protocol, "small.json"}, study_, builder, {.stop = stop});
   }
   /// How many of them say so.
   static std::ptrdiff_t count(const std::vector<Diagnostic>& diagnostics, const std::string& what) {

@@ -11,7 +11,7 @@ StimulusExaminer::StimulusExaminer(std::filesystem::path study, const ModelRegis
     : study_(std::move(study)),
       examine_([&models, folder = study_](const Protocol& protocol, const std::stop_token& stop) {
         StimulusBuilder builder(models, folder);
-        return examine_stimuli(protocol, {}, folder, builder, {.stop = stop});
+        return examine_stimuli({protocol, {}}, folder, builder, {.stop = stop});
       }) {
   connect(&task_, &BackgroundTask::finished, this, &StimulusExaminer::begin_next);
 }

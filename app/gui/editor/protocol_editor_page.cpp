@@ -94,9 +94,7 @@ ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
       [&models = study.models(), folder = study.folder()](const std::string& written) {
         ProtocolCheck check = check_protocol_text(written, {}, models, folder, std::nullopt);
         if (!check.protocol) return check;
-        for (Diagnostic& warning : warnings_about_sessions(*check.protocol, {}, folder, models)) {
-          check.warnings.push_back(std::move(warning));
-        }
+        append(check.warnings, warnings_about_sessions({*check.protocol, {}}, folder, models));
         sort_by_line(check.warnings);
         return check;
       },

@@ -16,6 +16,7 @@
 #include "app/session/rehearsal/warned_levels.h"
 #include "device/drivers.h"
 #include "protocols/design/json_pointer.h"
+#include "protocols/plan/plan.h"
 
 namespace asperity {
 namespace {
@@ -168,7 +169,7 @@ FrictionRehearsal rehearse_friction(const Protocol& protocol, const ModelRegistr
   FrictionRehearsal found{};
   std::map<std::string, double> required_N_s_per_m{};  // by template, where the damping is unknown
   std::set<std::tuple<std::string, std::string, double, double>> seen{};
-  for_each_stimulus(protocol, {}, [&](const ExploredStimulus& one) {
+  for_each_stimulus(protocol, possible_trials(protocol), {}, [&](const ExploredStimulus& one) {
     const std::string& name = one.planned.stimulus.name;
     const auto asked = friction_of(one.planned.stimulus, one.exploration, models);
     if (!asked) return;

@@ -12,6 +12,7 @@
 #include "app/session/explored_stimuli.h"
 #include "app/session/rehearsal/warned_levels.h"
 #include "protocols/design/json_pointer.h"
+#include "protocols/plan/plan.h"
 #include "renderers/force/indentation_law.h"
 #include "renderers/force/path_clock.h"
 #include "renderers/offline/perceived_instability.h"
@@ -87,7 +88,7 @@ std::vector<RehearsalWarning> position_step_warnings(const Protocol& protocol,
                                                      StimulusBuilder& builder, double step_m) {
   std::vector<RehearsalWarning> warnings{};
   std::set<std::pair<std::string, double>> warned{};
-  for_each_stimulus(protocol, {}, [&](const ExploredStimulus& one) {
+  for_each_stimulus(protocol, possible_trials(protocol), {}, [&](const ExploredStimulus& one) {
     const StimulusDescription& stimulus = one.planned.stimulus;
     if (!builder.can_make(stimulus)) return;
     StiffnessAcross across{};
@@ -112,7 +113,7 @@ std::vector<RehearsalWarning> unknown_step_warnings(const Protocol& protocol,
                                                     const ModelRegistry& models) {
   std::vector<RehearsalWarning> warnings{};
   std::set<std::string> seen{};
-  for_each_stimulus(protocol, {}, [&](const ExploredStimulus& one) {
+  for_each_stimulus(protocol, possible_trials(protocol), {}, [&](const ExploredStimulus& one) {
     const StimulusDescription& stimulus = one.planned.stimulus;
     const ForceModel* const model = models.find(stimulus.model);
     if (model == nullptr || stimulus.parameters.contains(kDeviceStep)) return;

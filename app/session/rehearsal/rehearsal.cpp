@@ -15,6 +15,7 @@
 #include "app/session/rehearsal/position_step_rehearsal.h"
 #include "app/session/rehearsal/stimulus_rehearsal.h"
 #include "app/session/rehearsal/warned_levels.h"
+#include "protocols/plan/plan.h"
 
 namespace asperity {
 namespace {
@@ -59,15 +60,17 @@ std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
   }
   StimulusRehearsal rehearsal(protocol, profile, builder);
   std::map<std::size_t, std::vector<RehearsalWarning>> found_of{};  // in the order of the trials
-  for_each_stimulus_near_limit(protocol, course, [&](const ExploredStimulus& one) {
-    const std::optional<WarnedLevel> level = level_of(protocol, one.trial, one.planned);
-    std::vector<RehearsalWarning>& found = found_of[one.index];
-    found = rehearsal.compare(one.planned, one.exploration);
-    for (RehearsalWarning& warning : found) {
-      if (!warning.stimulus.empty()) warning.level = level;
-    }
-    return varies_amplitude(level, one.planned, builder) ? Nearness::near : rehearsal.nearness();
-  });
+  for_each_stimulus_near_limit(
+      protocol, possible_trials(protocol), course, [&](const ExploredStimulus& one) {
+        const std::optional<WarnedLevel> level = level_of(protocol, one.trial, one.planned);
+        std::vector<RehearsalWarning>& found = found_of[one.index];
+        found = rehearsal.compare(one.planned, one.exploration);
+        for (RehearsalWarning& warning : found) {
+          if (!warning.stimulus.empty()) warning.level = level;
+        }
+        return varies_amplitude(level, one.planned, builder) ? Nearness::near
+                                                             : rehearsal.nearness();
+      });
   std::vector<RehearsalWarning> of_stimuli{};
   for (auto& [index, found] : found_of) add(std::move(found), of_stimuli);
   add(one_for_alike(std::move(of_stimuli), protocol), warnings);

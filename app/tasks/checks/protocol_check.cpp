@@ -57,10 +57,8 @@ std::optional<SessionCheck> protocol_warnings_check(const CheckInputs& inputs,
   // Without the study, whose files the session has read already.
   std::vector<Diagnostic> warnings =
       check_protocol_text(protocol.source, file, models, std::nullopt, std::nullopt).warnings;
-  for (Diagnostic& warning : warnings_about_sessions(
-           protocol, file, Study::open(inputs.study, Access::read_only), models)) {
-    warnings.push_back(std::move(warning));
-  }
+  append(warnings, warnings_about_sessions({protocol, file},
+                                           Study::open(inputs.study, Access::read_only), models));
   return check_of(std::move(warnings));
 }
 

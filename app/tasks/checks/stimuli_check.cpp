@@ -71,7 +71,7 @@ SessionCheck stimuli_check(const CheckInputs& inputs, const Protocol& protocol,
       return check;
     }
   }
-  const std::vector<OtherBuild> builds = other_builds(protocol, study, models, inputs.mode);
+  const std::vector<OtherBuild> builds = other_builds({protocol, {}}, study, models, inputs.mode);
   if (!builds.empty()) {
     check.state = State::look;
     check.text = builds.front().text().as_sentence();

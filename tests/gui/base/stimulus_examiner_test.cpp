@@ -71,7 +71,7 @@ TEST_F(Examiner, FindsWhatCheckFinds) {
   });
   ASSERT_TRUE(eventually([&] { return found != nullptr; }));
   StimulusBuilder builder(models_, study_);
-  const StimulusExamination expected = examine_stimuli(*strong, {}, study_, builder);
+  const StimulusExamination expected = examine_stimuli({*strong, {}}, study_, builder);
   ASSERT_FALSE(expected.warnings.empty());
   ASSERT_EQ(found->warnings.size(), expected.warnings.size());
   for (std::size_t i = 0; i < expected.warnings.size(); ++i) {
