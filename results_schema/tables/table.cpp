@@ -71,12 +71,7 @@ std::string tsv_of(const Table& table, std::size_t* replaced) {
 }
 
 Table read_tsv(std::string_view text, const std::string& file_name) {
-  if (text.substr(0, kTableByteOrderMark.size()) == kTableByteOrderMark) {
-    text.remove_prefix(kTableByteOrderMark.size());
-  }
-  if (has_only_carriage_returns(text)) {
-    throw ResultsError(file_name + kOnlyCarriageReturns, file_name);
-  }
+  text = text_of_table(text, file_name);
   if (text.empty())
     throw ResultsError(
         file_name + ":1:1: the header line is missing; add a line with the names of the columns",

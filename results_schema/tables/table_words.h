@@ -2,7 +2,10 @@
 
 #pragma once
 
+#include <string>
 #include <string_view>
+
+#include "results_schema/study.h"
 
 namespace asperity {
 
@@ -11,13 +14,17 @@ inline constexpr std::string_view kMissingCell = "n/a";
 /// How some programs begin a file in UTF-8. The store uses no other folder, and states it itself.
 inline constexpr std::string_view kTableByteOrderMark = "\xEF\xBB\xBF";
 
-/// Whether the lines of a table end as those of old programs, which readers of tables refuse.
-inline bool has_only_carriage_returns(std::string_view text) {
-  return text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos;
+/// The text of a table behind its byte order mark. Errors: ResultsError where lines end as those of old programs.
+inline std::string_view text_of_table(std::string_view text, const std::string& file_name) {
+  if (text.starts_with(kTableByteOrderMark)) text.remove_prefix(kTableByteOrderMark.size());
+  if (text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos) {
+    throw ResultsError(file_name +
+                           ":1:1: the lines end with carriage returns alone; save the "
+                           "table with line feeds (LF or CRLF)",
+                       file_name);
+  }
+  return text;
 }
-/// The refusal, behind the name of the file.
-inline constexpr const char* kOnlyCarriageReturns =
-    ":1:1: the lines end with carriage returns alone; save the table with line feeds (LF or CRLF)";
 
 /// A character that a reader does not see, or sees as a space, and its name.
 struct UnseenCharacter {

@@ -195,9 +195,7 @@ TidyTable::TidyTable(std::string whole, std::string name)
   if (text.substr(0, 2) == "\xFF\xFE" || text.substr(0, 2) == "\xFE\xFF") {
     throw ResultsError(name_ + ":1:1: the file is UTF-16; save it as UTF-8", name_);
   }
-  if (text.substr(0, kTableByteOrderMark.size()) == kTableByteOrderMark) {
-    text.remove_prefix(kTableByteOrderMark.size());
-  }
+  text = text_of_table(text, name_);
   if (const std::size_t end = utf8_ends_at(text); end < text.size()) {
     const auto line =
         1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
@@ -205,7 +203,6 @@ TidyTable::TidyTable(std::string whole, std::string name)
                            ": a character of this line is not UTF-8; save the table as UTF-8",
                        name_);
   }
-  if (has_only_carriage_returns(text)) throw ResultsError(name_ + kOnlyCarriageReturns, name_);
   // Spreadsheets write this line for themselves: it states the separator, which the header shows as well.
   std::uint32_t header = 1;
   if (text.starts_with("sep=") && text.find_first_of("\r\n") == 5) {
