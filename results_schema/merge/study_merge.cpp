@@ -241,7 +241,7 @@ MergedCounts Study::merge(std::span<const MergeSource> sources, const std::files
     }
     FilesOfSources(opened).transfer_to(part->content());
   };
-  try {
+  name_target_in_errors(part, [&] {
     read_all_at_one_moment(studies, studies.begin(), fill);
     if (!has_seal(part->content())) seal_new(part->content());
     if (!was_there) {
@@ -250,10 +250,7 @@ MergedCounts Study::merge(std::span<const MergeSource> sources, const std::files
       refuse_taken(folder, kOther);
     }
     counts.was_there = was_there;
-  } catch (const ResultsError& error) {
-    if (!part) throw;
-    throw part->about_target(error);
-  }
+  });
   return counts;
 }
 
