@@ -336,18 +336,6 @@ Parameter law_parameter() {
   return parameter;
 }
 
-Parameter number(const char* name, const char* unit, double minimum, double maximum,
-                 double default_value, const char* meaning) {
-  return {.name = name,
-          .kind = ParameterKind::number,
-          .unit = unit,
-          .minimum = minimum,
-          .maximum = maximum,
-          .choices = {},
-          .default_value = default_value,
-          .meaning = meaning};
-}
-
 }  // namespace
 
 std::span<const FrictionLaw> friction_laws() noexcept { return kLaws; }
@@ -388,34 +376,38 @@ double greatest_friction_slope_N_s_per_m(const FrictionSettings& settings,
 }
 
 Parameter friction_speed_parameter() {
-  return number(kSpeed, "m/s", 1e-4, 0.1, 0.010,
-                "Speed v0 below which Coulomb friction decreases to zero at rest: mu N v / "
-                "sqrt(v^2 + v0^2). Law lugre: speed at which 37 % of the difference between static "
-                "and kinetic friction remains");
+  return number_parameter(
+      kSpeed, "m/s", 1e-4, 0.1, 0.010,
+      "Speed v0 below which Coulomb friction decreases to zero at rest: mu N v / "
+      "sqrt(v^2 + v0^2). Law lugre: speed at which 37 % of the difference between static "
+      "and kinetic friction remains");
 }
 
 void add_friction_parameters(std::vector<Parameter>& parameters) {
   const FrictionSettings defaults{};
   parameters.push_back(friction_speed_parameter());
   parameters.push_back(law_parameter());
-  parameters.push_back(number(kStiffness, "N/m", 10.0, 5000.0, defaults.stiffness_N_per_m,
-                              "Laws proxy, elastoplastic, dahl and lugre: stiffness of the contact "
-                              "along the surface before it slides"));
-  parameters.push_back(number(kSmoothing, "s", 0.0, 0.02, defaults.smoothing_s,
-                              "Laws proxy, elastoplastic, dahl and lugre: time constant of each of "
-                              "the two low-pass filters that smooth the position steps of the "
-                              "device; law elastoplastic: the normal force is smoothed by a fifth "
-                              "of it; 0: no filter"));
-  parameters.push_back(number(kStaticRatio, "1", 1.0, 5.0, defaults.static_ratio,
-                              "Laws proxy and lugre: ratio of static to kinetic friction; the "
-                              "friction of the material is the kinetic friction"));
   parameters.push_back(
-      number(kDamping, "N s/m", 0.0, 20.0, defaults.damping_N_s_per_m,
-             "Law proxy: damping along the surface while the contact sticks; law lugre: "
-             "damping of the adhesion"));
-  parameters.push_back(number(kMass, "kg", 0.001, 1.0, defaults.mass_kg,
-                              "Law bounded: moving mass of device and hand"));
-  parameters.push_back(number(
+      number_parameter(kStiffness, "N/m", 10.0, 5000.0, defaults.stiffness_N_per_m,
+                       "Laws proxy, elastoplastic, dahl and lugre: stiffness of the contact "
+                       "along the surface before it slides"));
+  parameters.push_back(
+      number_parameter(kSmoothing, "s", 0.0, 0.02, defaults.smoothing_s,
+                       "Laws proxy, elastoplastic, dahl and lugre: time constant of each of "
+                       "the two low-pass filters that smooth the position steps of the "
+                       "device; law elastoplastic: the normal force is smoothed by a fifth "
+                       "of it; 0: no filter"));
+  parameters.push_back(
+      number_parameter(kStaticRatio, "1", 1.0, 5.0, defaults.static_ratio,
+                       "Laws proxy and lugre: ratio of static to kinetic friction; the "
+                       "friction of the material is the kinetic friction"));
+  parameters.push_back(
+      number_parameter(kDamping, "N s/m", 0.0, 20.0, defaults.damping_N_s_per_m,
+                       "Law proxy: damping along the surface while the contact sticks; law lugre: "
+                       "damping of the adhesion"));
+  parameters.push_back(number_parameter(kMass, "kg", 0.001, 1.0, defaults.mass_kg,
+                                        "Law bounded: moving mass of device and hand"));
+  parameters.push_back(number_parameter(
       kDelay, "s", 0.0, 0.05, defaults.delay_s,
       "Law bounded: delay of the velocity, the sum of the latency and the lag of the estimate"));
 }

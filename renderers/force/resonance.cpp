@@ -104,24 +104,13 @@ class ResonantSurface final : public ForceRenderer {
 
 void add_resonance_parameters(std::vector<Parameter>& parameters) {
   parameters.push_back(
-      {.name = kRatio,
-       .kind = ParameterKind::number,
-       .unit = "1",
-       .minimum = 0.0,
-       .maximum = 10.0,
-       .choices = {},
-       .default_value = 0.0,
-       .meaning = "Stochastic resonance: standard deviation of the added noise relative to "
-                  "resonance_threshold_N; 0: no noise"});
-  parameters.push_back({.name = kThreshold,
-                        .kind = ParameterKind::number,
-                        .unit = "N",
-                        .minimum = 0.0,
-                        .maximum = 1.0,
-                        .choices = {},
-                        .default_value = 0.0,
-                        .meaning = "Stochastic resonance: the participant's measured detection "
-                                   "threshold as a force"});
+      number_parameter(kRatio, "1", 0.0, 10.0, 0.0,
+                       "Stochastic resonance: standard deviation of the added noise relative to "
+                       "resonance_threshold_N; 0: no noise"));
+  parameters.push_back(
+      number_parameter(kThreshold, "N", 0.0, 1.0, 0.0,
+                       "Stochastic resonance: the participant's measured detection "
+                       "threshold as a force"));
 }
 
 double resonance_sd_N(const ParameterValues& parameters) noexcept {

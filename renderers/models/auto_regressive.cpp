@@ -109,22 +109,10 @@ class AutoRegressive final : public ForceRenderer {
 
 std::vector<Parameter> parameters_of_friction() {
   std::vector<Parameter> parameters{
-      {.name = "friction_sd",
-       .kind = ParameterKind::number,
-       .unit = "1",
-       .minimum = 0.0,
-       .maximum = kLargestSd,
-       .choices = {},
-       .default_value = 0.06,
-       .meaning = "Standard deviation of the coefficient of friction along the path"},
-      {.name = "noise_length_m",
-       .kind = ParameterKind::number,
-       .unit = "m",
-       .minimum = kShortestStep_m,
-       .maximum = kLongestStep_m,
-       .choices = {},
-       .default_value = kStep_m,
-       .meaning = "Length of path between the values of the process"}};
+      number_parameter("friction_sd", "1", 0.0, kLargestSd, 0.06,
+                       "Standard deviation of the coefficient of friction along the path"),
+      number_parameter("noise_length_m", "m", kShortestStep_m, kLongestStep_m, kStep_m,
+                       "Length of path between the values of the process")};
   for (std::size_t i = 0; i < kCoefficients; ++i) {
     parameters.push_back({.name = name_of_coefficient(i),
                           .kind = ParameterKind::number,

@@ -70,30 +70,16 @@ ForceModel bump_map_model() {
       .replay_tolerance_N = 1e-9,
       .parameters = {}};
   declaration.parameters = {
-      {.name = "height_scale",
-       .kind = ParameterKind::number,
-       .unit = "1",
-       .minimum = 0.0,
-       .maximum = 100.0,
-       .choices = {},
-       .default_value = 1.0,
-       .meaning = "Factor applied to the heights of the field"},
-      {.name = "depth_scale",
-       .kind = ParameterKind::number,
-       .unit = "1",
-       .minimum = 0.0,
-       .maximum = 1.0,
-       .choices = {},
-       .default_value = 1.0,
-       .meaning = "Depth K down to which the force is along the perturbed normal, as a multiple of "
-                  "the height of the texture above its lowest point"},
-      {.name = "face",
-       .kind = ParameterKind::choice,
-       .unit = "1",
-       .choices = {"mean", "crest"},
-       .default_value = std::string("mean"),
-       .meaning = "mean: contact begins at the plane; crest: contact begins above the plane, by "
-                  "the height of the texture from its lowest to its highest point"}};
+      number_parameter("height_scale", "1", 0.0, 100.0, 1.0,
+                       "Factor applied to the heights of the field"),
+      number_parameter(
+          "depth_scale", "1", 0.0, 1.0, 1.0,
+          "Depth K down to which the force is along the perturbed normal, as a multiple of "
+          "the height of the texture above its lowest point"),
+      choice_parameter(
+          "face", {"mean", "crest"},
+          "mean: contact begins at the plane; crest: contact begins above the plane, by "
+          "the height of the texture from its lowest to its highest point")};
   add_layer_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {

@@ -241,37 +241,18 @@ class DataDriven final : public ForceRenderer {
 
 std::vector<Parameter> parameters_of_vibration() {
   std::vector<Parameter> parameters{
-      {.name = "gain",
-       .kind = ParameterKind::number,
-       .unit = "1",
-       .minimum = 0.0,
-       .maximum = 1000.0,
-       .choices = {},
-       .default_value = 1.0,
-       .meaning = "Factor on the force of the vibration"},
-      {.name = "effective_mass_kg",
-       .kind = ParameterKind::number,
-       .unit = "kg",
-       .minimum = 0.001,
-       .maximum = 10.0,
-       .choices = {},
-       .default_value = kEffectiveMass_kg,
-       .meaning = "Mass of handle and hand that the vibration accelerates; the force is this mass "
-                  "times the acceleration of the models"},
-      {.name = "axis",
-       .kind = ParameterKind::choice,
-       .unit = "1",
-       .choices = {"motion", "binormal", "normal"},
-       .default_value = std::string("motion"),
-       .meaning = "Direction of the vibration: along the motion, along the surface across the "
-                  "motion (binormal, as in the source), or along the normal"},
-      {.name = "variance",
-       .kind = ParameterKind::choice,
-       .unit = "1",
-       .choices = {"logarithmic", "linear"},
-       .default_value = std::string("logarithmic"),
-       .meaning = "Whether the logarithm of the variance is interpolated between models, or the "
-                  "variance, as in the toolkit, whose sets have silent models"},
+      number_parameter("gain", "1", 0.0, 1000.0, 1.0, "Factor on the force of the vibration"),
+      number_parameter(
+          "effective_mass_kg", "kg", 0.001, 10.0, kEffectiveMass_kg,
+          "Mass of handle and hand that the vibration accelerates; the force is this mass "
+          "times the acceleration of the models"),
+      choice_parameter("axis", {"motion", "binormal", "normal"},
+                       "Direction of the vibration: along the motion, along the surface across the "
+                       "motion (binormal, as in the source), or along the normal"),
+      choice_parameter(
+          "variance", {"logarithmic", "linear"},
+          "Whether the logarithm of the variance is interpolated between models, or the "
+          "variance, as in the toolkit, whose sets have silent models"),
       device_step_parameter()};
   add_layer_parameters(parameters);
   return parameters;

@@ -162,14 +162,8 @@ ForceModel elastic_halfspace_model() {
   add_tip_parameters(declaration.parameters);
   const auto number = [&declaration](const char* name, const char* unit, double minimum,
                                      double maximum, double default_value, const char* meaning) {
-    declaration.parameters.push_back({.name = name,
-                                      .kind = ParameterKind::number,
-                                      .unit = unit,
-                                      .minimum = minimum,
-                                      .maximum = maximum,
-                                      .choices = {},
-                                      .default_value = default_value,
-                                      .meaning = meaning});
+    declaration.parameters.push_back(
+        number_parameter(name, unit, minimum, maximum, default_value, meaning));
   };
   number("youngs_modulus_Pa", "Pa", 1e3, 1e8, 1e5,
          "Young's modulus of the relaxed body: 0.1 MPa is a soft silicone rubber");

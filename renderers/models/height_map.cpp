@@ -104,53 +104,22 @@ ForceModel height_map_model() {
       .replay_tolerance_N = 1e-9,
       .parameters = {}};
   declaration.parameters = {
-      {.name = "law",
-       .kind = ParameterKind::choice,
-       .unit = "1",
-       .choices = {"corrected", "literal"},
-       .default_value = std::string("corrected"),
-       .meaning = "corrected: the height enters the penetration; literal: equations 1 to 3 of the "
-                  "source as printed"},
-      {.name = "height_scale",
-       .kind = ParameterKind::number,
-       .unit = "1",
-       .minimum = 0.0,
-       .maximum = 100.0,
-       .choices = {},
-       .default_value = 1.0,
-       .meaning = "Factor applied to the heights of the field"},
-      {.name = "depth_limit_m",
-       .kind = ParameterKind::number,
-       .unit = "m",
-       .minimum = 1e-5,
-       .maximum = 0.05,
-       .choices = {},
-       .default_value = 0.003,
-       .meaning = "Depth H beyond which the normal force is constant"},
-      {.name = "lateral_gradient_gain",
-       .kind = ParameterKind::number,
-       .unit = "1",
-       .minimum = 0.0,
-       .maximum = 10.0,
-       .choices = {},
-       .default_value = 0.0,
-       .meaning = "Force along the surface, -gain times normal force times slope; 1 makes the "
-                  "force conservative; corrected law only"},
-      {.name = "offset",
-       .kind = ParameterKind::choice,
-       .unit = "1",
-       .choices = {"none", "subtract_min"},
-       .default_value = std::string("none"),
-       .meaning = "Literal law only. none: equation 1, which attracts the probe over valleys; "
-                  "subtract_min: heights relative to the lowest sample"},
-      {.name = "k1_N_per_m",
-       .kind = ParameterKind::number,
-       .unit = "N/m",
-       .minimum = 0.0,
-       .maximum = 5000.0,
-       .choices = {},
-       .default_value = 500.0,
-       .meaning = "Literal law only: k1 of equation 2, the stiffness of the plate"}};
+      choice_parameter(
+          "law", {"corrected", "literal"},
+          "corrected: the height enters the penetration; literal: equations 1 to 3 of the "
+          "source as printed"),
+      number_parameter("height_scale", "1", 0.0, 100.0, 1.0,
+                       "Factor applied to the heights of the field"),
+      number_parameter("depth_limit_m", "m", 1e-5, 0.05, 0.003,
+                       "Depth H beyond which the normal force is constant"),
+      number_parameter("lateral_gradient_gain", "1", 0.0, 10.0, 0.0,
+                       "Force along the surface, -gain times normal force times slope; 1 makes the "
+                       "force conservative; corrected law only"),
+      choice_parameter("offset", {"none", "subtract_min"},
+                       "Literal law only. none: equation 1, which attracts the probe over valleys; "
+                       "subtract_min: heights relative to the lowest sample"),
+      number_parameter("k1_N_per_m", "N/m", 0.0, 5000.0, 500.0,
+                       "Literal law only: k1 of equation 2, the stiffness of the plate")};
   add_layer_parameters(declaration.parameters);
   const auto make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
     if (choice_of(inputs.parameters, "law") == "literal") {

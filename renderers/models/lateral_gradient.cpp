@@ -59,23 +59,14 @@ ForceModel lateral_gradient_model() {
       .amplitude_parameter = "gain_N",
       .replay_tolerance_N = 1e-9,
       .parameters = {}};
-  declaration.parameters = {{.name = "gain_N",
-                             .kind = ParameterKind::number,
-                             .unit = "N",
-                             .minimum = 0.0,
-                             .maximum = 50.0,
-                             .choices = {},
-                             .default_value = 1.0,
-                             .meaning = "Force K along the surface at a slope of 1; with the law "
-                                        "force, at a normal force of 1 N"},
-                            {.name = "law",
-                             .kind = ParameterKind::choice,
-                             .unit = "1",
-                             .choices = {"constant", "force"},
-                             .default_value = std::string("constant"),
-                             .meaning = "constant: the force along the surface does not depend on "
-                                        "how hard the hand presses, as in the source; force: it is "
-                                        "proportional to the normal force"}};
+  declaration.parameters = {
+      number_parameter("gain_N", "N", 0.0, 50.0, 1.0,
+                       "Force K along the surface at a slope of 1; with the law "
+                       "force, at a normal force of 1 N"),
+      choice_parameter("law", {"constant", "force"},
+                       "constant: the force along the surface does not depend on "
+                       "how hard the hand presses, as in the source; force: it is "
+                       "proportional to the normal force")};
   add_layer_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {

@@ -155,21 +155,12 @@ ForceModel normal_map_model() {
       .replay_tolerance_N = 1e-9,
       .parameters = {}};
   declaration.parameters = {
-      {.name = "law",
-       .kind = ParameterKind::choice,
-       .unit = "1",
-       .choices = {"grey_level", "physical"},
-       .default_value = std::string("grey_level"),
-       .meaning = "grey_level: slope 0.01 for each of 255 grey levels between neighbouring texels, "
-                  "as in the source; physical: the slope of the heights in metres"},
-      {.name = "height_scale",
-       .kind = ParameterKind::number,
-       .unit = "1",
-       .minimum = 0.0,
-       .maximum = 100.0,
-       .choices = {},
-       .default_value = 1.0,
-       .meaning = "Factor applied to the slopes of the map"},
+      choice_parameter(
+          "law", {"grey_level", "physical"},
+          "grey_level: slope 0.01 for each of 255 grey levels between neighbouring texels, "
+          "as in the source; physical: the slope of the heights in metres"),
+      number_parameter("height_scale", "1", 0.0, 100.0, 1.0,
+                       "Factor applied to the slopes of the map"),
       {.name = "bits",
        .kind = ParameterKind::integer,
        .unit = "1",

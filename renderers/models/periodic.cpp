@@ -168,64 +168,32 @@ TextureBand band_of_waves(const RendererInputs& inputs) {
 }
 
 std::vector<Parameter> parameters_of_waves() {
-  std::vector<Parameter> parameters{{.name = "height_scale",
-                                     .kind = ParameterKind::number,
-                                     .unit = "1",
-                                     .minimum = 0.0,
-                                     .maximum = 100.0,
-                                     .choices = {},
-                                     .default_value = 1.0,
-                                     .meaning = "Factor applied to all waves"}};
+  std::vector<Parameter> parameters{
+      number_parameter("height_scale", "1", 0.0, 100.0, 1.0, "Factor applied to all waves")};
   for (const char* const name : {"period_x_m", "period_y_m"}) {
-    parameters.push_back({.name = name,
-                          .kind = ParameterKind::number,
-                          .unit = "m",
-                          .minimum = 1e-5,
-                          .maximum = 0.1,
-                          .choices = {},
-                          .default_value = 0.002,
-                          .meaning = "Length along this axis after which the relief repeats"});
+    parameters.push_back(number_parameter(name, "m", 1e-5, 0.1, 0.002,
+                                          "Length along this axis after which the relief repeats"));
   }
   for (int wave = 1; wave <= kWaves; ++wave) {
     const std::string which = " of wave " + std::to_string(wave);
-    parameters.push_back({.name = name_of("waves_x_", wave),
-                          .kind = ParameterKind::integer,
-                          .unit = "1",
-                          .minimum = 0.0,
-                          .maximum = 8.0,
-                          .choices = {},
-                          .default_value = static_cast<double>(wave),
-                          .meaning = "Periods" + which + " in period_x_m"});
-    parameters.push_back(
-        {.name = name_of("waves_y_", wave),
-         .kind = ParameterKind::integer,
-         .unit = "1",
-         .minimum = -8.0,
-         .maximum = 8.0,
-         .choices = {},
-         .default_value = 0.0,
-         .meaning = "Periods" + which +
-                    " in period_y_m; a negative number mirrors the direction of the crests"});
+    parameters.push_back(integer_parameter(name_of("waves_x_", wave), 0.0, 8.0,
+                                           static_cast<double>(wave),
+                                           "Periods" + which + " in period_x_m"));
+    parameters.push_back(integer_parameter(
+        name_of("waves_y_", wave), -8.0, 8.0, 0.0,
+        "Periods" + which +
+            " in period_y_m; a negative number mirrors the direction of the crests"));
     for (const bool is_cosine : {true, false}) {
       parameters.push_back(
-          {.name = name_of(is_cosine ? "cosine_amplitude_" : "sine_amplitude_", wave, "_m"),
-           .kind = ParameterKind::number,
-           .unit = "m",
-           .minimum = -0.005,
-           .maximum = 0.005,
-           .choices = {},
-           .default_value = wave == 1 && !is_cosine ? 1e-4 : 0.0,
-           .meaning = std::string(is_cosine ? "Cosine" : "Sine") + " amplitude" + which});
+          number_parameter(name_of(is_cosine ? "cosine_amplitude_" : "sine_amplitude_", wave, "_m"),
+                           "m", -0.005, 0.005, wave == 1 && !is_cosine ? 1e-4 : 0.0,
+                           std::string(is_cosine ? "Cosine" : "Sine") + " amplitude" + which));
     }
   }
-  parameters.push_back(
-      {.name = "force_direction",
-       .kind = ParameterKind::choice,
-       .unit = "1",
-       .choices = {"fixed", "local_normal", "gradient"},
-       .default_value = std::string("fixed"),
-       .meaning = "fixed: along the normal of the plane; local_normal: along that of the relief; "
-                  "gradient: the negative gradient of the energy of the spring"});
+  parameters.push_back(choice_parameter(
+      "force_direction", {"fixed", "local_normal", "gradient"},
+      "fixed: along the normal of the plane; local_normal: along that of the relief; "
+      "gradient: the negative gradient of the energy of the spring"));
   add_layer_parameters(parameters);
   return parameters;
 }

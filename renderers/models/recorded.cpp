@@ -239,44 +239,21 @@ std::unique_ptr<ForceRenderer> make_recorded(const RendererInputs& inputs) {
 
 std::vector<Parameter> parameters_of_playback() {
   std::vector<Parameter> parameters{
-      {.name = "gain",
-       .kind = ParameterKind::number,
-       .unit = "1",
-       .minimum = 0.0,
-       .maximum = 1000.0,
-       .choices = {},
-       .default_value = 1.0,
-       .meaning = "Factor applied to the recorded force"},
-      {.name = "force_exponent",
-       .kind = ParameterKind::number,
-       .unit = "1",
-       .minimum = 0.0,
-       .maximum = 3.0,
-       .choices = {},
-       .default_value = 1.0,
-       .meaning = "Power of the normal force to which the texture force is proportional; 0: the "
-                  "texture force is independent of the normal force"},
-      {.name = "axis",
-       .kind = ParameterKind::choice,
-       .unit = "1",
-       .choices = {"motion", "normal"},
-       .default_value = std::string("motion"),
-       .meaning = "Direction of the texture force: along the motion, or along the normal"},
-      {.name = "axis_of_spectrum",
-       .kind = ParameterKind::choice,
-       .unit = "1",
-       .choices = {"spatial", "temporal"},
-       .default_value = std::string("spatial"),
-       .meaning =
-           "spatial: waves along the path, whose frequency in hertz is proportional to the speed; "
-           "temporal: frequencies in hertz, interpolated between speeds as in the source"},
-      {.name = "single_speed",
-       .kind = ParameterKind::choice,
-       .unit = "1",
-       .choices = {"refused", "accepted"},
-       .default_value = std::string("refused"),
-       .meaning = "Whether a recording with a single speed is accepted; its spectrum is then used "
-                  "at every speed"},
+      number_parameter("gain", "1", 0.0, 1000.0, 1.0, "Factor applied to the recorded force"),
+      number_parameter(
+          "force_exponent", "1", 0.0, 3.0, 1.0,
+          "Power of the normal force to which the texture force is proportional; 0: the "
+          "texture force is independent of the normal force"),
+      choice_parameter("axis", {"motion", "normal"},
+                       "Direction of the texture force: along the motion, or along the normal"),
+      choice_parameter(
+          "axis_of_spectrum", {"spatial", "temporal"},
+          "spatial: waves along the path, whose frequency in hertz is proportional to the speed; "
+          "temporal: frequencies in hertz, interpolated between speeds as in the source"),
+      choice_parameter(
+          "single_speed", {"refused", "accepted"},
+          "Whether a recording with a single speed is accepted; its spectrum is then used "
+          "at every speed"),
       device_step_parameter()};
   add_layer_parameters(parameters);
   return parameters;

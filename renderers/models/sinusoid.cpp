@@ -74,38 +74,15 @@ ForceModel sinusoid_model() {
       .replay_tolerance_N = 1e-9,
       .parameters = {}};
   declaration.parameters = {
-      {.name = "amplitude_m",
-       .kind = ParameterKind::number,
-       .unit = "m",
-       .minimum = 0.0,
-       .maximum = 0.005,
-       .choices = {},
-       .default_value = 0.0001,
-       .meaning = "Amplitude A: half the height from trough to crest"},
-      {.name = "wavelength_m",
-       .kind = ParameterKind::number,
-       .unit = "m",
-       .minimum = 1e-5,
-       .maximum = 0.1,
-       .choices = {},
-       .default_value = 0.002,
-       .meaning = "Wavelength L"},
-      {.name = "direction_rad",
-       .kind = ParameterKind::number,
-       .unit = "rad",
-       .minimum = -std::numbers::pi,
-       .maximum = std::numbers::pi,
-       .choices = {},
-       .default_value = 0.0,
-       .meaning = "Direction in which the height varies, from +x towards +y"},
-      {.name = "force_direction",
-       .kind = ParameterKind::choice,
-       .unit = "1",
-       .choices = {"fixed", "local_normal", "gradient"},
-       .default_value = std::string("fixed"),
-       .meaning =
-           "fixed: along the normal of the plane, as in the source; local_normal: along that of "
-           "the grating; gradient: the negative gradient of the energy of the spring"}};
+      number_parameter("amplitude_m", "m", 0.0, 0.005, 0.0001,
+                       "Amplitude A: half the height from trough to crest"),
+      number_parameter("wavelength_m", "m", 1e-5, 0.1, 0.002, "Wavelength L"),
+      number_parameter("direction_rad", "rad", -std::numbers::pi, std::numbers::pi, 0.0,
+                       "Direction in which the height varies, from +x towards +y"),
+      choice_parameter(
+          "force_direction", {"fixed", "local_normal", "gradient"},
+          "fixed: along the normal of the plane, as in the source; local_normal: along that of "
+          "the grating; gradient: the negative gradient of the energy of the spring")};
   add_layer_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {

@@ -129,51 +129,23 @@ ForceModel solid_noise_model() {
                                .replay_tolerance_N = 1e-9,
                                .parameters = {}};
   declaration.parameters = {
-      {.name = "amplitude_m",
-       .kind = ParameterKind::number,
-       .unit = "m",
-       .minimum = 0.0,
-       .maximum = 0.005,
-       .choices = {},
-       .default_value = 50e-6,
-       .meaning =
-           "Amplitude of the first octave; the RMS of one octave is 0.27 times its amplitude"},
-      {.name = "wavelength_m",
-       .kind = ParameterKind::number,
-       .unit = "m",
-       .minimum = 1e-4,
-       .maximum = 0.1,
-       .choices = {},
-       .default_value = 0.001,
-       .meaning =
-           "Cell size of the lattice of the first octave, approximately the longest wavelength"},
-      {.name = "octaves",
-       .kind = ParameterKind::integer,
-       .unit = "1",
-       .minimum = 1.0,
-       .maximum = static_cast<double>(kMostOctaves),
-       .choices = {},
-       .default_value = kDefaultOctaves,
-       .meaning = "Number of octaves, each with half the wavelength and half the amplitude of the "
-                  "previous one"},
-      {.name = "relief",
-       .kind = ParameterKind::integer,
-       .unit = "1",
-       .minimum = 0.0,
-       .maximum = 1e6,
-       .choices = {},
-       .default_value = 0.0,
-       .meaning = "Number of the relief, which is the same in every presentation; 0: a different "
-                  "relief in every presentation"},
-      {.name = "lateral_gradient_gain",
-       .kind = ParameterKind::number,
-       .unit = "1",
-       .minimum = 0.0,
-       .maximum = 10.0,
-       .choices = {},
-       .default_value = 0.0,
-       .meaning = "Force along the surface, -gain times normal force times slope; 1 makes the "
-                  "force conservative"}};
+      number_parameter(
+          "amplitude_m", "m", 0.0, 0.005, 50e-6,
+          "Amplitude of the first octave; the RMS of one octave is 0.27 times its amplitude"),
+      number_parameter(
+          "wavelength_m", "m", 1e-4, 0.1, 0.001,
+          "Cell size of the lattice of the first octave, approximately the longest wavelength"),
+      integer_parameter(
+          "octaves", 1.0, static_cast<double>(kMostOctaves), kDefaultOctaves,
+          "Number of octaves, each with half the wavelength and half the amplitude of the "
+          "previous one"),
+      integer_parameter(
+          "relief", 0.0, 1e6, 0.0,
+          "Number of the relief, which is the same in every presentation; 0: a different "
+          "relief in every presentation"),
+      number_parameter("lateral_gradient_gain", "1", 0.0, 10.0, 0.0,
+                       "Force along the surface, -gain times normal force times slope; 1 makes the "
+                       "force conservative")};
   add_layer_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {

@@ -95,15 +95,9 @@ ForceModel winkler_model() {
                                .parameters = {}};
   add_tip_parameters(declaration.parameters);
   declaration.parameters.push_back(
-      {.name = "foundation_N_per_m3",
-       .kind = ParameterKind::number,
-       .unit = "N/m3",
-       .minimum = 1e4,
-       .maximum = 1e11,
-       .choices = {},
-       .default_value = 3e7,
-       .meaning = "Pressure per depth; the default is as stiff under a flat end of 3 mm as "
-                  "elastic_halfspace with its defaults"});
+      number_parameter("foundation_N_per_m3", "N/m3", 1e4, 1e11, 3e7,
+                       "Pressure per depth; the default is as stiff under a flat end of 3 mm as "
+                       "elastic_halfspace with its defaults"));
   add_layer_parameters(declaration.parameters);
   return {.declaration = std::move(declaration),
           .make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {

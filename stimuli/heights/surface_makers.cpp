@@ -16,14 +16,8 @@ Parameter length_parameter(std::string_view name, double minimum_m, double maxim
 
 Parameter plain_parameter(std::string_view name, double minimum, double maximum,
                           double default_value, std::string_view meaning) {
-  return {.name = std::string(name),
-          .kind = ParameterKind::number,
-          .unit = "1",
-          .minimum = minimum,
-          .maximum = maximum,
-          .choices = {},
-          .default_value = default_value,
-          .meaning = std::string(meaning)};
+  return number_parameter(std::string(name), "1", minimum, maximum, default_value,
+                          std::string(meaning));
 }
 
 double pitch_of(const SurfaceCanvas& canvas) noexcept {

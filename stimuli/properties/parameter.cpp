@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "analysis/number_text.h"
 
@@ -42,6 +43,34 @@ std::optional<std::string> complaint_about_choice(const Parameter& parameter,
 }
 
 }  // namespace
+
+Parameter number_parameter(std::string name, std::string unit, double minimum, double maximum,
+                           double default_value, std::string meaning) {
+  return {.name = std::move(name),
+          .unit = std::move(unit),
+          .minimum = minimum,
+          .maximum = maximum,
+          .default_value = default_value,
+          .meaning = std::move(meaning)};
+}
+
+Parameter integer_parameter(std::string name, double minimum, double maximum, double default_value,
+                            std::string meaning) {
+  Parameter parameter =
+      number_parameter(std::move(name), "1", minimum, maximum, default_value, std::move(meaning));
+  parameter.kind = ParameterKind::integer;
+  return parameter;
+}
+
+Parameter choice_parameter(std::string name, std::vector<std::string> choices,
+                           std::string meaning) {
+  return {.name = std::move(name),
+          .kind = ParameterKind::choice,
+          .unit = "1",
+          .choices = choices,
+          .default_value = choices.front(),
+          .meaning = std::move(meaning)};
+}
 
 std::optional<std::string> complaint_about(const Parameter& parameter,
                                            const ParameterValue& value) {

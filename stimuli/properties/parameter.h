@@ -38,6 +38,13 @@ struct Parameter {
   std::string meaning{};
 };
 
+Parameter number_parameter(std::string name, std::string unit, double minimum, double maximum,
+                           double default_value, std::string meaning);
+Parameter integer_parameter(std::string name, double minimum, double maximum, double default_value,
+                            std::string meaning);
+/// The default is the first choice.
+Parameter choice_parameter(std::string name, std::vector<std::string> choices, std::string meaning);
+
 /// A conflict between values that are valid individually.
 struct ParameterConflict {
   std::vector<std::string> parameters{};  ///< any of which could be changed, the most likely first

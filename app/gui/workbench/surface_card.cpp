@@ -16,27 +16,17 @@ namespace {
 
 std::vector<Parameter> surface_parameters() {
   const Material usual{};
-  const auto number = [](const char* name, const char* unit, double minimum, double maximum,
-                         double usual_value, const char* meaning) {
-    return Parameter{.name = name,
-                     .kind = ParameterKind::number,
-                     .unit = unit,
-                     .minimum = minimum,
-                     .maximum = maximum,
-                     .choices = {},
-                     .default_value = usual_value,
-                     .meaning = meaning};
-  };
   std::vector<Parameter> parameters = {
-      number("stiffness_N_per_m", "N/m", 1.0, 5000.0, usual.stiffness_N_per_m,
-             "Stiffness of the surface, the same for every model"),
-      number("friction", "1", 0.0, 2.0, usual.friction,
-             "Coulomb friction coefficient of the surface, the same for every model"),
-      number("pressing_depth_m", "m", 0.0001, 0.009, 0.001,
-             "Depth of the probe below the mean height during the stroke, along z"),
-      number("ball_diameter_m", "m", 0.001, 0.02, 0.005,
-             "Diameter of the sphere that a model with two bodies uses as the probe; the other "
-             "models use a point")};
+      number_parameter("stiffness_N_per_m", "N/m", 1.0, 5000.0, usual.stiffness_N_per_m,
+                       "Stiffness of the surface, the same for every model"),
+      number_parameter("friction", "1", 0.0, 2.0, usual.friction,
+                       "Coulomb friction coefficient of the surface, the same for every model"),
+      number_parameter("pressing_depth_m", "m", 0.0001, 0.009, 0.001,
+                       "Depth of the probe below the mean height during the stroke, along z"),
+      number_parameter(
+          "ball_diameter_m", "m", 0.001, 0.02, 0.005,
+          "Diameter of the sphere that a model with two bodies uses as the probe; the other "
+          "models use a point")};
   for (Parameter& parameter : body_parameters()) parameters.push_back(std::move(parameter));
   return parameters;
 }
