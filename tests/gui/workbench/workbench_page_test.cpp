@@ -1,23 +1,17 @@
 #include "app/gui/workbench/workbench_page.h"
 
-#include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
-#include <map>
-#include <sys/stat.h>
-#include <tuple>
+#include <memory>
+#include <string>
+#include <vector>
 
-#include <QtCore/QMimeData>
-#include <QtCore/QThread>
-#include <QtGui/QDragEnterEvent>
-#include <QtGui/QDropEvent>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
-#include <QtWidgets/QAbstractButton>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
-#include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
@@ -30,18 +24,13 @@
 #include "app/gui/window/study_window.h"
 #include "app/gui/workbench/force_comparison.h"
 #include "app/gui/workbench/opened_picture.h"
-#include "app/gui/workbench/parameter_form.h"
 #include "app/gui/workbench/recipe_panel.h"
 #include "app/gui/workbench/relief_view.h"
 #include "app/gui/workbench/signal_plots.h"
-#include "app/tasks/new_study.h"
-#include "renderers/offline/along_path.h"
-#include "stimuli/heights/synthetic_surface.h"
 #include "stimuli/photographs/synthetic_photograph.h"
-#include "tests/gui/sound/fake_card.h"
 #include "tests/gui/support/screenshot.h"
 #include "tests/gui/support/widgets.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/gui/workbench/page_of_the_workbench.h"
 
 namespace asperity {
 namespace {
@@ -88,119 +77,6 @@ void write_turned(const std::filesystem::path& file, const std::string& jpeg) {
   segment += static_cast<char>(length & 0xFFU);
   write_file(file, jpeg.substr(0, 2) + segment + exif + jpeg.substr(2), Overwrite::refuse);
 }
-
-class PageOfTheWorkbench : public testing::Test {
- protected:
-  static void open() {
-    folder_ = std::make_unique<TemporaryFolder>();
-    new_study(study_folder());
-    study_ = std::make_unique<OpenStudy>(study_folder());
-    page_ = std::make_unique<WorkbenchPage>(*study_);
-    page_->resize(1366, 768);
-    page_->show();
-  }
-  static void close() {
-    page_.reset();
-    study_.reset();
-    folder_.reset();
-  }
-
-  static std::filesystem::path folder() { return folder_->path(); }
-  static std::filesystem::path study_folder() { return folder() / "study"; }
-
-  static std::filesystem::path photograph(
-      const std::string& kind, std::size_t pixels,
-      PhotographCase photograph_case = PhotographCase::bright_height) {
-    static std::map<std::tuple<std::string, std::size_t, PhotographCase>, GreyImage> made{};
-    GreyImage& picture = made[{kind, pixels, photograph_case}];
-    if (picture.values.empty()) {
-      PhotographSettings settings{};
-      settings.photograph_case = photograph_case;
-      picture = synthetic_photograph(
-          make_surface(kind, {}, {.width_m = 0.10, .pixels = pixels, .seed = 2}), settings);
-    }
-    const std::filesystem::path file = folder() / (kind + ".png");
-    save_picture(file, picture, Overwrite::allow);
-    return file;
-  }
-
-  /// Chooses also that bright parts are high.
-  void drop(const std::filesystem::path& file) {
-    drop_all({file});
-    auto& kind = find<QComboBox>("kind");
-    if (kind.currentIndex() < 0) kind.setCurrentIndex(0);
-    settle();
-  }
-
-  void drop_all(const std::vector<std::filesystem::path>& files) {
-    QMimeData data{};
-    QList<QUrl> urls{};
-    for (const std::filesystem::path& file : files) {
-      urls << QUrl::fromLocalFile(QString::fromStdString(file.string()));
-    }
-    data.setUrls(urls);
-    QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(page_.get(), &enter);
-    ASSERT_TRUE(enter.isAccepted());
-    QDropEvent dropped({100.0, 100.0}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(page_.get(), &dropped);
-    settle();
-  }
-
-  void settle() {
-    ASSERT_TRUE(eventually([this] { return page_->is_settled(); }));
-  }
-
-  template <class Widget>
-  Widget& find(const char* name) {
-    return child<Widget>(*page_, name);
-  }
-
-  void type(const char* field_name, const char* text) {
-    auto& field = find<QDoubleSpinBox>(field_name);
-    field.setFocus();
-    field.selectAll();
-    QTest::keyClicks(&field, text);
-    QTest::keyClick(&field, Qt::Key_Return);
-  }
-
-  void click(const char* name) { QTest::mouseClick(&find<QAbstractButton>(name), Qt::LeftButton); }
-
-  static inline std::unique_ptr<TemporaryFolder> folder_{};
-  static inline std::unique_ptr<OpenStudy> study_{};
-  static inline std::unique_ptr<WorkbenchPage> page_{};
-};
-
-class Workbench : public PageOfTheWorkbench {
- protected:
-  void SetUp() override { open(); }
-  void TearDown() override { close(); }
-
-  FakeCard card_{};  // outlives the page, whose sound thread takes from it
-};
-
-/// Tests that save nothing and hear nothing have one page. Each begins with a brick of 256 pixels under the default recipe.
-class BrickOnTheWorkbench : public PageOfTheWorkbench {
- protected:
-  void SetUp() override {
-    if (page_) {
-      page_->resume(brick_);
-      click("mode_making");
-      settle();
-    } else {
-      open();
-      drop(photograph("brick", 256));
-      brick_ = page_->work();
-    }
-  }
-  static void TearDownTestSuite() {
-    brick_ = {};
-    close();
-  }
-
- private:
-  static inline WorkbenchPage::Work brick_{};
-};
 
 TEST_F(Workbench, ShowsEveryStepOfADroppedPhotograph) {
   EXPECT_EQ(page_->field(), nullptr);
@@ -737,251 +613,6 @@ TEST_F(BrickOnTheWorkbench, ShowsTheProfileUnderTheMouse) {
     found |= same;
   }
   EXPECT_TRUE(found);
-}
-
-TEST_F(BrickOnTheWorkbench, StrokesTheReliefAndShowsTheForceOfEachChosenModel) {
-  click("mode_comparing");
-  find<QCheckBox>("model_lateral_gradient").setChecked(true);
-  settle();
-  auto& relief = find<ReliefView>("relief");
-  auto& comparison = find<ForceComparison>("comparison");
-  const auto at = [&relief](double x_m) { return relief.position_of({x_m, 0.0}).toPoint(); };
-  QTest::mousePress(&relief, Qt::LeftButton, {}, at(-0.03));
-  for (int k = 1; k <= 20; ++k) {
-    QMouseEvent moved(QEvent::MouseMove, at(-0.03 + 0.003 * k),
-                      relief.mapToGlobal(at(-0.03 + 0.003 * k)), Qt::NoButton, Qt::LeftButton,
-                      Qt::NoModifier);
-    QApplication::sendEvent(&relief, &moved);
-    const std::size_t samples = comparison.stroke().path().size();
-    ASSERT_TRUE(eventually([&] { return comparison.stroke().path().size() >= samples + 16; }));
-  }
-  const auto& live = find<SignalPlots>("forces");
-  EXPECT_TRUE(eventually([&] {
-    return live.signal_series().size() == 3U && live.signal_series().front().y.size() > 300 &&
-           !live.spectrum_series().front().y.empty();
-  })) << "while the mouse strokes";
-  QTest::mouseRelease(&relief, Qt::LeftButton, {}, at(0.03));
-  EXPECT_FALSE(comparison.stroke().is_going_on());
-
-  const ForceStroke& stroke = comparison.stroke();
-  EXPECT_GT(stroke.path().back().position_m.x, stroke.path().front().position_m.x + 0.02);
-  ASSERT_EQ(stroke.models().size(), 3U);
-  for (std::size_t m = 0; m < 3; ++m) {
-    const StrokedModel& stroked = stroke.models()[m];
-    const auto renderer = make_renderer(*study_->models().find(stroked.id), stroked.inputs);
-    const std::vector<RenderedTick> offline = along_path(*renderer, stroke.path(), 1000.0);
-    for (std::size_t i = 0; i < offline.size(); ++i) {
-      ASSERT_EQ(stroke.forces_N()[m][i], offline[i].wrench.force_N) << stroked.id;
-    }
-  }
-  const auto& shown = find<SignalPlots>("forces").signal_series();
-  ASSERT_EQ(shown.size(), 3U);
-  EXPECT_EQ(shown[0].name, "Height map");
-  EXPECT_EQ(shown[0].y.back(), stroke.forces_N()[0].back().z);
-  EXPECT_FALSE(find<SignalPlots>("forces").spectrum_series().front().y.empty());
-}
-
-TEST_F(BrickOnTheWorkbench, TakesAModelsParametersFromTheReliefUnlessTheyAreGiven) {
-  click("mode_comparing");
-  find<QCheckBox>("model_stochastic").setChecked(true);
-  settle();
-  auto* form = page_->findChild<ParameterForm*>("form_stochastic");
-  const double suggested_N = number_of(form->values(), "noise_sd_N");
-  EXPECT_NEAR(suggested_N, 500.0 * page_->field()->rms_m(), 1e-9);
-  auto* field = form->findChild<QDoubleSpinBox*>("noise_sd_N");
-  field->setFocus();
-  field->selectAll();
-  QTest::keyClicks(field, "0.3");
-  QTest::keyClick(field, Qt::Key_Return);
-  settle();
-  for (const StrokedModel& stroked : find<ForceComparison>("comparison").stroke().models()) {
-    if (stroked.id != "stochastic") continue;
-    EXPECT_EQ(number_of(stroked.inputs.parameters, "noise_sd_N"), 0.3);
-  }
-}
-
-TEST_F(BrickOnTheWorkbench, StrokesAcrossOnTheSamePathHoweverTheFramesCome) {
-  click("mode_comparing");
-  settle();
-  auto& comparison = find<ForceComparison>("comparison");
-  const auto stroke_across = [&](int frame_ms) {
-    click("stroke_across");
-    while (comparison.stroke().path().size() < 400) {
-      QThread::msleep(static_cast<unsigned long>(frame_ms));  // a busy machine
-      QCoreApplication::processEvents();
-    }
-    comparison.end_stroke();
-    return comparison.stroke().path();
-  };
-  const std::vector<ProbeState> even = stroke_across(1);
-  const std::vector<ProbeState> uneven = stroke_across(150);
-  for (std::size_t i = 0; i < 400; ++i) {
-    ASSERT_EQ(even[i].position_m, uneven[i].position_m) << i;
-  }
-}
-
-TEST_F(BrickOnTheWorkbench, ShowsTheDentInASoftSurfaceDuringAStroke) {
-  click("mode_comparing");
-  settle();
-  auto& relief = find<ReliefView>("relief");
-  const auto& caption = find<QLabel>("caption");
-  const QImage before = relief.picture();
-  EXPECT_FALSE(caption.text().contains("dent"));
-  find<QCheckBox>("model_elastic_halfspace").setChecked(true);
-  settle();
-  click("stroke_across");
-  auto& comparison = find<ForceComparison>("comparison");
-  ASSERT_TRUE(eventually([&] { return comparison.stroke().path().size() > 300; }));
-  comparison.end_stroke();
-  settle();
-  ASSERT_TRUE(comparison.dent());
-  EXPECT_NEAR(comparison.dent()->surface.centre_m.x, comparison.stroke().path().back().position_m.x,
-              1e-12);
-  EXPECT_TRUE(caption.text().contains("The dent is that of “Elastic halfspace”"))
-      << caption.text().toStdString();
-  EXPECT_NE(relief.picture(), before);
-  click("mode_making");
-  settle();
-  EXPECT_FALSE(caption.text().contains("dent"));
-}
-
-TEST_F(BrickOnTheWorkbench, TellsHowRoughTheStrokeIsThroughEveryModel) {
-  click("mode_comparing");
-  find<QCheckBox>("model_lateral_gradient").setChecked(true);
-  settle();
-  auto& comparison = find<ForceComparison>("comparison");
-  auto& roughness = find<SignalPlot>("roughness");
-  auto& numbers = find<QLabel>("large_names");
-  EXPECT_TRUE(roughness.isVisible());
-  EXPECT_TRUE(roughness.series().empty());
-  click("stroke_across");
-  ASSERT_TRUE(eventually([&] { return !roughness.series().empty(); }));
-  EXPECT_GE(comparison.stroke().path().size(), 500U) << "the beginning is left out";
-  ASSERT_TRUE(eventually([&] { return !comparison.stroke().is_going_on(); }));
-  ASSERT_EQ(roughness.series().size(), 3U);
-  for (std::size_t m = 0; m < 3; ++m) {
-    const PlotSeries& curve = roughness.series()[m];
-    EXPECT_EQ(curve.color, find<SignalPlots>("forces").signal_series()[m].color);
-    // The same forces at once: live is what is computed later.
-    FeltRoughness later(FeltRoughness::Judging{});
-    const auto samples = static_cast<std::size_t>(std::lround(1000.0 * curve.x.back())) + 1;
-    for (std::size_t i = 0; i < samples; ++i) later.add(comparison.stroke().forces_N()[m][i]);
-    EXPECT_EQ(curve.y.back(), later.roughness().value().rms_accel_m_per_s2);
-    EXPECT_GT(curve.y.back(), 0.01);
-    EXPECT_TRUE(numbers.text().contains(curve.name)) << numbers.text().toStdString();
-    EXPECT_NEAR(curve.name.toDouble(), curve.y.back(), 0.05);
-  }
-  EXPECT_TRUE(roughness.toolTip().contains("Lateral gradient: RMS "));
-  comparison.begin_stroke(0.0, 0.0);
-  comparison.end_stroke();
-  EXPECT_TRUE(roughness.series().empty()) << "of another stroke";
-  EXPECT_FALSE(roughness.toolTip().contains("RMS "));
-}
-
-TEST_F(Workbench, PlaysTheForceOfTheModelThatIsToBeHeard) {
-  drop(photograph("brick", 256));
-  click("mode_comparing");
-  auto& comparison = find<ForceComparison>("comparison");
-  comparison.set_sound(output_of(card_));
-  find<QComboBox>("heard").setCurrentIndex(4);
-  EXPECT_TRUE(find<QCheckBox>("model_lateral_gradient").isChecked());
-  find<QComboBox>("force_component").setCurrentIndex(1);
-  settle();
-  EXPECT_EQ(card_.peak, 0.0);
-  click("stroke_across");
-  ASSERT_TRUE(eventually([this] { return card_.highest_peak > 0.0; }));
-}
-
-TEST_F(Workbench, IsSilentOnceNobodyLooksAtIt) {
-  drop(photograph("brick", 256));
-  click("mode_comparing");
-  auto& comparison = find<ForceComparison>("comparison");
-  comparison.set_sound(output_of(card_));
-  EXPECT_FALSE(card_.open) << "nothing is to be heard";
-  find<QComboBox>("heard").setCurrentIndex(4);
-  find<QComboBox>("force_component").setCurrentIndex(1);
-  settle();
-  const auto hear = [this] {
-    click("stroke_across");
-    ASSERT_TRUE(eventually([this] { return card_.highest_peak > 0.0; }));
-    EXPECT_TRUE(card_.open);
-  };
-  const auto expect_silence = [&] {
-    ASSERT_TRUE(eventually([this] { return !card_.open; }));
-    EXPECT_FALSE(comparison.stroke().is_going_on());
-    card_.highest_peak = 0.0;
-  };
-  hear();
-  page_->hide();  // another page is shown, or the window is closed
-  expect_silence();
-  page_->show();
-  hear();
-  click("mode_making");
-  expect_silence();
-  click("mode_comparing");
-  hear();
-  find<QComboBox>("heard").setCurrentIndex(0);
-  EXPECT_TRUE(eventually([this] { return !card_.open; }));
-}
-
-TEST_F(Workbench, LetsTheSoundCardGoWithItsPageItsWindowAndItsStudy) {
-  for (const char* way : {"page", "window", "study"}) {
-    StudyWindow window;
-    ASSERT_TRUE(window.open_study(study_folder()));
-    window.show();
-    window.show_page("workbench");
-    auto* page = window.findChild<WorkbenchPage*>("workbench");
-    ASSERT_NE(page, nullptr);
-    page->open_file(photograph("brick", 128));
-    ASSERT_TRUE(eventually([page] { return page->is_settled(); }));
-    QTest::mouseClick(page->findChild<QAbstractButton*>("mode_comparing"), Qt::LeftButton);
-    page->findChild<ForceComparison*>("comparison")->set_sound(output_of(card_));
-    page->findChild<QComboBox*>("heard")->setCurrentIndex(1);
-    ASSERT_TRUE(eventually([this] { return card_.open > 0; })) << way;
-    if (way == std::string("page")) {
-      window.show_page("protocols");
-    } else if (way == std::string("window")) {
-      ASSERT_TRUE(window.close());
-    } else {
-      window.close_study();
-    }
-    ASSERT_TRUE(eventually([this] { return !card_.open; })) << way;
-  }
-}
-
-TEST_F(Workbench, SaysThatASoundCardCannotBeOpened) {
-  drop(photograph("brick", 128));
-  click("mode_comparing");
-  card_.lost = true;
-  find<ForceComparison>("comparison").set_sound(output_of(card_));
-  find<QComboBox>("heard").setCurrentIndex(1);
-  auto& said = find<QLabel>("no_sound");
-  ASSERT_TRUE(eventually([&] { return said.isVisible(); }));
-  EXPECT_TRUE(said.text().contains("Headphones could not be opened"));
-  card_.lost = false;
-  EXPECT_TRUE(eventually([&] { return !said.isVisible(); })) << "it plays now";
-}
-
-TEST_F(Workbench, SaysThatASoundCardDoesNotPlay) {
-  drop(photograph("brick", 128));
-  click("mode_comparing");
-  card_.stands_still = true;
-  find<ForceComparison>("comparison").set_sound(output_of(card_));
-  find<QComboBox>("heard").setCurrentIndex(1);
-  auto& said = find<QLabel>("no_sound");
-  EXPECT_FALSE(said.isVisible()) << "it may only take its time";
-  ASSERT_TRUE(eventually([&] { return said.isVisible(); }));
-  EXPECT_TRUE(said.text().contains("Headphones produces no sound"));
-  find<ForceComparison>("comparison").set_sound(null_output());
-  EXPECT_TRUE(said.text().contains("There is no sound output"));
-}
-
-TEST_F(BrickOnTheWorkbench, SaysThatThereIsNothingToHearAForceWith) {
-  click("mode_comparing");
-  find<ForceComparison>("comparison").set_sound(null_output());
-  EXPECT_FALSE(find<QComboBox>("heard").isEnabled());
-  EXPECT_TRUE(find<QLabel>("no_sound").text().contains("sound output"));
-  EXPECT_TRUE(find<QLabel>("no_sound").isVisible());
 }
 
 TEST_F(Workbench, LooksFinished) {
