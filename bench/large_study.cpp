@@ -27,7 +27,7 @@
 #include "app/tasks/new_study.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/study_overview.h"
-#include "app/tasks/verify_study.h"
+#include "app/tasks/verify/verify_study.h"
 #include "device/machine.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"

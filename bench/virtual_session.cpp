@@ -14,7 +14,7 @@
 
 #include "app/study_files/program.h"
 #include "app/tasks/new_study.h"
-#include "app/tasks/simulation.h"
+#include "app/tasks/simulation/simulation.h"
 #include "renderers/built_in_models.h"
 
 namespace asperity {

@@ -15,7 +15,7 @@
 #include "app/cli/output/terminal.h"
 #include "app/shards/study_shard.h"
 #include "app/study_files/study_outputs.h"
-#include "app/tasks/verify_places.h"
+#include "app/tasks/verify/verify_places.h"
 #include "results_schema/merge/study_merge.h"
 #include "results_schema/study.h"
 

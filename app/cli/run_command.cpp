@@ -24,10 +24,10 @@
 #include "app/plugins/plugin_files.h"
 #include "app/session/respondents/terminal_respondent.h"
 #include "app/session/session_setup.h"
-#include "app/tasks/plugin_warnings.h"
 #include "app/tasks/protocol_files.h"
-#include "app/tasks/rate_warnings.h"
 #include "app/tasks/run_session.h"
+#include "app/tasks/warnings/plugin_warnings.h"
+#include "app/tasks/warnings/rate_warnings.h"
 
 namespace asperity {
 

@@ -22,7 +22,7 @@
 #include "app/device_bench/device_choice.h"
 #include "app/plugins/plugin_files.h"
 #include "app/study_files/study_condition.h"
-#include "app/tasks/simulation_shard.h"
+#include "app/tasks/simulation/simulation_shard.h"
 
 namespace asperity {
 

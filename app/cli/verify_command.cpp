@@ -13,7 +13,7 @@
 #include "app/cli/output/terminal.h"
 #include "app/cli/signals.h"
 #include "app/plugins/plugin_files.h"
-#include "app/tasks/verify_study.h"
+#include "app/tasks/verify/verify_study.h"
 
 namespace asperity {
 

@@ -11,7 +11,7 @@
 
 #include "app/session/rehearsal/rehearsal_memory.h"
 #include "app/session/stimulus_builder.h"
-#include "app/tasks/checked_protocol.h"
+#include "app/tasks/warnings/checked_protocol.h"
 #include "app/words/phrase.h"
 #include "device/device_capability.h"
 #include "protocols/file/protocol_reader.h"

@@ -8,7 +8,7 @@
 #include "app/session/levels/external_program.h"
 #include "app/session/respondents/virtual_participant.h"
 #include "app/session/session_setup.h"
-#include "app/tasks/simulation_declaration.h"
+#include "app/tasks/simulation/simulation_declaration.h"
 #include "protocols/file/protocol_reader.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/power/simulated_run.h"
-#include "app/tasks/simulation.h"
+#include "app/tasks/simulation/simulation.h"
 #include "app/tasks/work_folder.h"
 #include "protocols/design/protocol.h"
 #include "protocols/file/diagnostic.h"

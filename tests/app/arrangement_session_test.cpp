@@ -12,7 +12,7 @@
 #include "app/records/recorded_attempt.h"
 #include "app/session/layout.h"
 #include "app/session/rig/recording_columns.h"
-#include "app/tasks/verify_study.h"
+#include "app/tasks/verify/verify_study.h"
 #include "app/words/coded_phrases.h"
 #include "protocols/observer/virtual_observer.h"
 #include "renderers/force/adjacent_patches.h"

@@ -1,6 +1,6 @@
 // Warnings about designs that are valid and may not be felt as intended: patches, steps of levels, and the report of them.
 
-#include "app/tasks/arrangement_warnings.h"
+#include "app/tasks/warnings/arrangement_warnings.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -11,9 +11,9 @@
 
 #include "app/exports/export_study.h"
 #include "app/tasks/protocol_files.h"
-#include "app/tasks/simulation.h"
+#include "app/tasks/simulation/simulation.h"
 #include "app/tasks/study_overview.h"
-#include "app/tasks/verify_study.h"
+#include "app/tasks/verify/verify_study.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/hashes/sha256.h"

@@ -1,6 +1,6 @@
 // Warnings about noise that changes more often than the servo loop runs.
 
-#include "app/tasks/band_warnings.h"
+#include "app/tasks/warnings/band_warnings.h"
 
 #include <stdexcept>
 #include <string>
@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/tasks/stimulus_warnings.h"
+#include "app/tasks/warnings/stimulus_warnings.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "renderers/built_in_models.h"

@@ -14,9 +14,9 @@
 
 #include "app/records/recorded_attempt.h"
 #include "app/session/session_setup.h"
-#include "app/tasks/verify_groups.h"
-#include "app/tasks/verify_places.h"
-#include "app/tasks/verify_study.h"
+#include "app/tasks/verify/verify_groups.h"
+#include "app/tasks/verify/verify_places.h"
+#include "app/tasks/verify/verify_study.h"
 #include "protocols/plan/groups.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"

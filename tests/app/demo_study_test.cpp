@@ -12,9 +12,9 @@
 
 #include "app/session/rehearsal/rehearsal.h"
 #include "app/tasks/protocol_files.h"
-#include "app/tasks/simulation.h"
+#include "app/tasks/simulation/simulation.h"
 #include "app/tasks/study_overview.h"
-#include "app/tasks/texture_warnings.h"
+#include "app/tasks/warnings/texture_warnings.h"
 #include "protocols/file/library_protocols.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"

@@ -1,6 +1,6 @@
 // The mean drag that check prints of each stimulus.
 
-#include "app/tasks/drag_of_stimuli.h"
+#include "app/tasks/warnings/drag_of_stimuli.h"
 
 #include <cmath>
 #include <map>

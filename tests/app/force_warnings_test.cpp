@@ -1,4 +1,4 @@
-#include "app/tasks/force_warnings.h"
+#include "app/tasks/warnings/force_warnings.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

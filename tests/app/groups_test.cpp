@@ -10,8 +10,8 @@
 
 #include "app/tasks/group_choice.h"
 #include "app/tasks/run_session.h"
-#include "app/tasks/simulation.h"
-#include "app/tasks/verify_study.h"
+#include "app/tasks/simulation/simulation.h"
+#include "app/tasks/verify/verify_study.h"
 #include "protocols/file/protocol_reader.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"

@@ -1,6 +1,6 @@
 // Warnings about normal forces under which a soft surface is strained too much.
 
-#include "app/tasks/indentation_warnings.h"
+#include "app/tasks/warnings/indentation_warnings.h"
 
 #include <string>
 #include <string_view>
@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/tasks/stimulus_warnings.h"
+#include "app/tasks/warnings/stimulus_warnings.h"
 #include "renderers/built_in_models.h"
 #include "tests/app/small_study.h"
 #include "tests/support/temporary_folder.h"

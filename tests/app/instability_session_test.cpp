@@ -12,7 +12,7 @@
 
 #include "app/records/recorded_attempt.h"
 #include "app/session/attempt_instability.h"
-#include "app/tasks/verify_instability.h"
+#include "app/tasks/verify/verify_instability.h"
 #include "app/words/coded_phrases.h"
 #include "device/simulated_models.h"
 #include "tests/app/scripted_session.h"

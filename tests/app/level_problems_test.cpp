@@ -1,6 +1,6 @@
 // Levels that give the same surface, and levels that are finer than the steps of a height file.
 
-#include "app/tasks/level_problems.h"
+#include "app/tasks/warnings/level_problems.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 // Warnings about virtual observers that cannot judge what a discrimination varies.
 
-#include "app/tasks/observer_warnings.h"
+#include "app/tasks/warnings/observer_warnings.h"
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/tasks/stimulus_warnings.h"
+#include "app/tasks/warnings/stimulus_warnings.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "renderers/built_in_models.h"

@@ -9,7 +9,7 @@
 
 #include "app/findings/study/analyze_study.h"
 #include "app/report/text/study_report.h"
-#include "app/tasks/plugin_warnings.h"
+#include "app/tasks/warnings/plugin_warnings.h"
 #include "renderers/built_in_models.h"
 #include "tests/app/made_up_study.h"
 #include "tests/app/small_study.h"

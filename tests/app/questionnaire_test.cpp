@@ -14,7 +14,7 @@
 #include "app/exports/export_study.h"
 #include "app/session/questionnaire_rows.h"
 #include "app/session/respondents/virtual_participant.h"
-#include "app/tasks/verify_questionnaire.h"
+#include "app/tasks/verify/verify_questionnaire.h"
 #include "results_schema/files/atomic_file.h"
 #include "tests/app/scripted_session.h"
 

@@ -1,6 +1,6 @@
 // Warnings about models whose tick takes longer than a period of the servo loop.
 
-#include "app/tasks/rate_warnings.h"
+#include "app/tasks/warnings/rate_warnings.h"
 
 #include <optional>
 #include <string>

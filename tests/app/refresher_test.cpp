@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "app/session/session_setup.h"
-#include "app/tasks/verify_study.h"
+#include "app/tasks/verify/verify_study.h"
 #include "tests/app/scripted_session.h"
 #include "tests/support/replaced.h"
 
@@ -26,7 +26,7 @@ using ::testing::Not;
 /// Practice to three correct responses in a row, and a main block of two trials.
 std::string refreshed_protocol(int practice_trials) {
   const std::string text = replaced(practised_protocol("continue_flagged"), R"("main": {)",
-                                     R"("main": {"repetitions": 2,)");
+                                    R"("main": {"repetitions": 2,)");
   return replaced(
       text, R"("flow":)",
       R"("resume": {"practice_trials": )" + std::to_string(practice_trials) + R"(}, "flow":)");
@@ -280,7 +280,7 @@ INSTANTIATE_TEST_SUITE_P(Each, InterruptedRefresher,
 /// Three trials of two surfaces, felt for at least 0.4 s each, with a break after 0.6 s of contact.
 TEST_F(SessionTest, RestsOnceSurfacesWereInContactForLongEnough) {
   begin(replaced(small_protocol(), R"({"run": "main"})",
-                  R"({"run": "main", "break_every_contact_minutes": 0.01,
+                 R"({"run": "main", "break_every_contact_minutes": 0.01,
                    "pause": {"minimum_s": 1, "text": "Rest."}})"));
   EXPECT_EQ(run().state, SessionState::completed);
   const std::vector<AttemptRow> rows = attempts();

@@ -17,7 +17,7 @@
 #include "app/report/text/report_sections.h"
 #include "app/report/text/report_tests.h"
 #include "app/report/text/study_report.h"
-#include "app/tasks/simulation.h"
+#include "app/tasks/simulation/simulation.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
 #include "tests/app/made_up_study.h"

@@ -1,6 +1,6 @@
 // Which stimuli the limiter would change.
 
-#include "app/tasks/slew_warnings.h"
+#include "app/tasks/warnings/slew_warnings.h"
 
 #include <stop_token>
 #include <string>

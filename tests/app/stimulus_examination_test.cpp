@@ -1,6 +1,6 @@
 // What an examination of the stimuli of a protocol consists of, and where it ends.
 
-#include "app/tasks/stimulus_examination.h"
+#include "app/tasks/warnings/stimulus_examination.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -14,7 +14,7 @@
 #include "analysis/number_text.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/report/text/report_sections.h"
-#include "app/tasks/simulation.h"
+#include "app/tasks/simulation/simulation.h"
 #include "tests/app/made_up_study.h"
 #include "tests/app/report_words.h"
 

@@ -1,6 +1,6 @@
 // verify by several threads: what it finds depends on none of them.
 
-#include "app/tasks/verify_study.h"
+#include "app/tasks/verify/verify_study.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -17,7 +17,7 @@
 #include "app/findings/study/analyze_study.h"
 #include "app/sweep/sweep.h"
 #include "app/tasks/new_study.h"
-#include "app/tasks/simulation.h"
+#include "app/tasks/simulation/simulation.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
 #include "tests/gates/simulated_study.h"

@@ -10,7 +10,7 @@
 
 #include "app/tasks/new_study.h"
 #include "app/tasks/protocol_files.h"
-#include "app/tasks/simulation.h"
+#include "app/tasks/simulation/simulation.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "renderers/built_in_models.h"
@@ -80,7 +80,9 @@ Protocol library_protocol(std::string_view name, const std::function<void(json&)
   return read_protocol(protocol.dump(1), std::string(name), declarations_of(built_in_models()));
 }
 
-SimulatedStudy::SimulatedStudy() { new_demo_study(folder_ / "study", [](double) {}); }
+SimulatedStudy::SimulatedStudy() {
+  new_demo_study(folder_ / "study", [](double) {});
+}
 
 GateCounts SimulatedStudy::run(const GateDesign& design) {
   json protocol = library_json(design.protocol);

@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/findings/study/analyze_study.h"
-#include "app/tasks/simulation.h"
+#include "app/tasks/simulation/simulation.h"
 #include "protocols/file/library_protocols.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/analysis_use.h"

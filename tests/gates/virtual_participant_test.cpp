@@ -14,7 +14,7 @@
 
 #include "app/study_files/height_field_files.h"
 #include "app/tasks/new_study.h"
-#include "app/tasks/simulation.h"
+#include "app/tasks/simulation/simulation.h"
 #include "protocols/plan/plan.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
@@ -161,10 +161,10 @@ TEST(VirtualParticipant, ExpectsNoMoreThanAPhotographKeeps) {
     save_height_field(folder / "stimuli" / (std::string(name) + "_true.png"), rough, {},
                       Overwrite::refuse);
   }
-  const ForceFeatures whole =
-      expected_of_noise(folder.path(), [](json& p) { p["observer"].erase("gaussian_wavelength_m"); });
-  const ForceFeatures kept =
-      expected_of_noise(folder.path(), [](json& p) { p["observer"]["gaussian_wavelength_m"] = 0.002; });
+  const ForceFeatures whole = expected_of_noise(
+      folder.path(), [](json& p) { p["observer"].erase("gaussian_wavelength_m"); });
+  const ForceFeatures kept = expected_of_noise(
+      folder.path(), [](json& p) { p["observer"]["gaussian_wavelength_m"] = 0.002; });
   EXPECT_LT(kept.spectrum.front(), whole.spectrum.front() - 1.0);
   EXPECT_NEAR(kept.spectrum[8], whole.spectrum[8], 0.3);
 }

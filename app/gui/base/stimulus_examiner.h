@@ -15,7 +15,7 @@
 #include <QtCore/QObject>
 
 #include "app/gui/look/background_task.h"
-#include "app/tasks/stimulus_examination.h"
+#include "app/tasks/warnings/stimulus_examination.h"
 #include "renderers/force/force_model.h"
 
 namespace asperity {

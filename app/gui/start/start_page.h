@@ -17,7 +17,7 @@
 #include "app/gui/start/start_draft.h"
 #include "app/gui/start/start_facts.h"
 #include "app/tasks/checks/session_check.h"
-#include "app/tasks/simulation.h"
+#include "app/tasks/simulation/simulation.h"
 
 class QBoxLayout;
 class QComboBox;

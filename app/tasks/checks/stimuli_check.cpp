@@ -7,9 +7,9 @@
 
 #include "app/session/session_setup.h"
 #include "app/session/stimulus_builder.h"
-#include "app/tasks/plugin_warnings.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/unfinished_session.h"
+#include "app/tasks/warnings/plugin_warnings.h"
 #include "results_schema/study.h"
 
 namespace asperity {

@@ -24,7 +24,7 @@
 #include "app/gui/look/task_line.h"
 #include "app/gui/study/trials_page.h"
 #include "app/gui/window/study_window.h"
-#include "app/tasks/simulation.h"
+#include "app/tasks/simulation/simulation.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
 #include "tests/app/made_up_study.h"

@@ -1,0 +1,119 @@
+#include "app/tasks/warnings/arrangement_warnings.h"
+
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "analysis/number_text.h"
+#include "protocols/design/json_pointer.h"
+#include "protocols/file/json_document.h"
+#include "protocols/plan/plan.h"
+#include "renderers/offline/texture_waves.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kFewestPeriods = 10.0;
+constexpr double kGreatestStep_N = 0.020;
+constexpr double kUsualSpeed_m_per_s = 0.2;  // of a hand whose speed is not limited
+
+std::string in_millimetres(double length_m) {
+  return number_text(std::round(1e5 * length_m) / 100.0) + " mm";
+}
+
+/// The stroke of the exploration, if it has a direction along the patches.
+std::optional<double> stroke_along_m(const Exploration& exploration, Arrangement::Axis axis) {
+  const double along = axis == Arrangement::Axis::x ? std::cos(exploration.direction_rad)
+                                                    : std::sin(exploration.direction_rad);
+  const Band& length_m = exploration.stroke_length_m;
+  const std::optional<double> stroke_m = length_m.target ? length_m.target : length_m.minimum;
+  if (!stroke_m) return {};
+  return std::abs(along) * *stroke_m;
+}
+
+/// The greatest change of the force in a tick while the hand crosses the side of a patch (AdjacentPatches).
+double step_of_blend_N(const Protocol& protocol, const PlannedPresentation& planned,
+                       double amplitude_m, const Exploration& exploration) {
+  const double speed_m_per_s = exploration.speed_m_per_s.maximum.value_or(kUsualSpeed_m_per_s);
+  const double difference_N = planned.stimulus.material.stiffness_N_per_m * amplitude_m;
+  return 1.5 * difference_N * speed_m_per_s / (protocol.rate_Hz * kBlend_m);
+}
+
+/// The time of the strokes of a visit, where the exploration requests their length and speed.
+std::optional<double> visit_s(const Exploration& exploration, int strokes) {
+  const Band& length_m = exploration.stroke_length_m;
+  const Band& speed_m_per_s = exploration.speed_m_per_s;
+  const auto length = length_m.target ? length_m.target : length_m.minimum;
+  const auto speed = speed_m_per_s.target ? speed_m_per_s.target : speed_m_per_s.maximum;
+  if (!length || !speed || *speed <= 0.0) return {};
+  return strokes * *length / *speed;
+}
+
+}  // namespace
+
+std::vector<Diagnostic> warnings_about_arrangements(const CheckedProtocol& checked,
+                                                    StimulusBuilder& builder) {
+  const Protocol& protocol = checked.protocol;
+  const JsonDocument document(protocol.source, checked.file_name);
+  std::vector<Diagnostic> warnings{};
+  std::set<std::string> said{};
+  const auto warn = [&](const Trial& trial, const std::string& what, std::string message) {
+    if (!said.insert(trial.block + '\n' + what).second) return;
+    warnings.push_back(document.at(pointer_to("/blocks", trial.block) + "/arrangement/surfaces",
+                                   std::move(message)));
+  };
+  for (const Trial& trial : checked.trials()) {
+    const Arrangement& arrangement = trial.arrangement;
+    const Exploration& exploration = exploration_of(protocol, trial);
+    if (arrangement.strokes) {
+      const auto needed_s = visit_s(exploration, *arrangement.strokes);
+      if (needed_s && *needed_s > exploration.maximum_contact_s) {
+        warn(trial, "exposure " + exploration.name,
+             std::to_string(*arrangement.strokes) +
+                 (*arrangement.strokes == 1 ? " stroke" : " strokes") + " of the exploration \"" +
+                 exploration.name + (*arrangement.strokes == 1 ? "\" takes " : "\" take ") +
+                 fixed(*needed_s, 1) + " s, but a visit ends after " +
+                 number_text(exploration.maximum_contact_s) +
+                 " s; state fewer strokes, or raise maximum_contact_s");
+      }
+    }
+    if (arrangement.surfaces != Arrangement::Surfaces::side_by_side) continue;
+    const bool along_x = arrangement.axis == Arrangement::Axis::x;
+    for (const PlannedPresentation& planned : trial.presentations) {
+      const double width_m = along_x ? planned.patch.extent_m.x : planned.patch.extent_m.y;
+      const auto stroke_m = stroke_along_m(exploration, arrangement.axis);
+      if (stroke_m && *stroke_m > width_m) {
+        warn(trial, "stroke " + exploration.name,
+             "the patches are " + in_millimetres(width_m) + " wide, but the exploration \"" +
+                 exploration.name + "\" requests strokes of " + in_millimetres(*stroke_m) +
+                 "; request shorter strokes, or use a wider surface");
+      }
+      if (!builder.can_make(planned.stimulus)) continue;
+      const PreparedStimulus stimulus = builder.unmatched(planned.stimulus);
+      const TextureWaves waves = texture_waves(*stimulus.model, stimulus.inputs, builder.models());
+      const double step_N =
+          step_of_blend_N(protocol, planned, waves.amplitude_m.value_or(0.0), exploration);
+      if (step_N > kGreatestStep_N) {
+        warn(trial, "step " + planned.stimulus_template,
+             "at the edge of a patch of \"" + planned.stimulus.name +
+                 "\" the force can change by " + fixed(1e3 * step_N, 0) +
+                 " mN from tick to tick, and a change of more than " +
+                 fixed(1e3 * kGreatestStep_N, 0) +
+                 " mN is felt as a step; lower the amplitude, the stiffness or the maximum speed "
+                 "of the exploration");
+      }
+      const std::optional<double> period_m = waves.wavelength_m;
+      if (period_m && width_m < kFewestPeriods * *period_m) {
+        warn(trial, "periods " + planned.stimulus_template,
+             "the patches are " + in_millimetres(width_m) + " wide and contain " +
+                 fixed(width_m / *period_m, 1) + " periods of the stimulus \"" +
+                 planned.stimulus.name + "\" (" + in_millimetres(*period_m) +
+                 "); ten or more are needed to feel a texture: use a wider surface or a shorter "
+                 "period");
+      }
+    }
+  }
+  return warnings;
+}
+
+}  // namespace asperity

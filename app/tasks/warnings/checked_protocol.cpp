@@ -1,0 +1,32 @@
+#include "app/tasks/warnings/checked_protocol.h"
+
+#include "protocols/design/json_pointer.h"
+#include "protocols/file/json_document.h"
+#include "protocols/plan/plan.h"
+
+namespace asperity {
+
+const std::vector<Trial>& CheckedProtocol::trials() const {
+  if (!trials_) trials_ = possible_trials(protocol);
+  return *trials_;
+}
+
+std::vector<CheckedProtocol::Presentation> CheckedProtocol::presentations() const {
+  std::vector<Presentation> presentations{};
+  for (const Trial& trial : trials()) {
+    for (const PlannedPresentation& planned : trial.presentations) {
+      presentations.push_back({trial, planned});
+    }
+  }
+  return presentations;
+}
+
+Diagnostic CheckedProtocol::at_body(const std::string& name, const std::string& message) const {
+  return JsonDocument(protocol.source, file_name).at_key(pointer_to("/bodies", name), message);
+}
+
+Diagnostic CheckedProtocol::at_stimulus(const std::string& name, const std::string& message) const {
+  return JsonDocument(protocol.source, file_name).at_key(pointer_to("/stimuli", name), message);
+}
+
+}  // namespace asperity
