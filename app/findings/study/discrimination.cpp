@@ -55,6 +55,24 @@ void drop_ties(std::size_t compared, const std::string& about, const FoundNumber
   tests.drop_ties(compared - std::min(compared, static_cast<std::size_t>(tested)));
 }
 
+/// The scores of the positions; empty where fewer than two participants can be compared, which the tests state.
+std::vector<Finding> orders_compared(const GatheredAnswers& gathered,
+                                     const DiscriminationResults& results, ScoreRows scores,
+                                     std::size_t compared, const std::vector<std::string>& items,
+                                     StudyTests& tests, AnalysisOutcome& outcome) {
+  keep_findings(results.order, outcome);
+  if (compared < 2) {
+    tests.add_untested(
+        "order", results.name,
+        gathered.people.size() == 1 ? StudyTests::kOneParticipantAlone : "one_order");
+    return {};
+  }
+  const std::string analysis = results.name.empty() ? "order_test" : "order_test:" + results.name;
+  std::vector<Finding> findings = scores_compared(analysis, std::move(scores), items);
+  keep_tests(findings, items.size() == 2, outcome);
+  return findings;
+}
+
 /// The counterpart of `test_order` for a choice of three surfaces.
 void test_places(const GatheredAnswers& gathered, const DiscriminationResults& results,
                  StudyTests& tests, AnalysisOutcome& outcome) {
@@ -67,17 +85,10 @@ void test_places(const GatheredAnswers& gathered, const DiscriminationResults& r
       scores.add(own.person, kCodesOfPlaces[place], own.proportion_of(place));
     }
   }
-  keep_findings(results.order, outcome);
-  if (complete < 2) {
-    tests.add_untested(
-        "order", results.name,
-        gathered.people.size() == 1 ? StudyTests::kOneParticipantAlone : "one_order");
-    return;
-  }
-  const std::string analysis = results.name.empty() ? "order_test" : "order_test:" + results.name;
   const std::vector<Finding> findings =
-      scores_compared(analysis, std::move(scores), {kCodesOfPlaces.begin(), kCodesOfPlaces.end()});
-  keep_tests(findings, false, outcome);
+      orders_compared(gathered, results, std::move(scores), complete,
+                      {kCodesOfPlaces.begin(), kCodesOfPlaces.end()}, tests, outcome);
+  if (findings.empty()) return;
   tests.add("order", results.name, FoundNumbers(findings), "friedman.p");
 }
 
@@ -91,17 +102,9 @@ void test_order_of_two(const GatheredAnswers& gathered, const DiscriminationResu
     scores.add(own.person, kFirst, own.proportion_of(own.first));
     scores.add(own.person, kSecond, own.proportion_of(own.second));
   }
-  keep_findings(results.order, outcome);
-  if (with_both < 2) {
-    tests.add_untested(
-        "order", results.name,
-        gathered.people.size() == 1 ? StudyTests::kOneParticipantAlone : "one_order");
-    return;
-  }
-  const std::string analysis = results.name.empty() ? "order_test" : "order_test:" + results.name;
-  const std::vector<Finding> findings =
-      scores_compared(analysis, std::move(scores), {kFirst, kSecond});
-  keep_tests(findings, true, outcome);
+  const std::vector<Finding> findings = orders_compared(
+      gathered, results, std::move(scores), with_both, {kFirst, kSecond}, tests, outcome);
+  if (findings.empty()) return;
   const FoundNumbers found(findings);
   tests.add("order", results.name, found, kWilcoxonP, both(kFirst, kSecond));
   tests.state_effect(FoundNumbers(results.order).find("order.difference", results.name));
