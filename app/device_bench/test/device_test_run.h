@@ -44,10 +44,8 @@ struct Hold {
   double damping_N_s_per_m = 1.5;
   glm::dvec3 origin_m{0.0};
 
-  void begin(double since_s, const ProbeState& probe) noexcept {
+  glm::dvec3 force_N(double since_s, const ProbeState& probe) noexcept {
     if (since_s <= 0.0) origin_m = probe.position_m;
-  }
-  glm::dvec3 force_N(const ProbeState& probe) const noexcept {
     return stiffness_N_per_m * (origin_m - probe.position_m) -
            damping_N_s_per_m * probe.velocity_m_per_s;
   }

@@ -47,8 +47,7 @@ PushSeries pushed(DeviceTestRun& run, int axis, double push_N, const Rest& rest)
   DeviceStage stage{.duration_s = kSettled_s + kPushes * period_s + 0.1};
   Hold hold{.damping_N_s_per_m = rest.damping_N_s_per_m};
   stage.force_N = [=](double since_s, const ProbeState& probe) mutable {
-    hold.begin(since_s, probe);
-    glm::dvec3 force_N = hold.force_N(probe);
+    glm::dvec3 force_N = hold.force_N(since_s, probe);
     force_N[axis] += pushed_N(since_s);
     return force_N;
   };

@@ -26,8 +26,7 @@ std::optional<double> moved_by(DeviceTestRun& run, int axis, double push_N, Phra
   DeviceStage stage{.duration_s = kSettled_s + 2.0 * kSmallPushes * kSmallPush_s};
   Hold hold{.stiffness_N_per_m = kSoftHold_N_per_m};
   stage.force_N = [=](double since_s, const ProbeState& probe) mutable {
-    hold.begin(since_s, probe);
-    glm::dvec3 force_N = hold.force_N(probe);
+    glm::dvec3 force_N = hold.force_N(since_s, probe);
     force_N[axis] += pushed_N(since_s);
     return force_N;
   };

@@ -20,8 +20,7 @@ bool swings(DeviceTestRun& run, const Sweeps& sweeps, int axis, double stiffness
   DeviceStage stage{.duration_s = kEnd_s, .reach_m = kFar_m};
   Hold hold{};
   stage.force_N = [=](double since_s, const ProbeState& probe) mutable {
-    hold.begin(since_s, probe);
-    glm::dvec3 force_N = hold.force_N(probe);
+    glm::dvec3 force_N = hold.force_N(since_s, probe);
     const bool kicked = since_s >= kSettled_s && since_s < kSettled_s + kKicked_s;
     force_N[axis] = stiffness_N_per_m *
                     (hold.origin_m[axis] + (kicked ? kKick_m : 0.0) - probe.position_m[axis]);

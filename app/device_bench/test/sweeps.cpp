@@ -71,8 +71,7 @@ std::vector<ForcedMotion> sweep(DeviceTestRun& run, int axis, double damping_N_s
   DeviceStage stage{.duration_s = duration_s};
   Hold hold{.damping_N_s_per_m = damping_N_s_per_m};
   stage.force_N = [=](double since_s, const ProbeState& probe) mutable {
-    hold.begin(since_s, probe);
-    glm::dvec3 force_N = hold.force_N(probe);
+    glm::dvec3 force_N = hold.force_N(since_s, probe);
     force_N[axis] = kPull_N_per_m * (hold.origin_m[axis] + path.position_m(since_s - kSettled_s) -
                                      probe.position_m[axis]) -
                     hold.damping_N_s_per_m * probe.velocity_m_per_s[axis];

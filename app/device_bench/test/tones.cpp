@@ -38,8 +38,7 @@ void measure_tones(DeviceTestRun& run, const Sweeps& sweeps) {
     DeviceStage stage{.duration_s = now_s + 0.05};
     Hold hold{};
     stage.force_N = [=, &tones](double since_s, const ProbeState& probe) mutable {
-      hold.begin(since_s, probe);
-      glm::dvec3 force_N = hold.force_N(probe);
+      glm::dvec3 force_N = hold.force_N(since_s, probe);
       for (const ResonanceTone& tone : tones) {
         if (since_s < tone.begins_s || since_s >= tone.ends_s) continue;
         force_N[axis] += tone_N * std::sin(2.0 * std::numbers::pi * tone.frequency_Hz *
