@@ -44,6 +44,11 @@ WindowSampling sampling_of(const ParameterValues& values) {
           .most_halvings = static_cast<int>(number_of(values, "most_halvings"))};
 }
 
+TexturedBody body_of(const std::shared_ptr<const TexturedMesh>& mesh, double gain,
+                     PreparedBodies* bodies) {
+  return bodies != nullptr ? bodies->body(mesh, gain) : TexturedBody(*mesh, gain);
+}
+
 std::unique_ptr<ComputedContacts> computed_of(const RendererInputs& inputs,
                                               const Compute* compute) {
   if (compute == nullptr) return nullptr;
@@ -81,15 +86,15 @@ glm::dvec3 across(const glm::dvec3& n, const glm::dvec3& vector) noexcept {
 }  // namespace
 
 PdGradient::PdGradient(const RendererInputs& inputs, InstructionSet instructions,
-                       const Compute* compute)
+                       const Compute* compute, PreparedBodies* bodies)
     : patch_(checked(inputs).patch, inputs.material, inputs.parameters),
-      contacts_({*inputs.tool, number_of(inputs.parameters, "tool_texture_gain")},
-                {*inputs.surface, number_of(inputs.parameters, "texture_gain")},
+      contacts_(body_of(inputs.tool, number_of(inputs.parameters, "tool_texture_gain"), bodies),
+                body_of(inputs.surface, number_of(inputs.parameters, "texture_gain"), bodies),
                 sampling_of(inputs.parameters), instructions, computed_of(inputs, compute)),
-      centre_in_tool_m_(contacts_.a().hull_clusters()->centre_m()),
+      centre_in_tool_m_(tool_body().hull_clusters()->centre_m()),
       contact_damping_N_s_per_m_(number_of(inputs.parameters, "contact_damping_N_s_per_m")),
       friction_speed_m_per_s_(number_of(inputs.parameters, "friction_speed_m_per_s")),
-      finest_wave_m_(std::min(contacts_.a().finest_wave_m(), contacts_.b().finest_wave_m())),
+      finest_wave_m_(std::min(tool_body().finest_wave_m(), surface_body().finest_wave_m())),
       has_compute_device_(compute != nullptr),
       limits_{{{.name = "contact"},
                {.name = "folded"},
@@ -347,8 +352,10 @@ ForceModel pd_gradient_model(std::shared_ptr<const Compute> compute) {
       .conflict_among = [](const ParameterValues& values) {
         return conflict_in(sampling_of(values));
       }};
-  const auto make = [compute](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
-    return std::make_unique<PdGradient>(inputs, instruction_sets_here().back(), compute.get());
+  const auto make = [compute, bodies = std::make_shared<PreparedBodies>()](
+                        const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
+    return std::make_unique<PdGradient>(inputs, instruction_sets_here().back(), compute.get(),
+                                        bodies.get());
   };
   return {.declaration = std::move(declaration),
           .make = make,

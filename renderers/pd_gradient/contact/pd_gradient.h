@@ -15,6 +15,7 @@
 #include "renderers/force/simulated_tool.h"
 #include "renderers/force/surface_contact.h"
 #include "renderers/pd_gradient/contact/coupled_tool.h"
+#include "renderers/pd_gradient/contact/prepared_bodies.h"
 #include "renderers/pd_gradient/contact/textured_contacts.h"
 #include "renderers/pd_gradient/loops/instruction_set.h"
 
@@ -69,8 +70,9 @@ class PdGradient final : public ForceRenderer, public SimulatesTool {
  public:
   /// Requires complete, checked parameters.
   /// `compute`: the device that evaluates contacts; null for the processor.
+  /// `bodies`: those that are shared with other renderers, used by the constructor only; null to prepare bodies for this one.
   PdGradient(const RendererInputs& inputs, InstructionSet instructions,
-             const Compute* compute = nullptr);
+             const Compute* compute = nullptr, PreparedBodies* bodies = nullptr);
 
   void reset(const ProbeState& first) noexcept override;
   RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override;
@@ -99,6 +101,9 @@ class PdGradient final : public ForceRenderer, public SimulatesTool {
 
   /// The contacts of the last tick, for the benchmark and for pictures of a contact.
   std::span<const TexturedContact> contacts() const noexcept { return found_; }
+
+  const TexturedBody& tool_body() const noexcept { return contacts_.a(); }
+  const TexturedBody& surface_body() const noexcept { return contacts_.b(); }
 
  private:
   enum class Limit : std::size_t {
@@ -145,7 +150,8 @@ class PdGradient final : public ForceRenderer, public SimulatesTool {
   std::array<NamedCount, 11> limits_;
 };
 
-/// The model's declaration; it requires a tool and a surface. `compute` as for PdGradient.
+/// The model's declaration; it requires a tool and a surface. `compute` as for PdGradient. The renderers of this model and of its
+/// copies share their bodies (PreparedBodies).
 ForceModel pd_gradient_model(std::shared_ptr<const Compute> compute = {});
 
 /// Whether the hand holds a simulated tool; takes complete parameters of any model.

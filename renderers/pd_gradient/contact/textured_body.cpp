@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -204,27 +205,34 @@ double clearance_m(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c
 }  // namespace
 
 TexturedBody::TexturedBody(const TexturedMesh& mesh, double gain)
-    : surface_(mesh, checked_gain(gain)), plain_clusters_(plain(mesh)) {
+    : surface_(std::make_shared<const PackedSurface>(mesh, checked_gain(gain))),
+      plain_clusters_(std::make_shared<const ClusteredMesh>(plain(mesh))) {
   const Relief relief(mesh, gain);
-  hull_ = hull_of(mesh, std::max(0.0, relief.high_m()));
-  hull_clusters_ = std::make_shared<const ClusteredMesh>(hull_);
+  hull_ = std::make_shared<const TriangleMesh>(hull_of(mesh, std::max(0.0, relief.high_m())));
+  hull_clusters_ = std::make_shared<const ClusteredMesh>(*hull_);
   furthest_m_ = std::max(std::abs(relief.low_m()), std::abs(relief.high_m()));
   waves_ = fine_waves_of(mesh, gain);
-  thickness_m_ = asperity::thickness_m(hull_);
+  thickness_m_ = asperity::thickness_m(*hull_);
+}
+
+std::size_t TexturedBody::bytes() const noexcept {
+  return surface_->bytes() + std::as_bytes(std::span(hull_->vertices_m)).size() +
+         std::as_bytes(std::span(hull_->triangles)).size() + hull_clusters_->bytes() +
+         plain_clusters_->bytes();
 }
 
 std::size_t TexturedBody::find_triangles(const ContactFrame& frame, const glm::dvec3& facing,
                                          const WindowBox& box,
                                          std::span<std::uint32_t> room) const noexcept {
   const SlabBox slabs =
-      plain_clusters_.slab_box({.centre_m = frame.origin_m,
-                                .axes = {frame.u, frame.v, frame.n},
-                                .half_m = {box.half_width_m, box.half_width_m, box.half_height_m},
-                                .facing = facing});
+      plain_clusters_->slab_box({.centre_m = frame.origin_m,
+                                 .axes = {frame.u, frame.v, frame.n},
+                                 .half_m = {box.half_width_m, box.half_width_m, box.half_height_m},
+                                 .facing = facing});
   std::size_t found = 0;
-  const std::span<const TriangleCluster> clusters = plain_clusters_.clusters();
+  const std::span<const TriangleCluster> clusters = plain_clusters_->clusters();
   for (std::size_t i = 0; i < clusters.size(); ++i) {
-    for (std::uint32_t left = plain_clusters_.find_in_box(i, slabs); left != 0; left &= left - 1) {
+    for (std::uint32_t left = plain_clusters_->find_in_box(i, slabs); left != 0; left &= left - 1) {
       if (found < room.size()) room[found] = clusters[i].triangles[std::countr_zero(left)];
       ++found;
     }
@@ -238,9 +246,9 @@ WayOut TexturedBody::way_out(const glm::dvec3& point_m, const glm::dvec3& along,
   double out_m = std::numeric_limits<double>::infinity();
   double in_m = out_m;
   const glm::dvec3 half_way_m = 0.5 * most_m * along;
-  const glm::dvec3 middle_m = point_m + half_way_m - plain_clusters_.centre_m();
+  const glm::dvec3 middle_m = point_m + half_way_m - plain_clusters_->centre_m();
   const glm::dvec3 reach_m = glm::abs(half_way_m) + kRounding_m;
-  const std::span<const TriangleCluster> clusters = plain_clusters_.clusters();
+  const std::span<const TriangleCluster> clusters = plain_clusters_->clusters();
   // Of a box among sixteen; that of an unused lane is empty.
   const auto is_apart = [&](const auto& boxes, std::size_t lane) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -252,11 +260,11 @@ WayOut TexturedBody::way_out(const glm::dvec3& point_m, const glm::dvec3& along,
     return false;
   };
   for (std::size_t i = 0; i < clusters.size(); ++i) {
-    if (is_apart(plain_clusters_.boxes()[i / kClusterSize], i % kClusterSize)) continue;
+    if (is_apart(plain_clusters_->boxes()[i / kClusterSize], i % kClusterSize)) continue;
     for (std::size_t place = 0; place < kClusterSize; ++place) {
       if (is_apart(clusters[i], place)) continue;
       const Crossing met =
-          crossing(plain_clusters_.corners_m(clusters[i].triangles[place]), point_m, along);
+          crossing(plain_clusters_->corners_m(clusters[i].triangles[place]), point_m, along);
       double& nearest_m = met.is_out ? out_m : in_m;
       nearest_m = std::min(nearest_m, met.way_m);
     }
@@ -268,10 +276,10 @@ WayOut TexturedBody::way_out(const glm::dvec3& point_m, const glm::dvec3& along,
 Whereabouts TexturedBody::whereabouts(const glm::dvec3& point_m) const noexcept {
   double half_angles_rad = 0.0;
   double nearest_m = std::numeric_limits<double>::infinity();
-  for (const auto& [i, j, k] : hull_.triangles) {
-    const glm::dvec3 a = hull_.vertices_m[i] - point_m;
-    const glm::dvec3 b = hull_.vertices_m[j] - point_m;
-    const glm::dvec3 c = hull_.vertices_m[k] - point_m;
+  for (const auto& [i, j, k] : hull_->triangles) {
+    const glm::dvec3 a = hull_->vertices_m[i] - point_m;
+    const glm::dvec3 b = hull_->vertices_m[j] - point_m;
+    const glm::dvec3 c = hull_->vertices_m[k] - point_m;
     nearest_m = std::min(nearest_m, clearance_m(a, b, c));
     const double a_m = glm::length(a);
     const double b_m = glm::length(b);

@@ -45,6 +45,8 @@ struct Whereabouts {
 /// has to remain flat: a hull that followed the texture would intersect another one in many places, and each would
 /// count as a contact.
 ///
+/// Copies share their memory: making one takes no time, and each may be used by another thread.
+///
 /// Errors: std::invalid_argument in the cases of PackedSurface, for a mesh without triangles, and for a gain that is
 /// negative or not a number.
 ///
@@ -53,10 +55,12 @@ class TexturedBody final {
  public:
   TexturedBody(const TexturedMesh& mesh, double gain);
 
-  const TriangleMesh& hull() const noexcept { return hull_; }
+  const TriangleMesh& hull() const noexcept { return *hull_; }
   std::shared_ptr<const ClusteredMesh> hull_clusters() const noexcept { return hull_clusters_; }
-  const PackedSurface& surface() const noexcept { return surface_; }
-  std::size_t triangles() const noexcept { return hull_.triangles.size(); }
+  const PackedSurface& surface() const noexcept { return *surface_; }
+  std::size_t triangles() const noexcept { return hull_->triangles.size(); }
+  /// Of the memory that copies share.
+  std::size_t bytes() const noexcept;
   double furthest_displacement_m() const noexcept { return furthest_m_; }
 
   /// An upper bound of the thickness of the hull: the smallest distance between two parallel planes that enclose it,
@@ -84,11 +88,11 @@ class TexturedBody final {
   Whereabouts whereabouts(const glm::dvec3& point_m) const noexcept;
 
  private:
-  PackedSurface surface_;
-  TriangleMesh hull_{};
+  std::shared_ptr<const PackedSurface> surface_{};
+  std::shared_ptr<const TriangleMesh> hull_{};
   // Shared with the queries that use it.
   std::shared_ptr<const ClusteredMesh> hull_clusters_{};
-  ClusteredMesh plain_clusters_;
+  std::shared_ptr<const ClusteredMesh> plain_clusters_{};
   double furthest_m_ = 0.0;
   FineWaves waves_{};
   double thickness_m_ = 0.0;

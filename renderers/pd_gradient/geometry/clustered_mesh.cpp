@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -172,6 +173,12 @@ SlabBox ClusteredMesh::slab_box(const Box& box) const noexcept {
 std::uint32_t ClusteredMesh::find_in_box(std::size_t cluster, const SlabBox& box) const noexcept {
   return loops_->find_in_box(clusters_[cluster], box,
                              kRoundingOfRadius * static_cast<float>(radius_m_));
+}
+
+std::size_t ClusteredMesh::bytes() const noexcept {
+  return std::as_bytes(clusters()).size() + std::as_bytes(boxes()).size() +
+         std::as_bytes(std::span(corners_m_)).size() +
+         std::as_bytes(std::span(corners_from_centre_m_)).size();
 }
 
 ClusterPose cluster_pose(const ClusteredMesh& a, const ClusteredMesh& b,

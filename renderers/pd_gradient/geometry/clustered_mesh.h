@@ -50,6 +50,7 @@ class ClusteredMesh final {
   const std::array<glm::dvec3, 3>& corners_m(std::uint32_t triangle) const noexcept {
     return corners_m_[triangle];
   }
+  std::size_t bytes() const noexcept;
 
  private:
   glm::dvec3 centre_m_{0.0};

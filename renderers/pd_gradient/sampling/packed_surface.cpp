@@ -3,6 +3,7 @@
 #include "renderers/pd_gradient/sampling/packed_surface.h"
 
 #include <algorithm>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -58,6 +59,10 @@ PackedSurface::PackedSurface(const TexturedMesh& mesh, double gain) {
                                .place_y = static_cast<float>(mesh.places[i][corner].y)};
     }
   }
+}
+
+std::size_t PackedSurface::bytes() const noexcept {
+  return std::as_bytes(std::span(triangles_)).size() + std::as_bytes(std::span(pairs_)).size();
 }
 
 PairedTexels PackedSurface::texels() const noexcept {

@@ -35,6 +35,7 @@ class PackedSurface final {
   const std::vector<Triangle>& triangles() const noexcept { return triangles_; }
   PairedTexels texels() const noexcept;
   double step_m() const noexcept { return step_m_; }
+  std::size_t bytes() const noexcept;
 
  private:
   std::vector<Triangle> triangles_{};
