@@ -160,10 +160,10 @@ TEST(PreparedBodies, ExertTheSameForcesWhetherSharedOrNot) {
   PdGradient own(inputs, instruction_sets_here().back());
   const std::vector<double> expected_N = slide_N(own);
   EXPECT_GT(*std::max_element(expected_N.begin(), expected_N.end()), 0.05);
-  PreparedBodies bodies;
-  PdGradient first(inputs, instruction_sets_here().back(), nullptr, &bodies);
+  PdGradient::SharedParts shared;
+  PdGradient first(inputs, instruction_sets_here().back(), nullptr, &shared);
   EXPECT_EQ(slide_N(first), expected_N);
-  PdGradient second(inputs, instruction_sets_here().back(), nullptr, &bodies);
+  PdGradient second(inputs, instruction_sets_here().back(), nullptr, &shared);
   EXPECT_EQ(slide_N(second), expected_N);
   EXPECT_EQ(slide_N(first), expected_N);  // while another one has the same bodies
 }

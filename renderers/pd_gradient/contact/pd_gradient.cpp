@@ -45,8 +45,8 @@ WindowSampling sampling_of(const ParameterValues& values) {
 }
 
 TexturedBody body_of(const std::shared_ptr<const TexturedMesh>& mesh, double gain,
-                     PreparedBodies* bodies) {
-  return bodies != nullptr ? bodies->body(mesh, gain) : TexturedBody(*mesh, gain);
+                     PdGradient::SharedParts* shared) {
+  return shared != nullptr ? shared->bodies.body(mesh, gain) : TexturedBody(*mesh, gain);
 }
 
 std::unique_ptr<ComputedContacts> computed_of(const RendererInputs& inputs,
@@ -86,11 +86,12 @@ glm::dvec3 across(const glm::dvec3& n, const glm::dvec3& vector) noexcept {
 }  // namespace
 
 PdGradient::PdGradient(const RendererInputs& inputs, InstructionSet instructions,
-                       const Compute* compute, PreparedBodies* bodies)
+                       const Compute* compute, SharedParts* shared)
     : patch_(checked(inputs).patch, inputs.material, inputs.parameters),
-      contacts_(body_of(inputs.tool, number_of(inputs.parameters, "tool_texture_gain"), bodies),
-                body_of(inputs.surface, number_of(inputs.parameters, "texture_gain"), bodies),
-                sampling_of(inputs.parameters), instructions, computed_of(inputs, compute)),
+      contacts_(body_of(inputs.tool, number_of(inputs.parameters, "tool_texture_gain"), shared),
+                body_of(inputs.surface, number_of(inputs.parameters, "texture_gain"), shared),
+                sampling_of(inputs.parameters), instructions, computed_of(inputs, compute),
+                shared != nullptr ? &shared->samplers : nullptr),
       centre_in_tool_m_(tool_body().hull_clusters()->centre_m()),
       contact_damping_N_s_per_m_(number_of(inputs.parameters, "contact_damping_N_s_per_m")),
       friction_speed_m_per_s_(number_of(inputs.parameters, "friction_speed_m_per_s")),
@@ -352,10 +353,10 @@ ForceModel pd_gradient_model(std::shared_ptr<const Compute> compute) {
       .conflict_among = [](const ParameterValues& values) {
         return conflict_in(sampling_of(values));
       }};
-  const auto make = [compute, bodies = std::make_shared<PreparedBodies>()](
+  const auto make = [compute, shared = std::make_shared<PdGradient::SharedParts>()](
                         const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
     return std::make_unique<PdGradient>(inputs, instruction_sets_here().back(), compute.get(),
-                                        bodies.get());
+                                        shared.get());
   };
   return {.declaration = std::move(declaration),
           .make = make,

@@ -68,11 +68,17 @@ namespace asperity {
 /// Real-time: `reset` and `tick` do not allocate, lock or throw.
 class PdGradient final : public ForceRenderer, public SimulatesTool {
  public:
+  /// What renderers share: what takes long to make and does not change the forces.
+  struct SharedParts {
+    PreparedBodies bodies{};
+    SpareSamplers samplers{};
+  };
+
   /// Requires complete, checked parameters.
   /// `compute`: the device that evaluates contacts; null for the processor.
-  /// `bodies`: those that are shared with other renderers, used by the constructor only; null to prepare bodies for this one.
+  /// `shared`: used by the constructor only; null to make all parts for this renderer.
   PdGradient(const RendererInputs& inputs, InstructionSet instructions,
-             const Compute* compute = nullptr, PreparedBodies* bodies = nullptr);
+             const Compute* compute = nullptr, SharedParts* shared = nullptr);
 
   void reset(const ProbeState& first) noexcept override;
   RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override;
@@ -151,7 +157,7 @@ class PdGradient final : public ForceRenderer, public SimulatesTool {
 };
 
 /// The model's declaration; it requires a tool and a surface. `compute` as for PdGradient. The renderers of this model and of its
-/// copies share their bodies (PreparedBodies).
+/// copies share their parts (PdGradient::SharedParts).
 ForceModel pd_gradient_model(std::shared_ptr<const Compute> compute = {});
 
 /// Whether the hand holds a simulated tool; takes complete parameters of any model.

@@ -26,17 +26,25 @@ double widest_window_m(const TexturedBody& a, const TexturedBody& b) {
          std::min(a.hull_clusters()->radius_m(), b.hull_clusters()->radius_m());
 }
 
+std::shared_ptr<WindowSamplers> samplers_of(const WindowSampling& sampling, double widest_m,
+                                            std::size_t most_triangles, InstructionSet instructions,
+                                            SpareSamplers* spare) {
+  if (spare != nullptr) return spare->take(sampling, widest_m, most_triangles, instructions);
+  return std::make_shared<WindowSamplers>(sampling, widest_m, most_triangles, instructions);
+}
+
 }  // namespace
 
 TexturedContacts::TexturedContacts(TexturedBody a, TexturedBody b, const WindowSampling& sampling,
                                    InstructionSet instructions,
-                                   std::unique_ptr<ComputedContacts> computed)
+                                   std::unique_ptr<ComputedContacts> computed, SpareSamplers* spare)
     : a_(std::move(a)),
       b_(std::move(b)),
       query_(a_.hull_clusters(), b_.hull_clusters(), kMostPairs, instructions),
       regions_(a_.hull(), b_.hull(), kMostPairs, kMostContacts, instructions),
-      samplers_(refinable(sampling, a_, b_), widest_window_m(a_, b_),
-                std::min(kMostTriangles, std::max(a_.triangles(), b_.triangles())), instructions),
+      samplers_(samplers_of(refinable(sampling, a_, b_), widest_window_m(a_, b_),
+                            std::min(kMostTriangles, std::max(a_.triangles(), b_.triangles())),
+                            instructions, spare)),
       triangles_a_(std::min(kMostTriangles, a_.triangles())),
       triangles_b_(std::min(kMostTriangles, b_.triangles())),
       computed_(std::move(computed)),
@@ -51,7 +59,7 @@ void TexturedContacts::reset() noexcept {
   regions_.reset();
   contacts_.clear();
   before_.clear();
-  samplers_.reset();
+  samplers_->reset();
   left_out_ = {};
   shares_.reset();
   is_first_ = true;
@@ -233,7 +241,7 @@ void TexturedContacts::compute(std::span<const ContactRegion* const> regions, co
   computed_->begin();
   const auto request = [&](TexturedContact contact) {
     set_reach(contact);
-    WindowSamplers::Window& window = samplers_.window_for(contact.width_m);
+    WindowSamplers::Window& window = samplers_->window_for(contact.width_m);
     left_out_.triangles +=
         computed_->add(contact, window.with(contact.halvings), window.law, a_, X_WA, b_, X_WB);
   };
@@ -290,7 +298,7 @@ void TexturedContacts::add(TexturedContact contact, const Pose& X_WA, const Pose
     return;
   }
   set_reach(contact);
-  WindowSamplers::Window& window = samplers_.window_for(contact.width_m);
+  WindowSamplers::Window& window = samplers_->window_for(contact.width_m);
   const std::optional<Penetration> found = evaluated(contact, window, X_WA, X_WB);
   if (!found && contact.is_kept) return;
   contact.penetration = found.value_or(Penetration{});

@@ -22,6 +22,7 @@
 #include "renderers/pd_gradient/geometry/contact_regions.h"
 #include "renderers/pd_gradient/geometry/mesh_query.h"
 #include "renderers/pd_gradient/sampling/penetration.h"
+#include "renderers/pd_gradient/sampling/spare_samplers.h"
 #include "renderers/pd_gradient/sampling/window_samplers.h"
 
 namespace asperity {
@@ -130,8 +131,10 @@ class TexturedContacts final {
       0.050;  ///< a wave of 2 mm at 40 mm/s: between crests a tool may be on one
 
   /// With `computed`, made for the same bodies, contacts are evaluated there; where it has no answer, as without it.
+  /// `spare`: where samplers are taken from, used by the constructor only; null to make them for this object.
   TexturedContacts(TexturedBody a, TexturedBody b, const WindowSampling& sampling,
-                   InstructionSet instructions, std::unique_ptr<ComputedContacts> computed = {});
+                   InstructionSet instructions, std::unique_ptr<ComputedContacts> computed = {},
+                   SpareSamplers* spare = nullptr);
 
   /// Discards the previous tick.
   void reset() noexcept;
@@ -188,7 +191,7 @@ class TexturedContacts final {
   TexturedBody b_;
   MeshQuery query_;
   ContactRegions regions_;
-  WindowSamplers samplers_;
+  std::shared_ptr<WindowSamplers> samplers_;
   std::vector<std::uint32_t> triangles_a_{};
   std::vector<std::uint32_t> triangles_b_{};
   std::unique_ptr<ComputedContacts> computed_{};  ///< null without a compute device

@@ -70,7 +70,7 @@ CachedPenetration::CachedPenetration(const CachedSettings& settings)
 }
 
 std::size_t CachedPenetration::bytes() const noexcept {
-  return places_.size() * bytes_of_place(lattice_);
+  return places_.size() * bytes_of_place(lattice_) + sampler_.bytes() + sampling_.bytes();
 }
 
 void CachedPenetration::reset() noexcept {

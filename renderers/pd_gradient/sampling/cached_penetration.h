@@ -103,6 +103,7 @@ class CachedPenetration final {
 
   const SamplingGrid& grid() const noexcept { return sampler_.grid(); }
   double patch_width_m() const noexcept { return patch_width_m_; }
+  /// Without rooms that are small next to the heights of the places.
   std::size_t bytes() const noexcept;
   /// Since `reset`: results from kept heights, and those without kept heights.
   std::uint64_t kept_answers() const noexcept { return kept_answers_; }

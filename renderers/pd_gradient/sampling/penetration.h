@@ -18,6 +18,8 @@ namespace asperity {
 /// keeps sin(2π·step/λ)/(2π·step/λ) of the tangential force, 90 % at λ/8. It must not depend on the grid.
 struct HardMaximum {
   double step_m = 0.0;
+
+  bool operator==(const HardMaximum&) const = default;
 };
 
 /// The mean of all depths, with the weights w = exp((h_B − h_A)/τ); ⟨·⟩ denotes means with these weights:
@@ -32,6 +34,8 @@ struct HardMaximum {
 /// window.
 struct SmoothMaximum {
   double tau_m = 0.0;
+
+  bool operator==(const SmoothMaximum&) const = default;
 };
 
 using MaximumLaw = std::variant<HardMaximum, SmoothMaximum>;

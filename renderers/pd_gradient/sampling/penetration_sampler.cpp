@@ -6,6 +6,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -122,6 +123,11 @@ int PenetrationSampler::sample(const PackedPatch& patch, const ContactFrame& fra
                                           .lift_m = room_.data() + 3 * band},
                                  .first_row = 0,
                                  .end_row = grid_.samples + 2 * field.samples.apron});
+}
+
+std::size_t PenetrationSampler::bytes() const noexcept {
+  return std::as_bytes(std::span(a_.height_m)).size() +
+         std::as_bytes(std::span(b_.height_m)).size() + std::as_bytes(std::span(triangles_)).size();
 }
 
 float PenetrationSampler::height_m(const Field& field, int row, int column) const noexcept {

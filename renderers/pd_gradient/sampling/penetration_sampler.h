@@ -76,6 +76,8 @@ class PenetrationSampler final {
                                       const ContactFrame& frame) noexcept;
 
   const SamplingGrid& grid() const noexcept { return grid_; }
+  /// Of the heights and the triangles of a window.
+  std::size_t bytes() const noexcept;
 
  private:
   // The heights of one body over the window.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -32,6 +33,11 @@ PlaceSampling::PlaceSampling(const KeptLattice& lattice, std::size_t most_triang
   prepared_.resize(most_triangles);
   room_.assign(4 * static_cast<std::size_t>(kBandRows * lattice.stride + kMostLanes),
                0.0F);  // a BandRoom
+}
+
+std::size_t PlaceSampling::bytes() const noexcept {
+  return std::as_bytes(std::span(prepared_)).size() +
+         (triangles_a_.capacity() + triangles_b_.capacity()) * sizeof(std::uint32_t);
 }
 
 void PlaceSampling::begin(KeptPlace& place, const PackedPatch& a, const PackedPatch& b,

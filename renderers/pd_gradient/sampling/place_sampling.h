@@ -25,6 +25,9 @@ class PlaceSampling final {
 
   void reset() noexcept { step_ = Step::idle; }
 
+  /// Of the triangles of a place.
+  std::size_t bytes() const noexcept;
+
   bool is_idle() const noexcept { return step_ == Step::idle; }
 
   /// Begins with a place; `strain` is that of the heights that are used meanwhile. Copies the triangles.

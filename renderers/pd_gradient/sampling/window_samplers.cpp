@@ -123,6 +123,15 @@ WindowSamplers::Window& WindowSamplers::window_for(double width_m) noexcept {
   return found == windows_.end() ? windows_.back() : *found;
 }
 
+std::size_t WindowSamplers::bytes() const noexcept {
+  std::size_t bytes = 0;
+  for (const Window& window : windows_) {
+    bytes += window.sampler.bytes();
+    for (const CachedPenetration& finer : window.finer) bytes += finer.bytes();
+  }
+  return bytes;
+}
+
 void WindowSamplers::reset() noexcept {
   for (Window& window : windows_) {
     window.sampler.reset();

@@ -26,6 +26,8 @@ struct WindowSampling {
   /// are no longer than `fine_enough_m`.
   int most_halvings = 0;
   double fine_enough_m = 0.0;
+
+  bool operator==(const WindowSampling&) const = default;
 };
 
 /// The conflict among the values of a sampling, by the names of its fields: a step that is not 1, 2, 4 or 8 cells, or
@@ -77,6 +79,9 @@ class WindowSamplers final {
 
   /// Clears all heights.
   void reset() noexcept;
+
+  /// Of all samplers; nearly all of it for kept heights.
+  std::size_t bytes() const noexcept;
 
  private:
   std::vector<Window> windows_{};
