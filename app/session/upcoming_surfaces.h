@@ -29,7 +29,7 @@ struct NextTrial {
 
 /// Makes the surfaces of attempts, and on request those of the attempts that can follow.
 ///
-/// A renderer can take a second to make (`pd_gradient`: the waves of both textures are analysed for every gain). While a
+/// A renderer can take a second to make (`pd_gradient`: both textures are analysed, once for every mesh and gain). While a
 /// trial is carried out, a thread that preempts no other makes the surfaces of the trials that its outcomes lead to, in the order
 /// given; `take` waits for surfaces that are under way, and makes those that are not. The surfaces are the same in every
 /// case: they depend on the trial, the attempt and the seed of the session alone.
