@@ -84,6 +84,16 @@ TEST(TexturedBody, TakesNoRoundingOfItsShapeForDetail) {
             std::numeric_limits<double>::infinity());
 }
 
+TEST(TexturedBody, KeepsNoTexelsForAGainOfZero) {
+  const TexturedMesh plate = grated_plate(kBodyGrating);
+  const TexturedBody smooth(plate, 0.0);
+  EXPECT_LT(smooth.bytes() + 2 * plate.atlas.rows * plate.atlas.columns,
+            TexturedBody(plate, 1.0).bytes());
+  EXPECT_EQ(smooth.hull().vertices_m, plate.vertices_m);
+  EXPECT_EQ(smooth.furthest_displacement_m(), 0.0);
+  EXPECT_EQ(smooth.crest_per_m(), 0.0);
+}
+
 // Against the definition, triangle by triangle.
 TEST(TexturedBody, FindsTheTrianglesThatTouchTheWindowAndLookTheRightWay) {
   const TexturedMesh torus = bare(bumpy_torus(40, 24));

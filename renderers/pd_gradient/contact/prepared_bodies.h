@@ -30,8 +30,8 @@ namespace asperity {
 /// Not real-time: allocates and locks.
 class PreparedBodies final {
  public:
-  /// Fifty plates of 80 × 28 mm with a texel every 45 µm.
-  static constexpr std::size_t kMostBytes = std::size_t{256} << 20;
+  /// Eleven plates of 80 × 28 mm with a texel every 16 µm, as those of a height field with a sample every 62.5 µm.
+  static constexpr std::size_t kMostBytes = std::size_t{512} << 20;
 
   explicit PreparedBodies(std::size_t most_bytes = kMostBytes) : most_bytes_(most_bytes) {}
 

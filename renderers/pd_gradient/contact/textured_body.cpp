@@ -31,6 +31,15 @@ TriangleMesh plain(const TexturedMesh& mesh) {
   return {.vertices_m = mesh.vertices_m, .triangles = mesh.triangles};
 }
 
+/// With one texel of 0 for all faces: what a gain of 0 makes of every texture, in little memory.
+TexturedMesh without_texture(const TexturedMesh& mesh) {
+  return {.vertices_m = mesh.vertices_m,
+          .normals = mesh.normals,
+          .triangles = mesh.triangles,
+          .places = std::vector<std::array<glm::dvec2, 3>>(mesh.triangles.size()),
+          .atlas = {.rows = 1, .columns = 1, .step_m = 0.0, .values = {0}}};
+}
+
 TriangleMesh hull_of(const TexturedMesh& mesh, double outward_m) {
   TriangleMesh hull = plain(mesh);
   for (std::size_t i = 0; i < hull.vertices_m.size(); ++i) {
@@ -204,9 +213,13 @@ double clearance_m(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c
 
 }  // namespace
 
-TexturedBody::TexturedBody(const TexturedMesh& mesh, double gain)
-    : surface_(std::make_shared<const PackedSurface>(mesh, checked_gain(gain))),
-      plain_clusters_(std::make_shared<const ClusteredMesh>(plain(mesh))) {
+TexturedBody::TexturedBody(const TexturedMesh& textured, double gain) {
+  require_sound(textured);
+  const bool is_smooth = checked_gain(gain) == 0.0;
+  const TexturedMesh smooth = is_smooth ? without_texture(textured) : TexturedMesh{};
+  const TexturedMesh& mesh = is_smooth ? smooth : textured;
+  surface_ = std::make_shared<const PackedSurface>(mesh, gain);
+  plain_clusters_ = std::make_shared<const ClusteredMesh>(plain(mesh));
   const Relief relief(mesh, gain);
   hull_ = std::make_shared<const TriangleMesh>(hull_of(mesh, std::max(0.0, relief.high_m())));
   hull_clusters_ = std::make_shared<const ClusteredMesh>(*hull_);

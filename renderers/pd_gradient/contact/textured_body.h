@@ -45,6 +45,8 @@ struct Whereabouts {
 /// has to remain flat: a hull that followed the texture would intersect another one in many places, and each would
 /// count as a contact.
 ///
+/// With a gain of 0 it has no texels, and the forces of the plain mesh.
+///
 /// Copies share their memory: making one takes no time, and each may be used by another thread.
 ///
 /// Errors: std::invalid_argument in the cases of PackedSurface, for a mesh without triangles, and for a gain that is
@@ -53,7 +55,7 @@ struct Whereabouts {
 /// Real-time: const noexcept functions do not allocate, lock or throw.
 class TexturedBody final {
  public:
-  TexturedBody(const TexturedMesh& mesh, double gain);
+  TexturedBody(const TexturedMesh& textured, double gain);
 
   const TriangleMesh& hull() const noexcept { return *hull_; }
   std::shared_ptr<const ClusteredMesh> hull_clusters() const noexcept { return hull_clusters_; }
