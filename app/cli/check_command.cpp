@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <stop_token>
 #include <string>
@@ -31,6 +32,7 @@
 #include "device/drivers.h"
 #include "protocols/file/json_document.h"
 #include "protocols/file/protocol_problems.h"
+#include "protocols/file/protocol_reader.h"
 #include "protocols/plan/course.h"
 #include "protocols/plan/groups.h"
 #include "protocols/plan/plan.h"
@@ -99,7 +101,15 @@ nlohmann::ordered_json json_of(const std::vector<StimulusDrag>& drags) {
   return json;
 }
 
-nlohmann::ordered_json json_of(const ProtocolCheck& check, const std::vector<StimulusDrag>& drags) {
+/// The files that a protocol names, each once.
+std::set<std::string> named_files(const Protocol& protocol) {
+  std::set<std::string> paths{};
+  for (const NamedFile& named : files_of(protocol)) paths.insert(named.path);
+  return paths;
+}
+
+nlohmann::ordered_json json_of(const ProtocolCheck& check, const std::vector<StimulusDrag>& drags,
+                               bool examines_files) {
   nlohmann::ordered_json json{{"file", check.file},
                               {"valid", check.diagnostics.empty()},
                               {"diagnostics", json_of(check.diagnostics)},
@@ -115,6 +125,8 @@ nlohmann::ordered_json json_of(const ProtocolCheck& check, const std::vector<Sti
     json["longest_without_break_s"] = check.cost.longest_without_break_s;
     if (!check.designs.empty()) json["designs"] = check.designs;
     json["drag"] = json_of(drags);
+    json["files_not_examined"] =
+        examines_files ? std::set<std::string>{} : named_files(*check.protocol);
     if (check.protocol->groups) {
       json["groups"] = {{"factor", check.protocol->groups->factor},
                         {"levels", groups_of(*check.protocol)},
@@ -270,7 +282,7 @@ void add_check(CLI::App& program, Job& job) {
         sort_by_line(check.warnings);
         say_in_order(check.diagnostics, check.warnings);
         if (options->json) {
-          json["protocols"].push_back(json_of(check, drags));
+          json["protocols"].push_back(json_of(check, drags, options->study.has_value()));
           if (options->device) {
             json["protocols"].back()["device"] =
                 json_of(*options->device, comparison,
@@ -296,6 +308,12 @@ void add_check(CLI::App& program, Job& job) {
           }
           if (!comparison.compared.empty()) {
             std::cout << check.file << ": " << comparison.compared << '\n';
+          }
+          if (const std::size_t files = named_files(*check.protocol).size();
+              !options->study && files > 0) {
+            std::cout << check.file
+                      << ": not examined without --study: " << counted(files, "file", "files")
+                      << " that the protocol names, and the stimuli made from them\n";
           }
         }
       }

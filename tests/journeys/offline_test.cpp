@@ -341,6 +341,24 @@ TEST(Check, PrintsTheMeanDragOfEachStimulus) {
   }
 }
 
+TEST(Check, NamesTheFilesThatItDoesNotExamineWithoutAStudy) {
+  const SmallStudy small(1);
+  const std::string words =
+      ": not examined without --study: 4 files that the protocol names, "
+      "and the stimuli made from them\n";
+  EXPECT_THAT(asperity({"check", small.selection()}).out, testing::EndsWith(words));
+  EXPECT_THAT(asperity({"check", small.selection(), "--study", small.study()}).out,
+              testing::Not(testing::HasSubstr("not examined")));
+  const auto left_out = [&small](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"check", small.selection(), "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return Json::parse(asperity(arguments).out).at("protocols").at(0).at("files_not_examined");
+  };
+  EXPECT_THAT(left_out({}), testing::Contains("stimuli/walnut.png"));
+  EXPECT_EQ(left_out({}).size(), 4U);
+  EXPECT_TRUE(left_out({"--study", small.study()}).empty());
+}
+
 TEST(Check, PutsTheFaultsOfEveryFileIntoTheDocument) {
   const SmallStudy small(1);
   write_text(small.place() / "bad.json", "{\"kind\": \"selecting\"}");
