@@ -219,8 +219,10 @@ Withdrawal Study::withdraw(const std::string& label, const WithdrawalRow& withdr
     return done;
   }
   if (participant(label)->withdrawn) {
-    refuse_withdrawal(store_->folder, "already has a withdrawal of participant " + label +
-                                          "; to delete the data as well, request their deletion");
+    refuse_withdrawal(store_->folder,
+                      "already has a withdrawal of participant " + label +
+                          ", which kept the data; to delete them, repeat the withdrawal "
+                          "with --delete");
   }
   Transaction transaction(database);
   done.outputs = outputs_since_added_in(database, label);

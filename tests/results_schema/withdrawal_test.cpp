@@ -141,7 +141,8 @@ TEST_F(WithdrawalFromAStudy, IsFinal) {
   next.participant = "Wanda7";
   EXPECT_THAT([&] { study.add_session(next, some_plan(1)); },
               says("has a withdrawal of participant"));
-  EXPECT_THAT([&] { study.withdraw("Wanda7", kKept); }, says("already"));
+  EXPECT_THAT([&] { study.withdraw("Wanda7", kKept); },
+              says("kept the data; to delete them, repeat the withdrawal with --delete"));
   EXPECT_NO_THROW(study.withdraw("Wanda7", kDeletion));
 }
 
