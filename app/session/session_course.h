@@ -34,7 +34,7 @@ struct Interruption {
 
 /// An interruption by a fault of the loop, or by the emergency stop.
 Interruption interruption_by(const ServoStatus& status);
-/// "the device failed in trial 3: the device does not respond"; without a trial "the emergency stop was pressed between
+/// "a fault occurred in trial 3: the device does not respond"; without a trial "the emergency stop was pressed between
 /// trials".
 Phrase fault_sentence(const Interruption& interruption, std::optional<int> trial);
 

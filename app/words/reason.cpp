@@ -30,9 +30,9 @@ const std::vector<ReasonWords>& all_reasons() {
       {Reason::stopped_between_trials, "emergency_stop_between_trials",
        phrase("Reasons", "the emergency stop was pressed between trials")},
       {Reason::failed_in_trial, "device_failed_in_trial",
-       phrase("Reasons", "the device failed in trial %1: %2")},
+       phrase("Reasons", "a fault occurred in trial %1: %2")},
       {Reason::failed_between_trials, "device_failed_between_trials",
-       phrase("Reasons", "the device failed between trials: %1")},
+       phrase("Reasons", "a fault occurred between trials: %1")},
       {Reason::every_trial_stored, "finished_trials_stored",
        phrase("Reasons", "every completed trial is stored; resume with --resume")},
       {Reason::failed_repeatedly, "trial_failed_repeatedly",
@@ -126,7 +126,9 @@ Phrase words_of_fault(Fault fault) {
     case Fault::workspace_left:
       return phrase("Reasons", "the probe left the workspace");
     case Fault::repeated_misses:
-      return phrase("Reasons", "too many missed deadlines");
+      return phrase("Reasons",
+                    "too many missed deadlines within a second: the computer was busy, or the "
+                    "servo rate is too high for it");
     case Fault::standstill:
       return phrase("Reasons", "the servo loop stalled for more than 50 ms");
   }

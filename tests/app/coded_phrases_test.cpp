@@ -82,7 +82,7 @@ TEST(CodedPhrases, StandInsideOthers) {
   const StoredWords words = stored(nested);
   EXPECT_EQ(
       loud(phrase_of(words)),
-      "THE DEVICE FAILED BETWEEN TRIALS: THE DEVICE IS NOT READY: ITS SERVO LOOP IS NOT RUNNING; "
+      "A FAULT OCCURRED BETWEEN TRIALS: THE DEVICE IS NOT READY: ITS SERVO LOOP IS NOT RUNNING; "
       "EVERY COMPLETED TRIAL IS STORED; RESUME WITH --RESUME");
   EXPECT_EQ(codes_of(words), "device_failed_between_trials; finished_trials_stored");
 }

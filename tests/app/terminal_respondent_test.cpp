@@ -54,8 +54,8 @@ class AtTerminal : public testing::Test {
 };
 
 TEST_F(AtTerminal, IsToldOfAFaultAndWhatToDo) {
-  person_.hear_of_fault("The device failed between trials.");
-  EXPECT_THAT(said_.str(), HasSubstr("The device failed between trials.\n"));
+  person_.hear_of_fault("A fault occurred between trials.");
+  EXPECT_THAT(said_.str(), HasSubstr("A fault occurred between trials.\n"));
   EXPECT_THAT(said_.str(), HasSubstr("press Return to continue"));
   EXPECT_EQ(person_.after_fault(), AfterFault::nothing);
 }

@@ -7270,12 +7270,12 @@
         <translation>der NOT-HALT wurde zwischen zwei Durchgängen gedrückt</translation>
     </message>
     <message>
-        <source>the device failed in trial %1: %2</source>
-        <translation>das Gerät ist in Durchgang %1 ausgefallen: %2</translation>
+        <source>a fault occurred in trial %1: %2</source>
+        <translation>in Durchgang %1 ist eine Störung aufgetreten: %2</translation>
     </message>
     <message>
-        <source>the device failed between trials: %1</source>
-        <translation>das Gerät ist zwischen zwei Durchgängen ausgefallen: %1</translation>
+        <source>a fault occurred between trials: %1</source>
+        <translation>zwischen zwei Durchgängen ist eine Störung aufgetreten: %1</translation>
     </message>
     <message>
         <source>every completed trial is stored; resume with --resume</source>
@@ -7382,8 +7382,8 @@
         <translation>der Taster hat den Arbeitsraum verlassen</translation>
     </message>
     <message>
-        <source>too many missed deadlines</source>
-        <translation>zu viele verpasste Fristen</translation>
+        <source>too many missed deadlines within a second: the computer was busy, or the servo rate is too high for it</source>
+        <translation>zu viele verpasste Fristen innerhalb einer Sekunde: Der Rechner war ausgelastet, oder die Servorate ist zu hoch für ihn</translation>
     </message>
     <message>
         <source>the emergency stop was pressed</source>
