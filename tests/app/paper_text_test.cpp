@@ -554,6 +554,18 @@ TEST(PaperText, StatesLevelsInDecibelsAsDifferences) {
             "could differ from it by −16 dB to 15 dB in 32 levels");
 }
 
+TEST(PaperText, StatesAfterWhichTrialsThereAreBreaks) {
+  const auto breaks = [](int trials) {
+    Protocol::Run run{};
+    run.break_every_trials = trials;
+    run.pause = Protocol::Break{};
+    run.pause->minimum_s = 30.0;
+    return order_of_run(Protocol{}, Protocol::Block{}, run, Tense::past);
+  };
+  EXPECT_THAT(breaks(1), testing::EndsWith(", with a break of at least 30 s after every trial"));
+  EXPECT_THAT(breaks(4), testing::EndsWith(", with a break of at least 30 s after every 4 trials"));
+}
+
 TEST(PaperText, StatesWhichTrialsAreLeftOutAndRepeatedWithUnits) {
   Protocol protocol{};
   protocol.factors["deep"] = {.name = "deep", .levels = {2e-5, 5e-5}};

@@ -133,8 +133,9 @@ std::string until_text(const Protocol::Criterion& until, Tense tense) {
 std::string breaks_text(const Protocol::Run& run) {
   std::vector<std::string> after{};
   if (run.break_every_trials > 0) {
-    after.push_back("after every " + std::to_string(run.break_every_trials) +
-                    (run.break_every_trials == 1 ? " trial" : " trials"));
+    after.push_back(run.break_every_trials == 1
+                        ? "after every trial"
+                        : "after every " + std::to_string(run.break_every_trials) + " trials");
   }
   if (run.break_every_contact_s > 0.0) {
     after.push_back("after every " + number_text(run.break_every_contact_s / 60.0) +
