@@ -46,7 +46,10 @@ QString in_lines(const QString& text, const QFontMetrics& metrics, int width) {
 }
 
 void set_scale(QCPAxis& axis, PlotScale scale) {
-  if (scale == PlotScale::linear) return;
+  if (scale == PlotScale::linear) {
+    axis.setTicker(plain_ticker());
+    return;
+  }
   axis.setScaleType(QCPAxis::stLogarithmic);
   axis.setTicker(decade_ticker());
   axis.setNumberFormat("eb");

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <QtCore/QCoreApplication>
+#include <QtGui/QFontMetrics>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QButtonGroup>
 #include <QtWidgets/QToolButton>
@@ -15,6 +16,7 @@ namespace {
 
 constexpr int kThumbnailWidth = 128;
 constexpr int kCaption = 28;  // pixels of a thumbnail's words and border
+constexpr int kFrame = 8;     // border and padding of a button, on both sides together
 
 struct StepWords {
   Q_DECLARE_TR_FUNCTIONS(StepWords)
@@ -64,11 +66,14 @@ QString meaning_of(Step step) {
 }
 
 StepStrip::StepStrip(QWidget* parent) : QWidget(parent) {
-  setFixedWidth(kThumbnailWidth);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(kGrid);
   group_ = new QButtonGroup(this);
+  QFont chosen_font = text_font(TextSize::small);
+  chosen_font.setBold(true);
+  const QFontMetrics metrics(chosen_font);
+  int width = kThumbnailWidth;
   for (int i = 0; i < kSteps; ++i) {
     const auto step = static_cast<Step>(i);
     auto* button = new QToolButton(this);
@@ -90,9 +95,11 @@ StepStrip::StepStrip(QWidget* parent) : QWidget(parent) {
         "font-weight: bold; }"
         "QToolButton:disabled { color: palette(mid); }");
     group_->addButton(button, i);
+    width = std::max(width, metrics.horizontalAdvance(button->text()) + kFrame);
     layout->addWidget(button);
     buttons_[static_cast<std::size_t>(i)] = button;
   }
+  setFixedWidth(width);  // of the longest name, which is bold while its step is chosen
   connect(group_, &QButtonGroup::idToggled, this, [this](int id, bool checked) {
     if (!checked) return;
     chosen_ = static_cast<Step>(id);

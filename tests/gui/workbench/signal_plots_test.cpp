@@ -47,6 +47,15 @@ TEST(SignalPlot, HasTwoNumbersAtEachAxisHoweverNarrowItIs) {
   }
 }
 
+TEST(SignalPlot, WritesAMinusSignBeforeNegativeNumbers) {
+  SignalPlot plot({.heading = "Profile", .x = "Position, mm", .y = "Height, µm"});
+  show_narrow(plot);
+  plot.show_series({{.x = {0.0, 100.0}, .y = {-200.0, 200.0}}});
+  plot_in(plot).replot();
+  const QVector<QString> labels = plot_in(plot).yAxis->tickVectorLabels();
+  EXPECT_TRUE(labels.contains("−200")) << labels.toList().join(' ').toStdString();
+}
+
 TEST(SignalPlot, ReadsWholeWhatItAsksForHoweverNarrowItIs) {
   SignalPlot plot({.heading = "Force", .x = "Time, s", .y = "Force, N"});
   show_narrow(plot);
