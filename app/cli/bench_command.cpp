@@ -165,7 +165,8 @@ void add_bench(CLI::App& program, Job& job) {
       ->add_option("--scene", order.scenes,
                    "A scene that --list names; may be given several times (default: all)")
       ->allow_extra_args(false)
-      ->check(word_among(scene_names()));
+      ->check(word_among(scene_names()))
+      ->option_text("SCENE ...");
   command
       ->add_option("--mesh", order.meshes,
                    "A mesh as for bake, or a textured mesh (.mesh), moved over the textured block; "

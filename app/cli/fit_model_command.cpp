@@ -18,6 +18,7 @@
 #include "app/cli/options/word_option.h"
 #include "app/cli/output/recording_warnings.h"
 #include "app/cli/output/terminal.h"
+#include "app/study_files/height_field_files.h"
 #include "renderers/recordings/texture_recording.h"
 #include "renderers/vibrations/haptic_texture_toolkit.h"
 #include "renderers/vibrations/vibration_fit.h"
@@ -124,8 +125,8 @@ void add_fit_model(CLI::App& program, Job& job) {
   command
       ->add_option("--model", options->model,
                    "The force model whose file is written; data_driven is the only one so far")
-      ->capture_default_str()
-      ->check(word_among({"data_driven"}));
+      ->check(word_among({"data_driven"}))
+      ->option_text("data_driven");
   command
       ->add_option("--order", options->order,
                    "Order of the autoregressive models; without it, the one from 1 to 20 with the "

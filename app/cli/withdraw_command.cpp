@@ -101,8 +101,9 @@ void add_withdraw(CLI::App& program, Job& job) {
       {text_of(WithdrawalReason::other), WithdrawalReason::other}};
   command
       ->add_option("--reason", options->reason,
-                   "consent_withdrawn (the default), not_eligible or other")
-      ->transform(word_of(reasons));
+                   "Reason of the withdrawal (default: consent_withdrawn)")
+      ->transform(word_of(reasons))
+      ->option_text("consent_withdrawn|not_eligible|other");
   command
       ->add_option(
           "--by", options->by,

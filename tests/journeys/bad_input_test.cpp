@@ -697,12 +697,16 @@ TEST(Help, IsThereForEverything) {
   const Outcome all = asperity({"--help"});
   EXPECT_EQ(all.status, 0);
   for (const std::string command :
-       {"new", "check", "run", "simulate", "analyze", "export", "models", "render", "texture",
-        "synth", "bake", "verify", "replay", "copy"}) {
+       {"new",    "check",    "run",      "simulate", "analyze", "export", "models",
+        "render", "texture",  "synth",    "bake",     "verify",  "replay", "copy",
+        "merge",  "metadata", "withdraw", "power",    "sweep",   "bench",  "fit-model"}) {
     EXPECT_NE(all.out.find("\n  " + command), std::string::npos) << command;
     const Outcome help = asperity({command, "--help"});
     EXPECT_EQ(help.status, 0) << command;
     EXPECT_NE(help.out, "") << command;
+    for (const std::string internal : {"ENUM", ":TEXT", ":WORD"}) {
+      EXPECT_THAT(help.out, testing::Not(HasSubstr(internal))) << command;
+    }
   }
 }
 

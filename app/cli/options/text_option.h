@@ -14,7 +14,7 @@ inline CLI::Validator not_blank(const std::string& what) {
     text = CLI::detail::trim_copy(text);
     return text.empty() ? "the text is blank: enter " + what + ", or leave the option out" : "";
   };
-  return {read, "TEXT"};
+  return {read, ""};
 }
 
 /// The same where an empty text takes away what there is.
@@ -22,7 +22,7 @@ inline CLI::Validator empty_or_not_blank(const std::string& what) {
   const auto read = [refused = not_blank(what)](std::string& text) -> std::string {
     return text.empty() ? "" : refused(text);
   };
-  return {read, "TEXT"};
+  return {read, ""};
 }
 
 }  // namespace asperity
