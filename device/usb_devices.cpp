@@ -89,7 +89,8 @@ std::string usb_hindrance(int error, const std::string& product, const std::stri
     case LIBUSB_ERROR_ACCESS:
       return it +
              " may not be opened by this user: put Asperity's rule file 70-asperity.rules into "
-             "/etc/udev/rules.d, then unplug the device and plug it in again";
+             "/etc/udev/rules.d, then unplug the device and plug it in again (docs/devices.md "
+             "states where the file is)";
     case LIBUSB_ERROR_BUSY:
       return it + " is used by another program or session; end that one first";
     case LIBUSB_ERROR_NO_DEVICE:

@@ -11,13 +11,19 @@ namespace {
 
 constexpr const char* kUdevRule = "70-asperity.rules";
 
-/// Where `cmake --install` has put it, beside the program; its name where it lies nowhere there.
+/// Where it is in a folder above the program: as `cmake --install` has put it, or in the source from which the program was
+/// built; its name where there is none.
 std::string udev_rule_of_this_program() {
   std::error_code unseen{};
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unseen);
-  const std::filesystem::path rule =
-      program.parent_path().parent_path() / "lib/udev/rules.d" / kUdevRule;
-  return std::filesystem::exists(rule, unseen) ? rule.string() : kUdevRule;
+  for (std::filesystem::path above = program.parent_path(); above.has_relative_path();
+       above = above.parent_path()) {
+    for (const char* folder : {"lib/udev/rules.d", "device/udev"}) {
+      const std::filesystem::path rule = above / folder / kUdevRule;
+      if (std::filesystem::exists(rule, unseen)) return rule.string();
+    }
+  }
+  return kUdevRule;
 }
 
 }  // namespace

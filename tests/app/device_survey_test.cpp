@@ -17,8 +17,10 @@ TEST(UdevRule, IsMissedWhereNoFolderOfUdevsHasIt) {
   std::filesystem::create_directories(empty);
   std::filesystem::create_directories(rules);
   const std::string missed = missing_udev_rule({empty, folder.path() / "none", rules}).english();
-  for (const char* said : {"The udev rules file 70-asperity.rules is not installed",
-                           "only root can open USB devices", "into /etc/udev/rules.d, then"}) {
+  for (const char* said :
+       {"The udev rules file 70-asperity.rules is not installed", "only root can open USB devices",
+        "Copy " ASPERITY_SOURCE_DIR
+        "/device/udev/70-asperity.rules into /etc/udev/rules.d, then"}) {
     EXPECT_NE(missed.find(said), std::string::npos) << missed;
   }
   write_file(rules / "70-asperity.rules", "", Overwrite::allow);
