@@ -10,63 +10,9 @@
 
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
+#include "app/gui/look/wrapped_buttons.h"
 
 namespace asperity {
-
-/// Buttons in as many rows as the width asks for.
-class ReasonForm::WrappedButtons final : public QWidget {
- public:
-  explicit WrappedButtons(QWidget* parent) : QWidget(parent) {
-    QSizePolicy policy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    policy.setHeightForWidth(true);
-    setSizePolicy(policy);
-  }
-
-  /// In place of those before; they are children of this.
-  void set_buttons(const QList<QPushButton*>& buttons) {
-    for (QPushButton* before : std::as_const(buttons_)) {
-      before->hide();
-      before->deleteLater();  // a click on one of them may be what asks anew
-    }
-    buttons_ = buttons;
-    for (QPushButton* button : buttons_) button->show();
-    updateGeometry();
-    place(width());
-  }
-  int heightForWidth(int width) const override { return place_within(width, nullptr); }
-  QSize sizeHint() const override { return {0, place_within(width(), nullptr)}; }
-  QSize minimumSizeHint() const override { return sizeHint(); }
-
- protected:
-  void resizeEvent(QResizeEvent* event) override {
-    QWidget::resizeEvent(event);
-    place(width());
-    updateGeometry();
-  }
-
- private:
-  void place(int width) {
-    place_within(width, [](QPushButton& button, const QRect& where) { button.setGeometry(where); });
-  }
-  int place_within(int width, void (*put)(QPushButton&, const QRect&)) const {
-    int x = 0;
-    int y = 0;
-    int height = 0;
-    for (QPushButton* button : buttons_) {
-      const QSize size = button->sizeHint().boundedTo({width, QWIDGETSIZE_MAX});
-      if (x > 0 && x + size.width() > width) {
-        x = 0;
-        y = height + kGrid;
-      }
-      if (put != nullptr) put(*button, QRect(QPoint(x, y), size));
-      height = y + size.height();
-      x += size.width() + kGrid;
-    }
-    return height;
-  }
-
-  QList<QPushButton*> buttons_{};
-};
 
 ReasonForm::ReasonForm(QWidget* parent) : QFrame(parent) {
   setObjectName("reason_form");

@@ -15,6 +15,8 @@ class QPushButton;
 
 namespace asperity {
 
+class WrappedButtons;
+
 /// A question in place with a reason for an answer. Nothing is done before there is one.
 ///
 /// The ready-made reasons can be clicked while the keyboard belongs to the participant.
@@ -36,7 +38,6 @@ class ReasonForm final : public QFrame {
   void finish();
 
   QLabel* question_ = nullptr;
-  class WrappedButtons;
   WrappedButtons* ready_made_ = nullptr;
   QLineEdit* field_ = nullptr;
   QLabel* why_locked_ = nullptr;
