@@ -15,6 +15,7 @@
 #include "app/gui/base/shown_text.h"
 #include "app/gui/base/study_table.h"
 #include "app/gui/look/words.h"
+#include "app/gui/look/wrapped_buttons.h"
 #include "app/gui/plan/plan_preview.h"
 #include "app/gui/study/interrupted_news.h"
 #include "app/gui/study/protocol_file_actions.h"
@@ -32,10 +33,10 @@ QString count_text(int count, const QString& one, const QString& many) {
   return count == 1 ? one : many.arg(count);
 }
 
-/// "absolute identification · version 1.0.0 · 36 trials · 6 blocks · about 42 min · blindfold · masking noise"
+/// "chapter_recognition · absolute identification · version 1.0.0 · 36 trials · 6 blocks · about 42 min · blindfold · masking noise"
 QString overview_facts(const ProtocolOverview& overview) {
   const Protocol& protocol = *overview.check.protocol;
-  QStringList facts{text_of_kind(protocol.kind),
+  QStringList facts{text(overview.name()), text_of_kind(protocol.kind),
                     ProtocolsPage::tr("version %1").arg(text(protocol.version))};
   if (overview.is_valid()) {
     const QString trials = count_text(overview.check.cost.trials, ProtocolsPage::tr("1 trial"),
@@ -162,7 +163,7 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
   table_->setAccessibleName(tr("Protocols"));
   table_->setItemDelegateForColumn(4, new ProgressDelegate(table_));
   table_->wrap_texts();
-  table_->leave_out_when_tight({3, 2});  // which the card below states as well
+  table_->leave_out_when_tight({3, 2, 1});  // which the card below states as well
   splitter_->addWidget(table_);
   splitter_->addWidget(make_detail());
   splitter_->setStretchFactor(0, 0);
@@ -230,32 +231,29 @@ QWidget* ProtocolsPage::make_detail() {
   layout->addWidget(facts_);
   layout->addWidget(last_run_);
 
-  auto* row = new QHBoxLayout();
-  row->setSpacing(kGrid);
-  start_ = make_button(tr("Start session…"), ButtonRole::primary, card);
+  auto* row = new WrappedButtons(card);
+  start_ = make_button(tr("Start session…"), ButtonRole::primary, row);
   start_->setObjectName("protocol_start");
-  edit_ = make_button(tr("Edit"), ButtonRole::plain, card);
+  edit_ = make_button(tr("Edit"), ButtonRole::plain, row);
   edit_->setObjectName("protocol_edit");
-  preview_ = make_button(tr("Preview plan"), ButtonRole::plain, card);
+  preview_ = make_button(tr("Preview plan"), ButtonRole::plain, row);
   preview_->setObjectName("protocol_preview");
-  simulate_ = make_button(tr("Simulate…"), ButtonRole::plain, card);
+  simulate_ = make_button(tr("Simulate…"), ButtonRole::plain, row);
   simulate_->setObjectName("protocol_simulate");
   reason_ = make_text(tr("The protocols are being read."), card, true);
   reason_->setObjectName("protocol_reason");
   for (QWidget* widget : std::initializer_list<QWidget*>{start_, edit_, preview_, simulate_}) {
-    row->addWidget(widget);
     widget->setEnabled(false);  // until there is a protocol
   }
   file_actions_ = new ProtocolFileActions(study(), card);
-  row->addWidget(file_actions_->button());
-  row->addSpacing(kGrid);
-  row->addWidget(reason_, 1);
-  close_ = make_button(tr("Close the plan"), ButtonRole::link, card);
+  file_actions_->button()->setParent(row);
+  close_ = make_button(tr("Close the plan"), ButtonRole::link, row);
   close_->setObjectName("protocol_close_below");
+  row->set_buttons({start_, edit_, preview_, simulate_, file_actions_->button(), close_});
   close_->hide();
-  row->addWidget(close_);
   layout->addSpacing(kGrid);
-  layout->addLayout(row);
+  layout->addWidget(row);
+  layout->addWidget(reason_);
   layout->addWidget(file_actions_);
   layout->addSpacing(kGrid);
 
@@ -419,7 +417,7 @@ void ProtocolsPage::show_whether_examined() {
   examining_->setVisible(examined < valid);
   examining_->setText(study().examiner().is_held()
                           ? tr("The stimuli are examined when the session has ended.")
-                          : tr("Examining the stimuli: %1 of %2").arg(examined).arg(valid));
+                          : tr("Examining stimuli: %1 of %2").arg(examined).arg(valid));
 }
 
 const ProtocolOverview* ProtocolsPage::selected() const {
@@ -453,6 +451,7 @@ void ProtocolsPage::show_selected() {
                              : tr("This study is read-only: no session can be stored. Copy it to a "
                                   "folder that you may write to."));
   }
+  reason_->setVisible(!reason_->text().isEmpty());
   description_->setText(protocol ? description_of(*overview) : QString{});
   std::vector<StudyTable::Row> rows{};
   for (std::size_t i = 0; i < overview->check.diagnostics.size(); ++i) {

@@ -12148,7 +12148,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Die Reize werden nach dem Ende der Sitzung untersucht.</translation>
     </message>
     <message>
-        <source>Examining the stimuli: %1 of %2</source>
+        <source>Examining stimuli: %1 of %2</source>
         <translation>Untersuchung der Reize: %1 von %2</translation>
     </message>
 </context>

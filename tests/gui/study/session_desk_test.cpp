@@ -150,7 +150,7 @@ TEST_F(TheSessionDesk, ExaminesNoStimuliWhileASessionRuns) {
     return false;
   }));
   EXPECT_TRUE(eventually([&] { return !examiner.is_held() && gate->begun > begun; }));
-  EXPECT_TRUE(note.text().startsWith("Examining the stimuli: ")) << note.text().toStdString();
+  EXPECT_TRUE(note.text().startsWith("Examining stimuli: ")) << note.text().toStdString();
   gate->is_open = true;
   const auto& table = child<StudyTable>(window_, "protocols_table");
   EXPECT_TRUE(eventually([&] {

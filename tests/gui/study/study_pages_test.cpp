@@ -254,7 +254,7 @@ TEST_F(StudyPages, ListProtocolsWithoutWaitingForTheirStimuli) {
   EXPECT_EQ(column(table, 5).count("● valid"), 3);
   const auto& note = child<QLabel>(window_, "protocols_examining");
   EXPECT_TRUE(note.isVisible());
-  EXPECT_EQ(note.text(), "Examining the stimuli: 0 of 3");
+  EXPECT_EQ(note.text(), "Examining stimuli: 0 of 3");
   const QString selected = table.selected_key();
   ASSERT_FALSE(selected.isEmpty());
   gate->is_open = true;
@@ -318,6 +318,21 @@ TEST_F(StudyPages, NeverCutTheTitleOfAProtocol) {
       table.resizeRowsToContents();
     }
     expect_whole(table, 0);
+  }
+}
+
+// The room of a laptop with 1366 x 768 pixels at 150 %.
+TEST_F(StudyPages, CutNoTitleAndNoActionOfAProtocolOnASmallScreen) {
+  open_demo();
+  window_.resize(895, 464);
+  StudyTable& table = table_of("protocols", "protocols_table", 3);
+  expect_whole(table, 0);
+  EXPECT_GE(table.columnWidth(0), 250);
+  for (const char* const name : {"protocol_start", "protocol_edit", "protocol_preview",
+                                 "protocol_simulate", "protocol_more"}) {
+    const auto& button = child<QPushButton>(window_, name);
+    EXPECT_TRUE(eventually([&] { return button.width() >= button.sizeHint().width(); }))
+        << name << ": " << button.width() << " of " << button.sizeHint().width();
   }
 }
 
