@@ -73,10 +73,18 @@ WelcomePage::WelcomePage(QWidget* parent)
   interrupted_ = new Banner(this);
   interrupted_->setObjectName("welcome_interrupted");
   outer->addWidget(interrupted_);
-  auto* middle = new QHBoxLayout();
-  outer->addLayout(middle, 1);
+  // On a small screen the page scrolls, and no part of it is cut.
+  auto* area = new QScrollArea(this);
+  area->setObjectName("welcome_area");
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->viewport()->setAutoFillBackground(false);
+  auto* inside = new QWidget(area);
+  auto* middle = new QHBoxLayout(inside);
+  middle->setContentsMargins(0, 0, 0, 0);
 
-  auto* column = new QWidget(this);
+  auto* column = new QWidget(inside);
   column->setMaximumWidth(kColumnWidth);
   auto* layout = new QVBoxLayout(column);
   layout->setSpacing(kMargin);
@@ -108,6 +116,9 @@ WelcomePage::WelcomePage(QWidget* parent)
   middle->addStretch(1);
   middle->addWidget(column, 8);
   middle->addStretch(1);
+  area->setWidget(inside);
+  inside->setAutoFillBackground(false);  // setWidget turns it on
+  outer->addWidget(area, 1);
 
   connect(create, &QPushButton::clicked, this, &WelcomePage::new_study_wanted);
   connect(open, &QPushButton::clicked, this, &WelcomePage::open_wanted);

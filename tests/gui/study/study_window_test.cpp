@@ -19,6 +19,7 @@
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QMenuBar>
 #include <QtWidgets/QPushButton>
+#include <QtWidgets/QScrollArea>
 #include <QtWidgets/QTableWidget>
 
 #include "app/gui/base/settings.h"
@@ -418,6 +419,32 @@ TEST_F(StudyWindowTest, OffersThePlaceOfTheLastStudyForTheNext) {
   ASSERT_TRUE(eventually([&] { return before.isNull(); }));
   click(window, "welcome_new");
   EXPECT_EQ(child<QLineEdit>(window, "new_study_place").text(), "~/studies");
+}
+
+// The room of a laptop with 1366 x 768 pixels at 150 %: what does not fit is further down, and whole.
+TEST_F(StudyWindowTest, ScrollsTheWelcomePageOnASmallScreen) {
+  new_study(home() / "Rough surfaces 2026");
+  remember_study(home() / "Rough surfaces 2026", "Rough surfaces 2026");
+  StudyWindow window{};
+  const auto& recent = child<QTableWidget>(window, "welcome_recent");
+  ASSERT_TRUE(eventually([&] { return recent.rowCount() == 1; }));
+  window.resize(895, 464);
+  window.show();
+  const auto& area = child<QScrollArea>(window, "welcome_area");
+  ASSERT_TRUE(
+      eventually([&] { return area.widget()->height() > area.viewport()->height() + 100; }));
+  for (const QLabel* label : area.findChildren<QLabel*>()) {
+    if (!label->isVisibleTo(&area) || label->text().isEmpty()) continue;
+    EXPECT_GE(label->height(), label->heightForWidth(label->width()))
+        << label->text().toStdString();
+  }
+  for (const char* const name : {"welcome_demo", "welcome_new", "welcome_recent_open"}) {
+    const auto& button = child<QPushButton>(window, name);
+    EXPECT_GE(button.height(), button.sizeHint().height()) << name;
+    const QRect place(button.mapTo(area.widget(), QPoint(0, 0)), button.size());
+    EXPECT_TRUE(area.widget()->rect().contains(place)) << name;
+  }
+  take_screenshot(window, "study-welcome_895x464", {895, 464});
 }
 
 TEST_F(StudyWindowTest, WelcomePictures) {
