@@ -131,6 +131,15 @@ TEST(ConfidenceRoc, RecoversTheAreaAndTheRatioOfThePlantedObserver) {
     EXPECT_NEAR(*found.value("uv.sigma", kLevelOfRoc), kPlanted.deviation, 3.29 * *error);
     EXPECT_LT(*found.value("lr.equal.variance.p", kLevelOfRoc), 0.001);
     EXPECT_TRUE(found.find("uv.az", kLevelOfRoc + "|p1"));
+    const Finding* const pooled = found.find("auc", kLevelOfRoc);
+    ASSERT_NE(pooled, nullptr);
+    EXPECT_FALSE(pooled->low || pooled->high);
+    const Finding* const own = found.find("auc", kLevelOfRoc + "|p1");
+    ASSERT_NE(own, nullptr);
+    EXPECT_TRUE(own->low && own->high);
+    const Finding* const mean = found.find("auc.mean", kLevelOfRoc);
+    ASSERT_NE(mean, nullptr);
+    EXPECT_TRUE(mean->low && mean->high);
   }
 }
 
@@ -163,8 +172,13 @@ TEST(ConfidenceRoc, HasATableAndAnAnswer) {
   EXPECT_THAT(table_of(outcome, "confidence_roc").note.english(),
               HasSubstr("contained the common A_z in " +
                         span_of_coverage("areas_of_participants", "uv.az", true)));
+  EXPECT_THAT(table_of(outcome, "confidence_roc").note.english(),
+              HasSubstr("DeLong’s the common area by trapezoids in " +
+                        span_of_coverage("areas_of_participants", "auc", true)));
   EXPECT_THAT(answer_to(outcome, "confidence_roc"),
               HasSubstr("55 µm: mean A_z of 8 of 8 participants = 0.7"));
+  EXPECT_THAT(answer_to(outcome, "confidence_roc"),
+              HasSubstr("; mean area by trapezoids of 8 of 8 participants = 0.7"));
   EXPECT_THAT(answer_to(outcome, "confidence_roc"),
               HasSubstr("too small where participants have different criteria"));
   EXPECT_THAT(answer_to(outcome, "confidence_roc"), HasSubstr("test of equal variances χ²(1) = "));
@@ -177,11 +191,11 @@ TEST(ConfidenceRoc, HasATableAndAnAnswer) {
 TEST(ConfidenceRoc, HasNoIntervalWhereAllSignalsHaveOneRating) {
   const std::vector<Finding> roc = part_of(
       outcome_with_confidence(yes_no_task(), {.mean = 20.0, .deviation = 1.0}), "confidence_roc");
-  const Finding* const area = FoundNumbers(roc).find("auc", kLevelOfRoc);
+  const Finding* const area = FoundNumbers(roc).find("auc", kLevelOfRoc + "|p1");
   ASSERT_TRUE(area != nullptr && area->value);
   EXPECT_FALSE(area->low);
-  EXPECT_EQ(FoundNumbers(roc).find("auc.lower", kLevelOfRoc), nullptr);
-  EXPECT_EQ(FoundNumbers(roc).find("auc.upper", kLevelOfRoc), nullptr);
+  EXPECT_EQ(FoundNumbers(roc).find("auc.lower", kLevelOfRoc + "|p1"), nullptr);
+  EXPECT_EQ(FoundNumbers(roc).find("auc.upper", kLevelOfRoc + "|p1"), nullptr);
   EXPECT_THAT(area->method, HasSubstr("; without an interval"));
 }
 

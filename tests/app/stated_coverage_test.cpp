@@ -117,13 +117,17 @@ TEST(StatedCoverage, OfAreasOfParticipantsIsThatOfTheSimulations) {
     table += std::string("x,") + row + '\n';
   }
   const std::vector<Finding> areas = findings_of("roc", table);
-  EXPECT_THAT(method_of(areas, "uv.az.mean"),
-              HasSubstr(span_of_coverage("areas_of_participants", "uv.az.mean")));
-  EXPECT_THAT(
-      method_of(areas, "uv.az"),
-      HasSubstr(span_of_coverage("areas_of_participants", "uv.az", false) +
-                " where participants are alike, and " +
-                span_of_coverage("areas_of_participants", "uv.az", true) + " where they differ"));
+  for (const char* const quantity : {"uv.az.mean", "auc.mean"}) {
+    EXPECT_THAT(method_of(areas, quantity),
+                HasSubstr(span_of_coverage("areas_of_participants", quantity)));
+  }
+  for (const char* const quantity : {"uv.az", "auc"}) {
+    EXPECT_THAT(method_of(areas, quantity),
+                HasSubstr(span_of_coverage("areas_of_participants", quantity, false) +
+                          " where participants are alike, and " +
+                          span_of_coverage("areas_of_participants", quantity, true) +
+                          " where they differ"));
+  }
 }
 
 TEST(StatedCoverage, OfDifferencesOfAMixedModelIsThatOfTheSimulations) {

@@ -451,6 +451,16 @@ TEST(TidyFamilies, GiveTheMeanOfTheAreasAndNotThePooledAreaAnInterval) {
   ASSERT_NE(mean, found.end());
   EXPECT_EQ(mean->n, 6U);
   EXPECT_TRUE(mean->low && mean->high);
+  for (const Finding& finding : found) {
+    if (finding.quantity == "auc" || finding.quantity == "uv.mu" || finding.quantity == "ev.mu") {
+      EXPECT_FALSE(finding.low || finding.high) << finding.quantity;
+    }
+    if (finding.quantity == "auc.mean") {
+      EXPECT_EQ(finding.n, 6U);
+      EXPECT_TRUE(finding.low && finding.high);
+    }
+    EXPECT_FALSE(finding.quantity == "auc.lower" || finding.quantity == "auc.upper");
+  }
   EXPECT_EQ(value_of(found, "n.signal", "x"), 120.0);
 }
 
@@ -465,13 +475,16 @@ TEST(TidyFamilies, AverageTheAreasOfParticipantsWithDifferentCriteria) {
   }
   const auto found = roc_findings(input_of(table, "{}"));
   const auto alone = [](const std::string& rows) {
-    return value_of(roc_findings(input_of("condition,rating,noise,signal\n" + rows, "{}")), "uv.az",
-                    "x");
+    return roc_findings(input_of("condition,rating,noise,signal\n" + rows, "{}"));
   };
-  const double first = alone("x,1,50,16\nx,2,34,34\nx,3,14,34\nx,4,2,16\n");
-  const double second = alone("x,1,2,0\nx,2,14,2\nx,3,34,14\nx,4,50,84\n");
-  EXPECT_NEAR(value_of(found, "uv.az.mean", "x"), 0.5 * (first + second), 1e-12);
+  const auto first = alone("x,1,50,16\nx,2,34,34\nx,3,14,34\nx,4,2,16\n");
+  const auto second = alone("x,1,2,0\nx,2,14,2\nx,3,34,14\nx,4,50,84\n");
+  for (const char* const quantity : {"uv.az", "auc"}) {
+    const double mean = 0.5 * (value_of(first, quantity, "x") + value_of(second, quantity, "x"));
+    EXPECT_NEAR(value_of(found, std::string(quantity) + ".mean", "x"), mean, 1e-12);
+  }
   EXPECT_GT(value_of(found, "uv.az.mean", "x"), value_of(found, "uv.az", "x"));
+  EXPECT_GT(value_of(found, "auc.mean", "x"), value_of(found, "auc", "x"));
 }
 
 // Ten trials of each kind that the ratings separate are also compatible with a smaller area: an interval [1, 1] is not one.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,7 @@
 
 #include "analysis/participant_bootstrap.h"
 #include "analysis/rating_roc.h"
+#include "app/findings/found_numbers.h"
 #include "tests/coverage/coverage_parts.h"
 
 namespace asperity {
@@ -177,15 +179,15 @@ TidyInput draw_ratings_of_signal(const CoverageSetting& setting, Random& random)
 
 double below(double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); }
 
-/// P(signal rated higher) + ½·P(equal ratings), from the probabilities of the ratings.
-double area_of_ratings(double dprime) {
+/// P(signal rated higher) + ½·P(equal ratings), from the probabilities of the ratings by criteria that are shifted.
+double area_of_ratings(double dprime, double shift = 0.0) {
   double area = 0.0;
   double noise_before = 0.0;  // P(rating of noise is lower)
   double signal_before = 0.0;
   for (std::size_t i = 0; i <= kCriteria.size(); ++i) {
     const bool is_last = i == kCriteria.size();
-    const double noise = is_last ? 1.0 : below(kCriteria[i] + 0.5 * dprime);
-    const double signal = is_last ? 1.0 : below(kCriteria[i] - 0.5 * dprime);
+    const double noise = is_last ? 1.0 : below(kCriteria[i] + shift + 0.5 * dprime);
+    const double signal = is_last ? 1.0 : below(kCriteria[i] + shift - 0.5 * dprime);
     area += (signal - signal_before) * 0.5 * (noise + noise_before);
     noise_before = noise;
     signal_before = signal;
@@ -228,43 +230,85 @@ TidyInput draw_areas(const CoverageSetting& setting, Random& random) {
   return std::move(table).as_input();
 }
 
-/// The family gives the area of all participants together no interval, and states the coverage that this one has: expanded
-/// percentiles of a bootstrap over the participants.
-std::vector<Finding> findings_of_areas(const TidyInput& input) {
-  const TidyTable& table = input.table();
+using RatingsOfParticipants = std::vector<std::vector<RatingCount>>;
+
+RatingsOfParticipants ratings_of_participants(const TidyTable& table) {
   const LabelColumn participants = table.all_labels("subject");
   const std::vector<std::uint64_t> noise = table.counts("noise");
   const std::vector<std::uint64_t> signal = table.counts("signal");
-  std::vector<std::vector<RatingCount>> of_participants(participants.names.size());
+  RatingsOfParticipants ratings(participants.names.size());
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    of_participants[participants.codes[row]].push_back(
-        {.noise = noise[row], .signal = signal[row]});
+    ratings[participants.codes[row]].push_back({.noise = noise[row], .signal = signal[row]});
   }
-  const auto area_of = [&](std::span<const std::size_t> places) -> std::optional<double> {
-    std::vector<RatingCount> sum(kCriteria.size() + 1);
-    for (const std::size_t place : places) {
-      for (std::size_t rating = 0; rating < sum.size(); ++rating) {
-        sum[rating].noise += of_participants[place][rating].noise;
-        sum[rating].signal += of_participants[place][rating].signal;
-      }
+  return ratings;
+}
+
+std::vector<RatingCount> sum_of_ratings(const RatingsOfParticipants& ratings,
+                                        std::span<const std::size_t> participants) {
+  std::vector<RatingCount> sum(kCriteria.size() + 1);
+  for (const std::size_t participant : participants) {
+    for (std::size_t rating = 0; rating < sum.size(); ++rating) {
+      sum[rating].noise += ratings[participant][rating].noise;
+      sum[rating].signal += ratings[participant][rating].signal;
     }
-    const std::optional<NormalRoc> fit = fit_roc(sum, RocVariance::free);
+  }
+  return sum;
+}
+
+/// Expanded percentiles of a bootstrap over the participants, of the fitted area of their ratings together.
+std::optional<ConfidenceInterval> bootstrapped_area(const RatingsOfParticipants& ratings) {
+  const auto area_of = [&](std::span<const std::size_t> participants) -> std::optional<double> {
+    const std::optional<NormalRoc> fit =
+        fit_roc(sum_of_ratings(ratings, participants), RocVariance::free);
     return fit ? std::optional<double>(fit->area()) : std::nullopt;
   };
-  const ParticipantBootstrap bootstrap =
-      bootstrap_participants({.participants = of_participants.size()}, area_of);
+  return bootstrap_participants({.participants = ratings.size()}, area_of).interval;
+}
+
+/// DeLong's, of the ratings of all participants as if they were those of one.
+std::optional<ConfidenceInterval> area_of_all(const RatingsOfParticipants& ratings) {
+  std::vector<std::size_t> all(ratings.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const std::vector<RatingCount> sum = sum_of_ratings(ratings, all);
+  DrawnTable table("condition,rating,noise,signal");
+  for (std::size_t rating = 0; rating < sum.size(); ++rating) {
+    table.add({"a", std::to_string(rating + 1), std::to_string(sum[rating].noise),
+               std::to_string(sum[rating].signal)});
+  }
+  const std::vector<Finding> findings = roc_findings(std::move(table).as_input());
+  const Finding* const area = FoundNumbers(findings).find("auc", "a");
+  if (area == nullptr || !area->low || !area->high) return std::nullopt;
+  return ConfidenceInterval{.low = *area->low, .high = *area->high};
+}
+
+/// The family gives the areas of all participants together no interval, and states the coverage that these have.
+std::vector<Finding> findings_of_areas(const TidyInput& input) {
+  const RatingsOfParticipants ratings = ratings_of_participants(input.table());
   std::vector<Finding> findings = roc_findings(input);
   for (Finding& finding : findings) {
-    if (finding.quantity != "uv.az" || !bootstrap.interval) continue;
-    finding.low = bootstrap.interval->low;
-    finding.high = bootstrap.interval->high;
+    std::optional<ConfidenceInterval> interval{};
+    if (finding.quantity == "uv.az") interval = bootstrapped_area(ratings);
+    if (finding.quantity == "auc") interval = area_of_all(ratings);
+    if (!interval) continue;
+    finding.low = interval->low;
+    finding.high = interval->high;
   }
   return findings;
 }
 
+/// The mean over the shifts of the criteria.
+double mean_area_of_ratings(const CoverageSetting& setting) {
+  return mean_over_normal(
+      [&setting](double z) { return area_of_ratings(setting.effect, setting.spread * z); });
+}
+
 std::vector<CheckedInterval> area_intervals(const CoverageSetting& setting) {
-  return {{.quantity = "uv.az.mean", .key = "a", .truth = below(setting.effect / std::sqrt(2.0))},
-          {.quantity = "uv.az", .key = "a", .truth = below(setting.effect / std::sqrt(2.0))}};
+  const double fitted = below(setting.effect / std::sqrt(2.0));
+  const double of_ratings = mean_area_of_ratings(setting);
+  return {{.quantity = "uv.az.mean", .key = "a", .truth = fitted},
+          {.quantity = "uv.az", .key = "a", .truth = fitted},
+          {.quantity = "auc.mean", .key = "a", .truth = of_ratings},
+          {.quantity = "auc", .key = "a", .truth = of_ratings}};
 }
 
 }  // namespace

@@ -20,8 +20,8 @@ inline constexpr const char* kAllParticipants = "all participants";
 ///   yes/no              trials without a signal, of the condition, and with the signal at a level; "yes"
 ///   same–different      trials with equal surfaces, of the condition, and with different ones at a level; "different"
 ///
-/// Adds the findings of the family `roc` for every condition and level (key "CONDITION|LEVEL"), over all participants, with a
-/// bootstrap over the participants, and for every participant ("CONDITION|LEVEL|PARTICIPANT"); their table and a question.
+/// Adds the findings of the family `roc` for every condition and level (key "CONDITION|LEVEL"), over all participants, with the
+/// means of their areas, and for every participant ("CONDITION|LEVEL|PARTICIPANT"); their table and a question.
 /// Nothing without ratings, and for levels that a procedure chose.
 void add_confidence_roc(const GatheredAnswers& gathered,
                         const std::vector<DiscriminationResults>& all, AnalysisOutcome& outcome);

@@ -134,6 +134,9 @@ class RocList final {
     }
   }
 
+  /// The trials of several participants, whose criteria may differ.
+  bool is_pooled() const { return condition_.of_participants.size() > 1; }
+
   /// Of 0 or 1: DeLong's standard error is then 0.
   static bool is_at_end(const RocArea& area) {
     constexpr double kRounding = 1e-9;  // of the sum of the trapezoids
@@ -153,7 +156,12 @@ class RocList final {
   void add_area() {
     const RocArea area = roc_area(condition_.counts);
     Basis trapezoids = basis("area under the ROC by trapezoids, equal to Mann and Whitney's U/nm");
-    if (has_interval(area)) {
+    if (is_pooled()) {
+      trapezoids.method +=
+          "; over participants together, without the interval of DeLong, which takes the trials as "
+          "independent" +
+          simulated_coverage({93, 97}, {14, 80});
+    } else if (has_interval(area)) {
       const double reach = normal_limit(confidence_) * *area.standard_error;
       trapezoids.method += "; normal interval with DeLong's standard error, truncated to 0 to 1" +
                            simulated_coverage({88, 95}) + " for one participant";
@@ -179,6 +187,10 @@ class RocList final {
     }
     list_.number("auc.se.hanley", condition_.name, area.hanley_error,
                  basis("standard error of Hanley and McNeil"));
+    add_mean_area("auc.mean", "mean of the participants' areas by trapezoids", CoverageSpan{91, 97},
+                  [](const std::vector<RatingCount>& own) -> std::optional<double> {
+                    return roc_area(own).area;
+                  });
   }
 
   void add_model(const std::string& model, const std::optional<NormalRoc>& fit) {
@@ -193,8 +205,14 @@ class RocList final {
     }
     const double reach = normal_limit(confidence_) * fit->mean_error;
     Basis mean = basis(method + ": mean of the signal in standard deviations of the noise");
-    mean.interval = ConfidenceInterval{.low = fit->mean - reach, .high = fit->mean + reach};
-    mean.confidence = confidence_;
+    if (is_pooled()) {
+      mean.method +=
+          "; over participants together, without an interval, which would take all trials as "
+          "independent";
+    } else {
+      mean.interval = ConfidenceInterval{.low = fit->mean - reach, .high = fit->mean + reach};
+      mean.confidence = confidence_;
+    }
     list_.number(model + ".mu", condition_.name, fit->mean, mean);
     list_.number(model + ".mu.se", condition_.name, fit->mean_error, basis("observed information"));
     for (std::size_t i = 0; i < fit->criteria.size(); ++i) {
@@ -212,12 +230,17 @@ class RocList final {
                  basis("observed information"));
     list_.number("uv.da", condition_.name, fit.d_a(), basis("d_a = μ/√(½·(1 + σ²))"));
     Basis area = basis("A_z = Φ(d_a/√2), area under the fitted ROC");
-    if (condition_.of_participants.size() > 1) {
+    if (is_pooled()) {
       area.method += "; over participants together, without an interval by a bootstrap over them" +
                      simulated_coverage({93, 96}, {12, 87});
     }
     list_.number("uv.az", condition_.name, fit.area(), area);
-    add_mean_area();
+    add_mean_area("uv.az.mean", "mean of the participants' A_z", CoverageSpan{92, 97},
+                  [](const std::vector<RatingCount>& own) -> std::optional<double> {
+                    const std::optional<NormalRoc> fitted = fit_roc(own, RocVariance::free);
+                    if (!fitted) return std::nullopt;
+                    return fitted->area();
+                  });
     const double ratings = static_cast<double>(condition_.ratings.size());
     list_.number("uv.deviance", condition_.name,
                  2.0 * (saturated_roc(condition_.counts) - fit.log_likelihood),
@@ -226,20 +249,22 @@ class RocList final {
                  basis("degrees of freedom of the deviance"));
   }
 
-  /// The mean of the participants' own A_z. Without an interval where a participant has none, because those who have one are then a
-  /// selection.
-  void add_mean_area() {
+  /// The mean over the participants of an area of their own. Without an interval where a participant has none, because those who
+  /// have one are then a selection.
+  template <typename Area>
+  void add_mean_area(const char* quantity, const char* method, const CoverageSpan& coverage,
+                     const Area& area_of) {
     std::vector<double> areas{};
     for (const std::vector<RatingCount>& counts : condition_.of_participants) {
       if (!has_both_kinds(counts)) continue;
-      if (const auto fit = fit_roc(counts, RocVariance::free)) areas.push_back(fit->area());
+      if (const std::optional<double> area = area_of(counts)) areas.push_back(*area);
     }
     if (areas.empty()) return;
     FindingList mean{};
-    add_mean_of_group("uv.az.mean", condition_.name, areas,
+    add_mean_of_group(quantity, condition_.name, areas,
                       {.confidence = confidence_,
                        .possible = ConfidenceInterval{.low = 0.0, .high = 1.0},
-                       .of = "mean of the participants' A_z"},
+                       .of = method},
                       mean);
     std::vector<Finding> findings = mean.take();
     const std::size_t missing = condition_.of_participants.size() - areas.size();
@@ -249,7 +274,7 @@ class RocList final {
              " participants have no estimate";
     });
     for (Finding& finding : findings) {
-      if (finding.low && finding.high) finding.method += simulated_coverage({92, 97});
+      if (finding.low && finding.high) finding.method += simulated_coverage(coverage);
       list_.copy(finding);
     }
   }
