@@ -1,6 +1,5 @@
 // The text for a paper of discriminations with the response "cannot tell", with d′ and with ratings of confidence.
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -20,7 +19,6 @@
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "renderers/built_in_models.h"
-#include "tests/app/coverage_counts.h"
 #include "tests/app/made_up_choices.h"
 
 namespace asperity {
@@ -113,42 +111,6 @@ TEST(DiscriminationMethods, StateTheCoverageOfTheJndWithSplitCounts) {
   const AnalysisOutcome& forced = outcome_with_unsure({0, 0}, true);
   EXPECT_THAT(table_of(forced, "thresholds").note.english(),
               Not(HasSubstr("In simulations of responses “cannot tell”")));
-}
-
-/// The coverage in percent over the settings of the part `unforced_thresholds`.
-struct UnforcedCoverage {
-  double least = 100.0;
-  double most = 0.0;
-  double most_of_36_trials = 0.0;
-
-  explicit UnforcedCoverage(const std::string& judgement) {
-    for (const DrawnCount& count : coverage_counts("unforced_thresholds", "jnd")) {
-      if (count.key != judgement) continue;
-      EXPECT_EQ(count.tables, 2000.0);
-      const double covered = 100.0 * (1.0 - count.failed / count.given);
-      least = std::min(least, covered);
-      most = std::max(most, covered);
-      if (count.participants * count.trials == 36.0) {
-        most_of_36_trials = std::max(most_of_36_trials, covered);
-      }
-    }
-  }
-};
-
-std::string range_text(double low, double high) {
-  return std::to_string(std::lround(low)) + " to " + std::to_string(std::lround(high)) + " %";
-}
-
-// The stated percentages are those of the simulations.
-TEST(DiscriminationMethods, HaveTheCoverageOfTheSimulations) {
-  const UnforcedCoverage comparison("comparison");
-  EXPECT_THAT(note_on_unforced_jnd(false).english(),
-              HasSubstr(range_text(comparison.least, comparison.most) + " of the tables"));
-  const UnforcedCoverage performance("performance");
-  const std::string note = note_on_unforced_jnd(true).english();
-  EXPECT_THAT(note, HasSubstr(range_text(performance.least, performance.most) + " of the tables"));
-  EXPECT_THAT(note, HasSubstr("too narrow (" +
-                              range_text(performance.least, performance.most_of_36_trials) + ')'));
 }
 
 /// A yes/no trial with a rating of confidence from 1 to 3.

@@ -134,7 +134,7 @@ Phrase note_on_changes(const Table& changes, bool has_proportions) {
   if (!has_cells(changes, "change_low")) return note;
   add(phrase("Analysis",
              "95 % CI: t-based over participants, for times on the logarithmic scale; in "
-             "simulations with 2 to 20 participants, its coverage was at least 93 %."));
+             "simulations with 2 to 20 participants, its coverage was at least 92 %."));
   const bool has_cut =
       std::any_of(changes.rows.begin(), changes.rows.end(), [](const std::vector<Cell>& row) {
         return (row.front() == Cell{"correct_of_halves"} ||
@@ -163,7 +163,7 @@ Phrase note_on_course(const Table& course, const std::string& kind) {
         "Analysis",
         "95 % CI: t-based over participants, for times on the logarithmic and for proportions on "
         "the logit scale; in simulations with 2 to 20 participants and proportions of 5 to 98 %, "
-        "its coverage was at least 91 %."));
+        "its coverage was at least 90 %."));
   } else if (has_cells(course, "time_s_low")) {
     add(phrase("Analysis", "95 % CI: t-based over participants, on the logarithmic scale."));
   }

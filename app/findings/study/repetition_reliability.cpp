@@ -235,7 +235,7 @@ void ask_reliability(const GatheredAnswers& gathered, const RepeatedScores& repe
       has_interval
           ? phrase("Analysis",
                    "%1 The CIs assume normally distributed results. In simulations of proportions "
-                   "of 2 to 20 participants, their coverage was at least 85 % with a mean of 25 to "
+                   "of 2 to 20 participants, their coverage was at least 86 % with a mean of 25 to "
                    "71 %, and at least 58 % with a mean of 87 or 95 %.")
                 .with(method)
           : method,

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "analysis/tail_probabilities.h"
+#include "app/findings/tidy/simulated_coverage.h"
 
 namespace asperity {
 
@@ -103,8 +104,7 @@ void add_friedman(const FriedmanTest& test, const FriedmanRows& rows, FindingLis
     concordance.interval = rows.concordance;
     concordance.confidence = rows.confidence;
     concordance.method +=
-        "; jackknife interval of the mean rank correlation; in simulations the coverage of the "
-        "95 % interval was 94 to 99.7 %";
+        "; jackknife interval of the mean rank correlation" + simulated_coverage({93, 100});
   }
   findings.number("kendall.W", "", test.concordance, concordance);
   if (rows.concordance) {

@@ -18,6 +18,7 @@
 #include "analysis/t_test.h"
 #include "analysis/uniform_counts.h"
 #include "app/findings/tidy/finding_list.h"
+#include "app/findings/tidy/simulated_coverage.h"
 #include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {
@@ -286,8 +287,7 @@ void add_effect_of_pair(const std::string& key, std::span<const std::int64_t> di
 
 /// The agreement of the participants in the order of their counts.
 void add_concordance(const CountMatrix& counts, double confidence, FindingList& findings) {
-  // With fewer, the coverage of the jackknife is too low: 75 to 98 % with six participants, 82 to
-  // 99 % with twelve and twenty.
+  // With fewer, the coverage of the jackknife is too low: down to 75 % with six participants.
   constexpr Eigen::Index kFewest = 10;
   const Eigen::MatrixXd judgements = counts.cast<double>();
   Basis basis{
@@ -300,8 +300,7 @@ void add_concordance(const CountMatrix& counts, double confidence, FindingList& 
   if (counts.rows() >= kFewest) basis.interval = concordance_interval(judgements, confidence);
   if (basis.interval) {
     basis.confidence = confidence;
-    basis.method +=
-        "; jackknife interval over participants; the coverage of the 95 % interval is about 90 %";
+    basis.method += "; jackknife interval over participants" + simulated_coverage({77, 100});
   }
   findings.number("relabel.W", "", friedman_test(judgements).concordance, basis);
 }

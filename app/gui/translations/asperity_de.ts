@@ -1172,20 +1172,20 @@
         <translation>Kein Test der Familie (%1) ließ sich durchführen.</translation>
     </message>
     <message>
-        <source>%1 The CIs assume normally distributed results. In simulations of proportions of 2 to 20 participants, their coverage was at least 85 % with a mean of 25 to 71 %, and at least 58 % with a mean of 87 or 95 %.</source>
-        <translation>%1 Die Konfidenzintervalle setzen normalverteilte Ergebnisse voraus. In Simulationen von Anteilen bei 2 bis 20 Versuchspersonen enthielten sie den wahren Wert in mindestens 85 % der Studien mit einem Mittelwert von 25 bis 71 % und in mindestens 58 % derjenigen mit einem Mittelwert von 87 oder 95 %.</translation>
+        <source>%1 The CIs assume normally distributed results. In simulations of proportions of 2 to 20 participants, their coverage was at least 86 % with a mean of 25 to 71 %, and at least 58 % with a mean of 87 or 95 %.</source>
+        <translation>%1 Die Konfidenzintervalle setzen normalverteilte Ergebnisse voraus. In Simulationen von Anteilen bei 2 bis 20 Versuchspersonen enthielten sie den wahren Wert in mindestens 86 % der Studien mit einem Mittelwert von 25 bis 71 % und in mindestens 58 % derjenigen mit einem Mittelwert von 87 oder 95 %.</translation>
     </message>
     <message>
         <source>%1 95 % CI: t-based over participants, on the logarithmic scale; in simulations with 2 to 20 participants, its coverage was at least 92 %.</source>
         <translation>%1 95-%-KI: t-basiert über die Versuchspersonen, auf der logarithmischen Skala; in Simulationen mit 2 bis 20 Versuchspersonen enthielt es den wahren Wert in mindestens 92 % der Studien.</translation>
     </message>
     <message>
-        <source>95 % CI: t-based over participants, for times on the logarithmic scale; in simulations with 2 to 20 participants, its coverage was at least 93 %.</source>
-        <translation>95-%-KI: t-basiert über die Versuchspersonen, bei Zeiten auf der logarithmischen Skala; in Simulationen mit 2 bis 20 Versuchspersonen enthielt es den wahren Wert in mindestens 93 % der Studien.</translation>
+        <source>95 % CI: t-based over participants, for times on the logarithmic scale; in simulations with 2 to 20 participants, its coverage was at least 92 %.</source>
+        <translation>95-%-KI: t-basiert über die Versuchspersonen, bei Zeiten auf der logarithmischen Skala; in Simulationen mit 2 bis 20 Versuchspersonen enthielt es den wahren Wert in mindestens 92 % der Studien.</translation>
     </message>
     <message>
-        <source>95 % CI: t-based over participants, for times on the logarithmic and for proportions on the logit scale; in simulations with 2 to 20 participants and proportions of 5 to 98 %, its coverage was at least 91 %.</source>
-        <translation>95-%-KI: t-basiert über die Versuchspersonen, bei Zeiten auf der logarithmischen, bei Anteilen auf der Logit-Skala; in Simulationen mit 2 bis 20 Versuchspersonen und Anteilen von 5 bis 98 % enthielt es den wahren Mittelwert in mindestens 91 % der Studien.</translation>
+        <source>95 % CI: t-based over participants, for times on the logarithmic and for proportions on the logit scale; in simulations with 2 to 20 participants and proportions of 5 to 98 %, its coverage was at least 90 %.</source>
+        <translation>95-%-KI: t-basiert über die Versuchspersonen, bei Zeiten auf der logarithmischen, bei Anteilen auf der Logit-Skala; in Simulationen mit 2 bis 20 Versuchspersonen und Anteilen von 5 bis 98 % enthielt es den wahren Mittelwert in mindestens 90 % der Studien.</translation>
     </message>
     <message>
         <source>For a participant and a texture with random intercepts of 0, %1 is estimated as %2 (%3), compared with a chance level of %4: t(%5) = %6, %7, uncorrected. SD of the intercepts (logit): participants %8, textures %9. This test is exploratory.</source>
@@ -2556,12 +2556,12 @@
         <translation>%1 Von %2 Schwellen ausgelassen: %3.</translation>
     </message>
     <message>
-        <source>In simulations of responses “cannot tell” (two alternatives, 36 to 144 trials at five levels, 2000 tables per setting), the 95 % CI of the JND of a judgement of performance contained the true JND in 88 to 95 % of the tables; with 36 trials it is too narrow (88 to 90 %).</source>
-        <translation>In Simulationen mit Antworten „kann es nicht sagen“ (zwei Alternativen, 36 bis 144 Durchgänge auf fünf Stufen, 2000 Tabellen je Einstellung) enthielt das 95-%-KI der JND eines Leistungsurteils die wahre JND in 88 bis 95 % der Tabellen; bei 36 Durchgängen ist es zu schmal (88 bis 90 %).</translation>
+        <source>In simulations of responses “cannot tell” (two alternatives, 36 to 144 trials at five levels, 2000 tables per setting), the 95 % CI of the JND of a judgement of performance contained the true JND in 88 to 96 % of the tables; with 36 trials it is too narrow (88 to 91 %).</source>
+        <translation>In Simulationen mit Antworten „kann es nicht sagen“ (zwei Alternativen, 36 bis 144 Durchgänge auf fünf Stufen, 2000 Tabellen je Einstellung) enthielt das 95-%-KI der JND eines Leistungsurteils die wahre JND in 88 bis 96 % der Tabellen; bei 36 Durchgängen ist es zu schmal (88 bis 91 %).</translation>
     </message>
     <message>
-        <source>In simulations of responses “cannot tell” (36 to 144 trials at five levels, 2000 tables per setting), the 95 % CI of the JND of a comparison contained the true JND in 90 to 95 % of the tables that had one.</source>
-        <translation>In Simulationen mit Antworten „kann es nicht sagen“ (36 bis 144 Durchgänge auf fünf Stufen, 2000 Tabellen je Einstellung) enthielt das 95-%-KI der JND eines Vergleichs die wahre JND in 90 bis 95 % der Tabellen, die eines hatten.</translation>
+        <source>In simulations of responses “cannot tell” (36 to 144 trials at five levels, 2000 tables per setting), the 95 % CI of the JND of a comparison contained the true JND in 89 to 96 % of the tables that had one.</source>
+        <translation>In Simulationen mit Antworten „kann es nicht sagen“ (36 bis 144 Durchgänge auf fünf Stufen, 2000 Tabellen je Einstellung) enthielt das 95-%-KI der JND eines Vergleichs die wahre JND in 89 bis 96 % der Tabellen, die eines hatten.</translation>
     </message>
     <message>
         <source>Each repetition presents other textures than the others: repetitions and textures cannot be distinguished. Differences between repetitions and changes over the trials are also differences between textures, and there is no reliability over repetitions.</source>
