@@ -45,10 +45,13 @@ std::vector<StatedRate> rates_of_intervals() {
   const Choice is_up_to_98_percent = [](const DrawnCount& count) {
     return count.truth.value() <= 0.98;
   };
-  const Counts course =
-      both_of(drawn("learning_times", "block"),
-              both_of(drawn("learning_correct", "half.first", is_up_to_98_percent),
-                      drawn("learning_correct", "half.second", is_up_to_98_percent)));
+  const Counts halves = both_of(drawn("learning_correct", "half.first", is_up_to_98_percent),
+                                drawn("learning_correct", "half.second", is_up_to_98_percent));
+  const Counts course = both_of(drawn("learning_times", "block"), halves);
+  Counts shares = halves;
+  for (const char* const part : {"recognition", "matching", "selection", "groups"}) {
+    shares = both_of(shares, drawn(part, "subj.mean", is_up_to_98_percent));
+  }
   const auto repeated = [](double from, double to) {
     return drawn("repetitions", "icc", [from, to](const DrawnCount& count) {
       return count.effect >= from && count.effect <= to;
@@ -74,6 +77,12 @@ std::vector<StatedRate> rates_of_intervals() {
   const std::string trapezoids =
       span_of(drawn("areas_of_participants", "auc", where_participants_differ(true)));
   return {
+      {"findings/tidy/finding_list.cpp",
+       coverage_of(shares) + ") + \" with mean proportions of at most 98 %"},
+      {"findings/tidy/rmanova.cpp", coverage_of(drawn("effects", "pes"))},
+      {"findings/tidy/rmanova.cpp", coverage_of(drawn("effects", "ges"))},
+      {"findings/study/choices_by_place.cpp",
+       coverage_of(drawn("choices_by_place", "place.proportion"))},
       {"findings/tidy/components.cpp", coverage_of(drawn("components", "proportion.corrected"))},
       {"findings/tidy/components.cpp", coverage_of(drawn("components", "loading.corrected"))},
       {"findings/tidy/dprime.cpp", coverage_of(drawn("sensitivity", "dprime.mean"))},

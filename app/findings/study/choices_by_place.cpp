@@ -8,6 +8,7 @@
 #include "app/findings/study/answer_columns.h"
 #include "app/findings/study/discrimination_results.h"
 #include "app/findings/tidy/finding_list.h"
+#include "app/findings/tidy/simulated_coverage.h"
 
 namespace asperity {
 
@@ -71,7 +72,10 @@ std::vector<Finding> place_findings(std::span<const PlacesOfPerson> places,
                       list);
   }
   std::vector<Finding> findings = list.take();
-  for (Finding& finding : findings) finding.analysis = kOrderEffect;
+  for (Finding& finding : findings) {
+    finding.analysis = kOrderEffect;
+    if (finding.low && finding.high) finding.method += simulated_coverage({93, 100});
+  }
   return findings;
 }
 

@@ -8,6 +8,7 @@
 #include "analysis/geometric_mean.h"
 #include "analysis/seed_of_tests.h"
 #include "analysis/summary.h"
+#include "app/findings/tidy/simulated_coverage.h"
 
 namespace asperity {
 
@@ -105,7 +106,10 @@ void add_mean_share(const std::string& quantity, const std::string& key,
     for (const HitCount& own : participants) shares.push_back(proportion(own));
     mean = one_sample_t(shares).mean;
     basis.interval = mean_share_interval(participants, question);
-    if (basis.interval) basis.confidence = question.confidence;
+    if (basis.interval) {
+      basis.confidence = question.confidence;
+      basis.method += simulated_coverage({90, 100}) + " with mean proportions of at most 98 %";
+    }
   }
   findings.number(quantity, key, mean, basis);
 }

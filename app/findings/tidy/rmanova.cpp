@@ -15,6 +15,7 @@
 #include "analysis/t_test.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/repeated_rows.h"
+#include "app/findings/tidy/simulated_coverage.h"
 #include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {
@@ -291,10 +292,12 @@ class AnovaList final {
     }
     effect_size("pes", key, effect.pes, partial,
                 "partial η²; interval from the noncentral F distribution, degrees of freedom "
-                "corrected for sphericity");
+                "corrected for sphericity" +
+                    simulated_coverage({95, 100}));
     effect_size(
         "ges", key, effect.ges, generalised,
-        "generalised η², all factors manipulated; interval from the noncentral F distribution");
+        "generalised η², all factors manipulated; interval from the noncentral F distribution" +
+            simulated_coverage({93, 100}));
     if (!design_.between.empty()) {
       number("ges.observed", key, effect.ges_observed,
              "generalised η², between-participants factor measured");
