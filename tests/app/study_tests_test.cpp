@@ -184,6 +184,31 @@ TEST(TestMethods, HaveOneNameForEachCode) {
   }
 }
 
+// The sides in a name are those of the test, and no test of a direction is without them.
+TEST(TestMethods, NameTheirSides) {
+  for (const TestMethod& method : test_methods()) {
+    const std::string name = method.name.english();
+    const std::string text = text_with_sides(method);
+    const bool is_one_sided = method.sides == TestSides::one_sided;
+    EXPECT_EQ(name.ends_with("one-sided"), is_one_sided) << method.p;
+    EXPECT_EQ(text.ends_with("one-sided"), is_one_sided) << text;
+    EXPECT_EQ(text.ends_with("two-sided"), method.sides == TestSides::two_sided) << text;
+    EXPECT_EQ(text.ends_with("non-directional"), method.sides == TestSides::undirected) << text;
+    EXPECT_EQ(text.find("sided"), text.rfind("sided")) << text;
+    // The quantities of directed tests state it.
+    if (method.p.ends_with(".p.two")) {
+      EXPECT_EQ(method.sides, TestSides::two_sided) << method.p;
+    }
+    if (method.p.ends_with("greater")) {
+      EXPECT_EQ(method.sides, TestSides::one_sided) << method.p;
+    }
+    EXPECT_EQ(text_with_sides(method.code), text) << method.code;
+  }
+  EXPECT_EQ(text_with_sides("paired_t"), "paired t test, two-sided");
+  EXPECT_EQ(text_with_sides("exponent_t"), "t test of the exponent against 0, two-sided");
+  EXPECT_EQ(text_with_sides("rm_anova"), "repeated-measures ANOVA, non-directional");
+}
+
 // What a results section needs, whatever the kind of study: a test with its statistic and its n.
 TEST(TestsOfAStudy, NameTheirTestAndStatisticInEveryKind) {
   for (const AnalysisOutcome& outcome :

@@ -27,6 +27,26 @@ Phrase coverage_of_w() {
 }
 Phrase permuted_groups() { return phrase("TestMethods", "permutation test of group labels"); }
 
+std::string text_of(TestSides sides) {
+  switch (sides) {
+    case TestSides::undirected:
+      return "non-directional";
+    case TestSides::two_sided:
+      return "two-sided";
+    case TestSides::one_sided:
+      return "one-sided";
+  }
+  return {};
+}
+
+/// Null where no test has the code.
+const TestMethod* method_with_code(std::string_view code) {
+  const auto methods = test_methods();
+  const auto found = std::find_if(methods.begin(), methods.end(),
+                                  [code](const TestMethod& each) { return each.code == code; });
+  return found == methods.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 std::span<const TestMethod> test_methods() {
@@ -34,6 +54,7 @@ std::span<const TestMethod> test_methods() {
       TestMethod{
           .p = "G.perm.p",
           .code = "g_permutation",
+          .sides = TestSides::undirected,
           .name = phrase("TestMethods", "permutation test of independence"),
           .unit = kUnitOfAnswers,
           .symbol = "G²",
@@ -47,6 +68,7 @@ std::span<const TestMethod> test_methods() {
           .sources = {"Ernst 2004", "Miller 1955"}},
       TestMethod{.p = "friedman.p",
                  .code = "friedman",
+                 .sides = TestSides::undirected,
                  .name = phrase("TestMethods", "Friedman test"),
                  .unit = kUnitOfParticipants,
                  .symbol = "χ²",
@@ -59,6 +81,7 @@ std::span<const TestMethod> test_methods() {
                  .sources = {"Friedman 1937", "Kendall 1939"}},
       TestMethod{.p = "exponent.p",
                  .code = "exponent_t",
+                 .sides = TestSides::two_sided,
                  .name = phrase("TestMethods", "t test of the exponent against 0, two-sided"),
                  .unit = kUnitOfParticipants,
                  .symbol = "t",
@@ -68,6 +91,7 @@ std::span<const TestMethod> test_methods() {
                  .effect = "exponent.mean"},
       TestMethod{.p = "group.perm.p.two",
                  .code = "group_permutation",
+                 .sides = TestSides::two_sided,
                  .name = permuted_groups(),
                  .unit = kUnitOfParticipants,
                  .symbol = "ΔM",
@@ -82,6 +106,7 @@ std::span<const TestMethod> test_methods() {
                  .sources = {"Ernst 2004", "Hedges 1981"}},
       TestMethod{.p = "p",
                  .code = "rm_anova",
+                 .sides = TestSides::undirected,
                  .name = phrase("TestMethods", "repeated-measures ANOVA"),
                  .unit = kUnitOfParticipants,
                  .symbol = "F",
@@ -94,6 +119,7 @@ std::span<const TestMethod> test_methods() {
                  .sources = {"", "Bakeman 2005"}},
       TestMethod{.p = "p.GG",
                  .code = "rm_anova_gg",
+                 .sides = TestSides::undirected,
                  .name = phrase("TestMethods",
                                 "repeated-measures ANOVA with Greenhouse–Geisser correction"),
                  .unit = kUnitOfParticipants,
@@ -108,6 +134,7 @@ std::span<const TestMethod> test_methods() {
                  .sources = {"Greenhouse 1959", "Bakeman 2005"}},
       TestMethod{.p = "p.greater",
                  .code = "binomial",
+                 .sides = TestSides::one_sided,
                  .name = binomial(),
                  .unit = kUnitOfAnswers,
                  .symbol = "k",
@@ -119,6 +146,7 @@ std::span<const TestMethod> test_methods() {
                  .sources = {"", "Cohen 1988"}},
       TestMethod{.p = "pc.p.greater",
                  .code = "binomial",
+                 .sides = TestSides::one_sided,
                  .name = binomial(),
                  .unit = kUnitOfAnswers,
                  .symbol = "k",
@@ -130,6 +158,7 @@ std::span<const TestMethod> test_methods() {
                  .sources = {"", "Cohen 1988"}},
       TestMethod{.p = "peakratio.p",
                  .code = "peak_ratio_t",
+                 .sides = TestSides::two_sided,
                  .name = phrase("TestMethods", "t test of the log ratio of two peaks"),
                  .unit = kUnitOfParticipants,
                  .symbol = "t",
@@ -139,6 +168,7 @@ std::span<const TestMethod> test_methods() {
                  .effect = "peakratio"},
       TestMethod{.p = "perfect.relabel.p.greater",
                  .code = "picture_permutation",
+                 .sides = TestSides::one_sided,
                  .name = permuted_pictures(),
                  .unit = kUnitOfParticipants,
                  .symbol = "k",
@@ -154,6 +184,7 @@ std::span<const TestMethod> test_methods() {
                  .sources = {"Ernst 2004", "Cohen 1988"}},
       TestMethod{.p = "perm.p.two",
                  .code = "group_permutation",
+                 .sides = TestSides::two_sided,
                  .name = permuted_groups(),
                  .unit = kUnitOfParticipants,
                  .symbol = "ΔM",
@@ -166,6 +197,7 @@ std::span<const TestMethod> test_methods() {
                  .sources = {"Ernst 2004", "Hedges 1981"}},
       TestMethod{.p = "property.perm.p",
                  .code = "property_permutation",
+                 .sides = TestSides::undirected,
                  .name = phrase("TestMethods", "permutation test of a regression on the positions"),
                  .unit = "items",
                  .symbol = "R²",
@@ -174,6 +206,7 @@ std::span<const TestMethod> test_methods() {
                  .sources = {"Chang 1969", ""}},
       TestMethod{.p = "relabel.exact.p",
                  .code = "within_participant_permutation",
+                 .sides = TestSides::undirected,
                  .name = phrase("TestMethods", "within-participant permutation test"),
                  .unit = kUnitOfParticipants,
                  .symbol = "X²",
@@ -189,6 +222,7 @@ std::span<const TestMethod> test_methods() {
                  .coverage = coverage_of_w()},
       TestMethod{.p = "relabel.p.greater",
                  .code = "picture_permutation",
+                 .sides = TestSides::one_sided,
                  .name = permuted_pictures(),
                  .unit = kUnitOfParticipants,
                  .symbol = "k",
@@ -204,6 +238,7 @@ std::span<const TestMethod> test_methods() {
                  .sources = {"Ernst 2004", "Fligner 1986"}},
       TestMethod{.p = "signflip.p.two",
                  .code = "sign_flip",
+                 .sides = TestSides::two_sided,
                  .name = phrase("TestMethods", "sign-flip (randomisation) test"),
                  .unit = kUnitOfParticipants,
                  .symbol = "D",
@@ -219,6 +254,7 @@ std::span<const TestMethod> test_methods() {
                  .coverage = coverage_of_d()},
       TestMethod{.p = "stress.perm.p",
                  .code = "stress_permutation",
+                 .sides = TestSides::undirected,
                  .name = phrase("TestMethods", "permutation test of the stress"),
                  .unit = kUnitOfParticipants,
                  .symbol = "stress-1",
@@ -228,6 +264,7 @@ std::span<const TestMethod> test_methods() {
                  .sources = {"Kruskal 1964", ""}},
       TestMethod{.p = "subj.t.p.two",
                  .code = "one_sample_t",
+                 .sides = TestSides::two_sided,
                  .name = phrase("TestMethods", "one-sample t test"),
                  .unit = kUnitOfParticipants,
                  .symbol = "t",
@@ -241,6 +278,7 @@ std::span<const TestMethod> test_methods() {
                  .sources = {"", "Cohen 1988"}},
       TestMethod{.p = "t.p.two",
                  .code = "paired_t",
+                 .sides = TestSides::two_sided,
                  .name = phrase("TestMethods", "paired t test"),
                  .unit = kUnitOfParticipants,
                  .symbol = "t",
@@ -252,6 +290,7 @@ std::span<const TestMethod> test_methods() {
                  .sources = {"", "Cohen 1988"}},
       TestMethod{.p = "texture.relabel.p.greater",
                  .code = "picture_permutation",
+                 .sides = TestSides::one_sided,
                  .name = permuted_pictures(),
                  .unit = kUnitOfParticipants,
                  .symbol = "k",
@@ -267,6 +306,7 @@ std::span<const TestMethod> test_methods() {
                  .sources = {"Ernst 2004", "Cohen 1988"}},
       TestMethod{.p = "wilcoxon.exact.p.two",
                  .code = "wilcoxon",
+                 .sides = TestSides::two_sided,
                  .name = phrase("TestMethods", "Wilcoxon signed-rank test"),
                  .unit = kUnitOfParticipants,
                  .symbol = "W⁺",
@@ -298,10 +338,19 @@ bool is_bounded_effect(std::string_view symbol) {
 }
 
 Phrase test_method_name(std::string_view code) {
-  const auto methods = test_methods();
-  const auto found = std::find_if(methods.begin(), methods.end(),
-                                  [code](const TestMethod& each) { return each.code == code; });
-  return found == methods.end() ? Phrase{} : found->name;
+  const TestMethod* const method = method_with_code(code);
+  return method == nullptr ? Phrase{} : method->name;
+}
+
+std::string text_with_sides(const TestMethod& method) {
+  std::string text = method.name.english();
+  const std::string sides = text_of(method.sides);
+  return text.ends_with(sides) ? text : text + ", " + sides;
+}
+
+std::string text_with_sides(std::string_view code) {
+  const TestMethod* const method = method_with_code(code);
+  return method == nullptr ? std::string(code) : text_with_sides(*method);
 }
 
 }  // namespace asperity

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "app/words/phrase.h"
@@ -16,11 +17,19 @@ inline constexpr std::string_view kUnitOfParticipants = "participants";
 /// Responses, of all participants together.
 inline constexpr std::string_view kUnitOfAnswers = "answers";
 
+/// The alternatives that a test considers.
+enum class TestSides {
+  undirected,  ///< any difference among several: an analysis of variance, a test of independence
+  two_sided,
+  one_sided,
+};
+
 /// How a test is reported. Its numbers are findings of one analysis under one key: the key of the
 /// p, with these quantities.
 struct TestMethod {
-  std::string_view p{};       ///< the quantity that is its p
-  std::string_view code{};    ///< fixed, for programs: "one_sample_t"
+  std::string_view p{};     ///< the quantity that is its p
+  std::string_view code{};  ///< fixed, for programs: "one_sample_t"
+  TestSides sides = TestSides::undirected;
   Phrase name{};              ///< the textbook name: "one-sample t test"
   std::string_view unit{};    ///< the unit of its n: "participants", "answers"
   std::string_view symbol{};  ///< of the statistic: "t"
@@ -63,5 +72,10 @@ bool is_bounded_effect(std::string_view symbol);
 
 /// The name of the test with this code; empty where there is none.
 Phrase test_method_name(std::string_view code);
+
+/// The name in English with the sides of the test, "paired t test, two-sided", "Friedman test, non-directional".
+std::string text_with_sides(const TestMethod& method);
+/// The same of the test with this code; the code where there is none.
+std::string text_with_sides(std::string_view code);
 
 }  // namespace asperity
