@@ -24,6 +24,7 @@ std::optional<StudyTest::Effect> effect_of(const StudyTest& test) {
 SimulatedOutcome outcome_of_test(const std::string& family, const StudyTest& test) {
   SimulatedOutcome outcome{.family = family,
                            .test = test.about.empty() ? test.name : test.name + ' ' + test.about,
+                           .method = std::string(test.made_by ? test.made_by->code : ""),
                            .p = test.p,
                            .corrected_p = test.adjusted};
   if (!test.p) outcome.status = test.status;

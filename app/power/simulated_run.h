@@ -24,6 +24,8 @@ struct SimulatedOutcome {
   std::string family{};  ///< the names of its tests, sorted: "ratings", "pairs, preference"
   std::string
       test{};  ///< name of the test in it, with its subject: "rated_pairs rough: metal|stone"
+  std::string
+      method{};  ///< code of the statistical test (TestMethod::code): "paired_t"; empty where none was made
   std::optional<double>
       p{};  ///< as the analysis states it, uncorrected; none where it gave a status
   std::optional<double> corrected_p{};  ///< after the family's correction

@@ -246,6 +246,30 @@ TEST(SimulatePower, CountsStudiesWithoutAPAsNotSignificant) {
   EXPECT_EQ(power.curves[2].sizes[0].without_p, 75U);
 }
 
+// Also of studies that are read again; a study in which no test was made has none.
+TEST(SimulatePower, KeepsTheStatisticalTestOfEachCurve) {
+  const TemporaryFolder folder;
+  const SimulateStudy varying = [](std::size_t, int, std::uint64_t, std::int64_t run) {
+    return std::vector<SimulatedOutcome>{{.family = "f",
+                                          .test = "order",
+                                          .method = run == 0   ? ""
+                                                    : run == 1 ? "wilcoxon"
+                                                               : "paired_t",
+                                          .p = 0.01},
+                                         {.family = "f", .corrected_p = 0.01}};
+  };
+  for (const std::int64_t runs : {2, 3}) {
+    const SimulatedPower power =
+        simulate_power({.effects = {"e=1"}, .participants = {10}, .runs = runs}, varying, 1,
+                       PowerFiles{.folder = folder.path() / "out"}, {}, {});
+    ASSERT_THAT(power.curves, SizeIs(2));
+    EXPECT_EQ(power.curves[0].methods, runs == 2
+                                           ? std::vector<std::string>{"wilcoxon"}
+                                           : (std::vector<std::string>{"paired_t", "wilcoxon"}));
+    EXPECT_TRUE(power.curves[1].methods.empty());
+  }
+}
+
 // A curve without a maximum has a limit that is not a number, or is infinite.
 TEST(SimulatePower, CountsTheWidthsOfIntervalsOnly) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -346,17 +370,19 @@ TEST(StudyRows, AreReadAsTheyWereWritten) {
   const StudyPlace place{.run = 7, .effect = 1, .size = 2};
   const SimulatedOutcome outcome{.family = "pairs and preference",
                                  .test = "order rough: a|b",
+                                 .method = "wilcoxon",
                                  .p = 0.1 + 0.2,
                                  .lower = -1e-300,
                                  .status = "one_difference"};
   const std::string text = rows_of(order, place, std::vector{outcome});
   EXPECT_EQ(text,
-            "7\trating.d=0.7\t24\tpairs and preference\torder rough: a|b\t0.30000000000000004\tn/a"
-            "\tn/a\t-1e-300\tn/a\tone_difference\n");
+            "7\trating.d=0.7\t24\tpairs and preference\torder rough: a|b\twilcoxon"
+            "\t0.30000000000000004\tn/a\tn/a\t-1e-300\tn/a\tone_difference\n");
   const auto row = study_row_in(text.substr(0, text.size() - 1));
   ASSERT_TRUE(row);
   EXPECT_TRUE(row->is_of(order, place));
   EXPECT_FALSE(row->is_of(order, {.run = 7, .effect = 1, .size = 1}));
+  EXPECT_EQ(row->outcome.method, outcome.method);
   EXPECT_EQ(row->outcome.p, outcome.p);
   EXPECT_EQ(row->outcome.lower, outcome.lower);
   EXPECT_FALSE(row->outcome.upper);

@@ -20,6 +20,7 @@ std::size_t PowerTally::test_of(const SimulatedOutcome& outcome) {
   if (is_new) {
     tests_.push_back(place->first);
     counts_.emplace_back(studies_.size());
+    methods_.emplace_back();
   }
   return place->second;
 }
@@ -28,7 +29,9 @@ void PowerTally::add(const StudyPlace& place, std::span<const SimulatedOutcome> 
   const std::size_t cell = place.effect * order_.participants.size() + place.size;
   ++studies_[cell];
   for (const SimulatedOutcome& outcome : outcomes) {
-    Counts& counts = counts_[test_of(outcome)][cell];
+    const std::size_t test = test_of(outcome);
+    if (!outcome.method.empty()) methods_[test].insert(outcome.method);
+    Counts& counts = counts_[test][cell];
     if (outcome.p || outcome.corrected_p) ++counts.with_p;
     if (is_significant(outcome)) ++counts.significant;
     if (!outcome.lower || !outcome.upper) continue;
@@ -57,7 +60,8 @@ std::vector<PowerCurve> PowerTally::curves() const {
       if (is_without_subjects(test)) continue;
       PowerCurve curve{.effect = order_.effects[effect],
                        .family = tests_[test].first,
-                       .test = tests_[test].second};
+                       .test = tests_[test].second,
+                       .methods = {methods_[test].begin(), methods_[test].end()}};
       std::vector<StudiesOfSize> of_sizes{};
       for (std::size_t size = 0; size < sizes; ++size) {
         const std::size_t cell = effect * sizes + size;

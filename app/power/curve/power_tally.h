@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -34,6 +35,9 @@ struct PowerCurve {
   std::string effect{};
   std::string family{};
   std::string test{};  ///< empty: at least one test of the family is significant
+  /// Codes of the statistical tests that the analyses made (TestMethod::code), sorted: one, unless the analysis depends on the
+  /// responses; none of a family, and where no analysis made one.
+  std::vector<std::string> methods{};
   std::vector<TestAtSize> sizes{};
 };
 
@@ -69,8 +73,9 @@ class PowerTally final {
   PowerOrder order_;
   std::map<Test, std::size_t> places_{};
   std::vector<Test> tests_{};
-  std::vector<std::uint64_t> studies_{};       ///< by effect and size
-  std::vector<std::vector<Counts>> counts_{};  ///< by test; by effect and size
+  std::vector<std::uint64_t> studies_{};          ///< by effect and size
+  std::vector<std::vector<Counts>> counts_{};     ///< by test; by effect and size
+  std::vector<std::set<std::string>> methods_{};  ///< by test
 };
 
 }  // namespace asperity

@@ -14,9 +14,9 @@ namespace {
 constexpr const char* kMissing = "n/a";
 
 const std::vector<std::string>& columns() {
-  static const std::vector<std::string> kColumns{"run",   "effect", "participants", "family",
-                                                 "test",  "p",      "corrected_p",  "estimate",
-                                                 "lower", "upper",  "status"};
+  static const std::vector<std::string> kColumns{
+      "run", "effect",      "participants", "family", "test",  "method",
+      "p",   "corrected_p", "estimate",     "lower",  "upper", "status"};
   return kColumns;
 }
 
@@ -52,9 +52,9 @@ std::string rows_of(const PowerOrder& order, const StudyPlace& place,
   for (const SimulatedOutcome& outcome : outcomes) {
     table.rows.push_back({place.run, order.effects[place.effect],
                           std::int64_t{order.participants[place.size]}, outcome.family,
-                          outcome.test, cell_of(outcome.p), cell_of(outcome.corrected_p),
-                          cell_of(outcome.estimate), cell_of(outcome.lower), cell_of(outcome.upper),
-                          outcome.status});
+                          outcome.test, outcome.method, cell_of(outcome.p),
+                          cell_of(outcome.corrected_p), cell_of(outcome.estimate),
+                          cell_of(outcome.lower), cell_of(outcome.upper), outcome.status});
   }
   const std::string text = tsv_of(table);
   return text.substr(text.find('\n') + 1);
@@ -68,12 +68,13 @@ bool StudyRow::is_of(const PowerOrder& order, const StudyPlace& place) const {
 std::optional<StudyRow> study_row_in(std::string_view line) {
   const std::vector<std::string> cells = parts_of(std::string(line), '\t');
   if (cells.size() != columns().size()) return std::nullopt;
-  StudyRow row{.effect = cells[1],
-               .outcome = {.family = cells[3], .test = cells[4], .status = cells[10]}};
+  StudyRow row{
+      .effect = cells[1],
+      .outcome = {.family = cells[3], .test = cells[4], .method = cells[5], .status = cells[11]}};
   const bool is_read = read_whole(cells[0], row.run) && read_whole(cells[2], row.participants) &&
-                       read(cells[5], row.outcome.p) && read(cells[6], row.outcome.corrected_p) &&
-                       read(cells[7], row.outcome.estimate) && read(cells[8], row.outcome.lower) &&
-                       read(cells[9], row.outcome.upper);
+                       read(cells[6], row.outcome.p) && read(cells[7], row.outcome.corrected_p) &&
+                       read(cells[8], row.outcome.estimate) && read(cells[9], row.outcome.lower) &&
+                       read(cells[10], row.outcome.upper);
   return is_read ? std::optional(row) : std::nullopt;
 }
 

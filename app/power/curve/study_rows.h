@@ -12,7 +12,7 @@
 
 namespace asperity {
 
-/// The first line, without its end: run, effect, participants, family, test, p, corrected_p, estimate, lower, upper, status.
+/// The first line, without its end: run, effect, participants, family, test, method, p, corrected_p, estimate, lower, upper, status.
 std::string study_columns();
 
 /// The rows of one study in the order of its outcomes, as `tsv_of` writes cells; `n/a` for a missing number.
