@@ -29,6 +29,8 @@
 #include "app/cli/sweep/sweep_study.h"
 #include "app/figures/figure_files.h"
 #include "app/figures/sweep_figure.h"
+#include "app/study_files/drawn_figures.h"
+#include "app/study_files/height_field_files.h"
 #endif
 
 namespace asperity {
@@ -87,13 +89,14 @@ int run_sweep(SweepOptions options) {
   if (options.shard) return run_shard(options, file);
 #ifdef ASPERITY_WITH_WINDOWS
   const std::filesystem::path plot = options.plot;
+  const DrawnFigures drawn(options.out + ".figures.json");
   if (!plot.empty()) {
     try {
       require_figure_ending(plot);
     } catch (const std::invalid_argument& error) {
       throw WrongUsage(std::string("--plot: ") + error.what());
     }
-    refuse_existing({plot}, file.overwrite);
+    refuse_existing({plot}, drawn.overwrite_of(plot, file.overwrite));
     if (plot.has_parent_path() && !std::filesystem::is_directory(plot.parent_path())) {
       throw std::runtime_error("--plot " + options.plot + ": there is no folder " +
                                plot.parent_path().string() + "; create it first");
@@ -134,7 +137,8 @@ int run_sweep(SweepOptions options) {
         beside ? beside_prediction(of_group(std::move(beside->estimates), beside->group), sweep,
                                    beside->conditions, options.measure)
                : sweep_figure(sweep, options.measure);
-    write_figure(plot, figure, {}, file.overwrite);
+    write_figure(plot, figure, {}, drawn.overwrite_of(plot, file.overwrite));
+    drawn.record(plot);
   }
 #endif
   return 0;
