@@ -24,7 +24,9 @@ void add_choice_parameters(const TabulatedQuestion& asked, ParameterList& list) 
   if (is_about_target(asked)) {
     list.effect({.effect = {.name = kTarget,
                             .unit = "log-odds",
-                            .meaning = "log-odds of a choice of the target over each other item"},
+                            .meaning = "natural log-odds that the target \"" +
+                                       *asked.protocol.analysis.target +
+                                       "\" is chosen rather than any one other item"},
                  .tests = {"target_pairs", "pairs", "preference"},
                  .compared_in = {"groups", "textures"},
                  .sd_unit = "log-odds",
@@ -34,26 +36,31 @@ void add_choice_parameters(const TabulatedQuestion& asked, ParameterList& list) 
       const auto& [factor, levels] = *groups;
       list.effect_of_groups({.name = difference_between(factor),
                              .unit = "log-odds",
-                             .meaning = "log-odds of the target in the group \"" + levels.back() +
-                                        "\" minus those in \"" + levels.front() + "\""});
+                             .meaning = "natural log-odds of the target in the group \"" +
+                                        levels.back() + "\" minus those in \"" + levels.front() +
+                                        "\""});
     }
   } else {
     list.effect({.effect = {.name = kDifference,
                             .unit = "log-odds",
-                            .meaning = "log-odds of a choice of the last item over the first; the "
-                                       "items are equally spaced"},
+                            .meaning = text_of({.last = "natural log-odds of a choice of",
+                                                .first = "rather than",
+                                                .items = "items"},
+                                               asked.items)},
                  .tests = {"pairs", "preference"},
                  .sd_unit = "log-odds",
                  .sd_meaning = "SD over participants of the log-odds between any two items",
                  .usual_sd = 1.0});
   }
-  list.effect({.effect = {.name = "order",
-                          .unit = "log-odds",
-                          .meaning = "log-odds in favour of the surface that is presented first"},
-               .tests = {"position"},
-               .sd_unit = "log-odds",
-               .sd_meaning = "SD over participants of the log-odds in favour of the first surface",
-               .usual_sd = 0.3});
+  list.effect(
+      {.effect = {.name = "order",
+                  .unit = "log-odds",
+                  .meaning = "natural log-odds in favour of the surface that is presented first, "
+                             "between surfaces that are otherwise equally preferred"},
+       .tests = {"position"},
+       .sd_unit = "log-odds",
+       .sd_meaning = "SD over participants of the log-odds in favour of the first surface",
+       .usual_sd = 0.3});
   if (!asked.question.tie.empty()) {
     list.assumed({.name = "tie_within",
                   .range = ParameterRange::not_negative,

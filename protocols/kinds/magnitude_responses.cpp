@@ -68,6 +68,12 @@ double mean_of_logarithms(const TabulatedQuestion& asked) {
   return sum / static_cast<double>(levels.size());
 }
 
+/// What is estimated.
+std::string estimate_text(const TabulatedQuestion& asked) {
+  return std::holds_alternative<LineForm>(asked.question.form) ? "length of the drawn line"
+                                                               : "estimate";
+}
+
 /// The conditions, if the block has several.
 bool has_conditions(const TabulatedQuestion& asked) {
   return estimation_of(asked).conditions.size() > 1;
@@ -75,30 +81,35 @@ bool has_conditions(const TabulatedQuestion& asked) {
 
 void add_curve(const TabulatedQuestion& asked, ParameterList& list) {
   const bool is_of_spacings = estimation_of(asked).items.empty();
+  const std::string estimate = estimate_text(asked);
   if (!has_predictor(asked)) {
-    list.effect(
-        {.effect = {.name = kRatio,
-                    .range = ParameterRange::positive,
-                    .unit = "ratio",
-                    .meaning = "estimate of the last stimulus divided by that of the first; "
-                               "the stimuli are equally spaced",
-                    .null_value = 1.0},
-         .tests = {"stimuli", "spacing"},
-         .sd_meaning = "SD over participants of the natural logarithm of the ratio of any "
-                       "two stimuli",
-         .usual_sd = 0.3});
+    list.effect({.effect = {.name = kRatio,
+                            .range = ParameterRange::positive,
+                            .unit = "ratio",
+                            .meaning = text_of({.last = estimate + " of",
+                                                .first = "divided by that of",
+                                                .items = "stimuli"},
+                                               analysed_levels(asked)),
+                            .null_value = 1.0},
+                 .tests = {"stimuli", "spacing"},
+                 .sd_meaning = "SD over participants of the natural logarithm of the ratio of any "
+                               "two stimuli",
+                 .usual_sd = 0.3});
     return;
   }
   list.effect({.effect = {.name = kExponent,
-                          .meaning = "exponent with which estimates grow with the predictor"},
+                          .meaning = "exponent of the power function of the " + estimate +
+                                     " over the " + (is_of_spacings ? "spacing" : "predictor") +
+                                     "; above 0, the first grows with the second"},
                .tests = {"spacing", "stimuli", "exponent"},
                .sd_meaning = "SD over participants of the exponent",
                .usual_sd = 0.2});
   if (!is_of_spacings) return;
   list.effect(
       {.effect = {.name = kCurvature,
-                  .meaning = "decrease of the logarithm (base 10) of the estimate at 10 "
-                             "times the spacing of maximum roughness, and at a tenth of it"},
+                  .meaning = "decrease of the logarithm (base 10) of the " + estimate +
+                             " from the spacing of maximum roughness to 10 times this spacing, and "
+                             "to a tenth of it"},
        .tests = {"peaks"},
        .sd_meaning = "SD over participants of this decrease",
        .usual_sd = 0.2});
@@ -121,7 +132,7 @@ void add_conditions(const TabulatedQuestion& asked, ParameterList& list) {
   list.effect({.effect = {.name = "condition.ratio",
                           .range = ParameterRange::positive,
                           .unit = "ratio",
-                          .meaning = "estimate" + relative,
+                          .meaning = estimate_text(asked) + relative,
                           .null_value = 1.0},
                .tests = {"condition"},
                .sd_meaning = "SD over participants of the natural logarithm of this ratio",

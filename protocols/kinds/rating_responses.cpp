@@ -74,6 +74,22 @@ std::vector<std::string> family_of_scale(const TabulatedQuestion& asked) {
   return family;
 }
 
+/// The names of what is rated, in the order of `difference`: the items, or the combinations of levels.
+std::vector<std::string> rated_names(const TabulatedQuestion& asked) {
+  if (asked.items.size() > 1) return asked.items;
+  std::vector<std::string> names{""};
+  for (const auto& [factor, levels] : rated_factors(asked)) {
+    std::vector<std::string> longer{};
+    for (const std::string& name : names) {
+      for (const std::string& level : levels) {
+        longer.push_back(name.empty() ? level : name + ", " + level);
+      }
+    }
+    names = std::move(longer);
+  }
+  return names;
+}
+
 struct RatedItem {
   std::string name{};
   double place = 0.0;
@@ -108,30 +124,37 @@ std::vector<ResponseParameter> parameters_of_rating(const TabulatedQuestion& of)
   asked.family = family_of_scale(of);
   const auto& form = std::get<ScaleForm>(asked.question.form);
   const double range = form.maximum - form.minimum;
+  const std::string on_scale = ", " + scale_text(form);
   ParameterList list(asked);
   if (has_several_items(asked)) {
     list.effect({.effect = {.name = kItemDifference,
-                            .unit = kScaleUnit,
-                            .meaning = "mean rating of the last item minus that of the first; the "
-                                       "items are equally spaced"},
+                            .unit = kScaleUnits,
+                            .meaning = text_of({.last = "mean rating of",
+                                                .first = "minus that of",
+                                                .items = "items",
+                                                .details = on_scale},
+                                               rated_names(asked))},
                  .tests = {"ratings", "rated_pairs", "rating_model"},
-                 .sd_unit = kScaleUnit,
+                 .sd_unit = kScaleUnits,
                  .sd_meaning = "SD over participants of the difference between any two items",
                  .usual_sd = 0.15 * range});
   }
   if (accompanies_correct_responses(asked)) {
     list.effect({.effect = {.name = "correct",
-                            .unit = kScaleUnit,
-                            .meaning = "mean rating with correct minus that with incorrect "
-                                       "responses"},
+                            .unit = kScaleUnits,
+                            .meaning = "mean rating of trials with a correct response minus that "
+                                       "of trials with an incorrect one" +
+                                       on_scale},
                  .tests = {"accompanying_scales"},
-                 .sd_unit = kScaleUnit,
+                 .sd_unit = kScaleUnits,
                  .sd_meaning = "SD over participants of this difference",
                  .usual_sd = 0.1 * range});
   }
-  list.scale(range, {.meaning = "mean rating of all items", .value = form.minimum + 0.5 * range},
-             "SD over participants of the mean rating of all items",
-             "SD of the ratings of one participant for one item");
+  list.scale(
+      range,
+      {.meaning = "mean rating of all items" + on_scale, .value = form.minimum + 0.5 * range},
+      "SD over participants of the mean rating of all items",
+      "SD of the ratings of one participant for one item");
   return list.take();
 }
 

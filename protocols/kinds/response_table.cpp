@@ -6,6 +6,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "analysis/number_text.h"
+#include "protocols/answers/scale_form.h"
 #include "protocols/answers/stored_number.h"
 #include "protocols/kinds/experiment_kind.h"
 
@@ -144,6 +146,26 @@ double place_among(const std::vector<std::string>& names, std::string_view name)
   return static_cast<double>(found - names.begin()) / static_cast<double>(names.size() - 1) - 0.5;
 }
 
+std::string scale_text(const ScaleForm& form) {
+  const auto end = [&form](double value, std::size_t label) {
+    return number_text(value) + (form.labels.empty() ? "" : " (\"" + form.labels[label] + "\")");
+  };
+  const std::size_t last = form.labels.empty() ? 0 : form.labels.size() - 1;
+  return "on the scale from " + end(form.minimum, 0) + " to " + end(form.maximum, last);
+}
+
+std::string text_of(const EndComparison& comparison, const std::vector<std::string>& names) {
+  const std::string first = names.empty() ? "the first" : '"' + names.front() + '"';
+  const std::string last = names.empty() ? "the last" : '"' + names.back() + '"';
+  const std::string text =
+      comparison.last + ' ' + last + ' ' + comparison.first + ' ' + first + comparison.details;
+  if (names.size() < 3) return text;
+  std::string order{};
+  for (const std::string& name : names) order += (order.empty() ? "\"" : ", \"") + name + '"';
+  return text + "; the " + comparison.items + " between them are equally spaced, in the order " +
+         order;
+}
+
 std::string ParameterList::in_family(const std::vector<std::string>& tests) const {
   std::string names{};
   for (const std::string& test : tests) {
@@ -191,12 +213,12 @@ void ParameterList::scale(double range, ResponseParameter level, std::string lev
   const auto deviation = [](const char* name, std::string meaning, double usual) {
     return ResponseParameter{.name = name,
                              .range = ParameterRange::not_negative,
-                             .unit = kScaleUnit,
+                             .unit = kScaleUnits,
                              .meaning = std::move(meaning),
                              .value = usual};
   };
   level.name = "level";
-  level.unit = kScaleUnit;
+  level.unit = kScaleUnits;
   assumed(std::move(level));
   assumed(deviation("level_sd", std::move(level_sd), 0.1 * range));
   assumed(deviation("noise_sd", std::move(noise_sd), 0.15 * range));

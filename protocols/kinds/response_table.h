@@ -121,8 +121,21 @@ struct ResponseTable {
 /// is not among them.
 double place_among(const std::vector<std::string>& names, std::string_view name) noexcept;
 
-/// The unit of what is rated on a scale.
-inline constexpr const char* kScaleUnit = "unit of the scale";
+/// The unit of a rating.
+inline constexpr const char* kScaleUnits = "scale units";
+
+/// "on the scale from 0 (\"smooth\") to 100 (\"rough\")"; without labels "on the scale from 0 to 100".
+std::string scale_text(const ScaleForm& form);
+
+/// The meaning of an effect between the last and the first of several names, with what it assumes of the others: `mean rating of
+/// "wood" minus that of "brick"; the items between them are equally spaced, in the order "brick", "metal", "wood"`.
+struct EndComparison {
+  std::string last{};     ///< the words before the last name, "mean rating of"
+  std::string first{};    ///< the words before the first name, "minus that of"
+  std::string items{};    ///< what the names are, "items"
+  std::string details{};  ///< words after the first name; may be empty
+};
+std::string text_of(const EndComparison& comparison, const std::vector<std::string>& names);
 
 /// Collects the parameters of a table.
 class ParameterList final {

@@ -16,22 +16,25 @@ constexpr const char* kIdentical = "identical";
 std::vector<ResponseParameter> parameters_of_similarity(const TabulatedQuestion& asked) {
   const auto& form = std::get<ScaleForm>(asked.question.form);
   const double range = form.maximum - form.minimum;
+  const std::string on_scale = ", " + scale_text(form);
   ParameterList list(asked);
   list.effect({.effect = {.name = kStructure,
-                          .unit = kScaleUnit,
+                          .unit = kScaleUnits,
                           .meaning = "mean dissimilarity of the most distant pair minus that of "
-                                     "neighbours; the items are equally spaced on one dimension"},
+                                     "neighbours" +
+                                     on_scale + "; the items are equally spaced on one dimension"},
                .tests = {"configuration", "properties"},
-               .sd_unit = kScaleUnit,
+               .sd_unit = kScaleUnits,
                .sd_meaning = "SD over participants of the difference between any two pairs",
                .usual_sd = 0.15 * range});
   if (asked.block.all_pairs && asked.block.all_pairs->with_identical) {
     list.effect({.effect = {.name = kIdentical,
-                            .unit = kScaleUnit,
+                            .unit = kScaleUnits,
                             .meaning = "mean dissimilarity of different minus that of identical "
-                                       "pairs"},
+                                       "pairs" +
+                                       on_scale},
                  .tests = {"identical"},
-                 .sd_unit = kScaleUnit,
+                 .sd_unit = kScaleUnits,
                  .sd_meaning = "SD over participants of this difference",
                  .usual_sd = 0.1 * range});
   }

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -28,6 +29,8 @@
 namespace asperity {
 namespace {
 
+using testing::HasSubstr;
+using testing::Not;
 using Values = std::map<std::string, double>;
 
 Protocol protocol_of(const nlohmann::json& file) {
@@ -160,6 +163,13 @@ TEST(ResponseTable, NeverAssumesAnEffectOfTheFamilyOrItsStandardDeviation) {
           SCOPED_TRACE(parameter.name);
           EXPECT_EQ(parameter.part == Part::other, parameter.value.has_value());
           EXPECT_FALSE(parameter.meaning.empty());
+          // What a number is the difference of, with its direction, is not left to the order of a list.
+          for (const char* const vague : {"last item", "first item", "last stimulus"}) {
+            EXPECT_THAT(parameter.meaning, Not(HasSubstr(vague)));
+          }
+          if (parameter.unit == kScaleUnits && parameter.part == Part::effect) {
+            EXPECT_THAT(parameter.meaning, HasSubstr("on the scale from "));
+          }
           EXPECT_TRUE(!parameter.value || is_in_range(parameter.range, *parameter.value));
           if (parameter.part != Part::effect) continue;
           with_effect.insert(std::string(kind.id));
@@ -176,6 +186,45 @@ TEST(ResponseTable, NeverAssumesAnEffectOfTheFamilyOrItsStandardDeviation) {
   EXPECT_EQ(with_effect,
             (std::set<std::string>{"discrimination", "magnitude", "matching", "paired_comparison",
                                    "rating", "recognition", "selection", "similarity"}));
+}
+
+/// The meaning of a parameter of the first question with it in a library protocol.
+std::string meaning_of(const std::string& protocol_name, const std::string& parameter) {
+  const Protocol protocol = read_protocol(test::library_text(protocol_name), protocol_name,
+                                          declarations_of(built_in_models()));
+  const std::vector<Trial> possible = possible_trials(protocol);
+  for (const auto& [name, block] : protocol.blocks) {
+    if (block.phase != Phase::main) continue;
+    for (const auto& question : block.questions) {
+      const ResponseTable* const table = kind_of_question(kind_of(block), question.form)->responses;
+      if (table == nullptr) continue;
+      for (const ResponseParameter& each :
+           table->parameters(tabulated_question(protocol, block, question, possible))) {
+        if (each.name == parameter) return each.meaning;
+      }
+    }
+  }
+  return {};
+}
+
+// The direction, the two stimuli and the scale.
+TEST(ResponseTable, StatesWhatADifferenceIsOf) {
+  EXPECT_EQ(
+      meaning_of("semantic_differential", "difference"),
+      "mean rating of \"wood\" minus that of \"brick\", on the scale from -100 (\"smooth\") to 100 "
+      "(\"rough\"); the items between them are equally spaced, in the order \"brick\", "
+      "\"cones_05\", \"cones_07\", \"cones_14\", \"cones_20\", \"cones_28\", \"cones_35\", "
+      "\"metal\", \"stone\", \"wood\"");
+  EXPECT_EQ(
+      meaning_of("roughness_in_pairs", "difference"),
+      "natural log-odds of a choice of \"wood\" rather than \"brick\"; the items between them are "
+      "equally spaced, in the order \"brick\", \"metal\", \"stone\", \"wood\"");
+  EXPECT_EQ(
+      meaning_of("chapter_selection", "target"),
+      "natural log-odds that the target \"height_map\" is chosen rather than any one other item");
+  EXPECT_EQ(meaning_of("roughness_speed", "exponent"),
+            "exponent of the power function of the estimate over the spacing; above 0, the first "
+            "grows with the second");
 }
 
 // The difference of two ratings has the variance 6² of the participants' differences and twice 4² of the noise; the
