@@ -241,6 +241,10 @@ void add_power(CLI::App& program, Job& job) {
                    "the study or the usual one; may be given several times")
       ->option_text("NAME=VALUE")
       ->allow_extra_args(false);
+  command
+      ->add_option("--assume-source", options->assumed_source,
+                   "Where the values of --assume are from, such as a study")
+      ->capture_default_str();
   command->add_flag("--list-assumptions", options->list_assumptions,
                     "Print all assumptions of the protocol as JSON, to be edited, and end");
   command->add_flag("--physics", options->physics,

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 #include <iostream>
+#include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -13,9 +15,10 @@
 #include "analysis/rounded_text.h"
 #include "app/cli/output/terminal.h"
 #include "app/findings/study/study_test.h"
-#include "app/power/curve/ethics_sentence.h"
+#include "app/power/curve/ethics_statement.h"
 #include "app/power/curve/result_tables.h"
 #include "app/study_files/program.h"
+#include "app/words/text_parts.h"
 
 namespace asperity {
 
@@ -30,16 +33,89 @@ Table assumption_table(const std::vector<Assumption>& assumptions) {
   return table;
 }
 
-/// With three significant digits, for a terminal.
-Table rounded(Table table) {
-  constexpr int kDigits = 3;
-  for (std::vector<Cell>& row : table.rows) {
-    for (Cell& cell : row) {
-      if (double* const number = std::get_if<double>(&cell))
-        *number = with_digits(*number, kDigits);
-    }
+constexpr std::size_t kColumns = 100;  // of a terminal
+constexpr int kDigits = 3;             // significant ones, on a terminal
+
+std::string rounded_number(double number) { return number_text(with_digits(number, kDigits)); }
+
+Cell rounded_cell(const std::optional<double>& number) {
+  return number ? Cell(with_digits(*number, kDigits)) : Cell(std::monostate{});
+}
+
+std::string limit_text(const std::optional<std::size_t>& limit) {
+  return limit ? std::to_string(*limit) : "n/a";
+}
+
+/// Each with its source and, below, its meaning.
+void print_assumptions(const std::vector<Assumption>& assumptions) {
+  for (const Assumption& one : assumptions) {
+    const std::string unit = one.unit == "1" ? "" : ' ' + one.unit;
+    const std::string value = one.value ? rounded_number(*one.value) + unit : "n/a";
+    std::cout << wrapped_text(one.name + " = " + value + "; source: " + one.source +
+                                  (is_from_pilot(one) ? " (pilot)" : ""),
+                              kColumns)
+              << '\n'
+              << wrapped_text(one.meaning, kColumns, "    ") << '\n';
+  }
+}
+
+std::string heading_of(const PowerCurve& curve) {
+  if (curve.test.empty()) {
+    return "Family \"" + curve.family + "\": at least one of its tests is significant";
+  }
+  const std::string methods = methods_text(curve);
+  return "Test \"" + curve.test + "\" of the family \"" + curve.family + '"' +
+         (methods.empty() ? "" : ": " + methods);
+}
+
+/// The columns of `power_table`, without those that the heading states.
+Table shown_power(const PowerCurve& curve) {
+  Table table{.columns = {"participants", "significant", "power", "95 % CI", "fitted", "without_p",
+                          "median_width", "p90_width"}};
+  for (const TestAtSize& size : curve.sizes) {
+    const PowerOfSize& of = size.power;
+    table.rows.push_back(
+        {std::int64_t{of.participants}, static_cast<std::int64_t>(size.significant),
+         rounded_cell(of.power),
+         '[' + rounded_number(of.interval.low) + ", " + rounded_number(of.interval.high) + ']',
+         rounded_cell(of.fitted), static_cast<std::int64_t>(size.without_p),
+         rounded_cell(size.median_width), rounded_cell(size.p90_width)});
   }
   return table;
+}
+
+/// The same of `sample_table`.
+Table shown_sample(const PowerCurve& curve, const SampleRules& rules) {
+  Table table{.columns = {"power", "status", "participants", "95 % CI", "planned",
+                          "recruited_on_average", "recruited_assured"}};
+  for (const double power : kWantedPowers) {
+    const PlannedSample sample = planned_sample(curve, power, rules);
+    const auto count = [](const std::optional<std::size_t>& number) {
+      return number ? Cell(static_cast<std::int64_t>(*number)) : Cell(std::monostate{});
+    };
+    const auto recruited = [&](std::size_t Recruitment::*number) {
+      return sample.recruited ? Cell(static_cast<std::int64_t>((*sample.recruited).*number))
+                              : Cell(std::monostate{});
+    };
+    table.rows.push_back({power, code_of(sample.reached), count(sample.participants),
+                          '[' + limit_text(sample.low) + ", " + limit_text(sample.high) + ']',
+                          count(sample.planned), recruited(&Recruitment::on_average),
+                          recruited(&Recruitment::assured)});
+  }
+  return table;
+}
+
+void print_curves(const PowerReport& report) {
+  const PowerCurve* previous = nullptr;
+  for (const PowerCurve& curve : report.power.curves) {
+    if (previous == nullptr || previous->effect != curve.effect) {
+      std::cout << '\n' << wrapped_text("Effect: " + curve.effect, kColumns) << '\n';
+    }
+    previous = &curve;
+    std::cout << '\n'
+              << wrapped_text(heading_of(curve), kColumns) << '\n'
+              << aligned(shown_power(curve)) << aligned(shown_sample(curve, report.rules));
+  }
 }
 
 PlannedStudy planned_study(const PowerReport& report, std::size_t effect) {
@@ -56,24 +132,24 @@ PlannedStudy planned_study(const PowerReport& report, std::size_t effect) {
   return study;
 }
 
-struct Sentence {
+struct Statement {
   std::string effect{};
   double power = 0.8;
   std::string text{};
 };
 
-std::vector<Sentence> sentences_of(const PowerReport& report) {
-  std::vector<Sentence> sentences{};
+std::vector<Statement> statements_of(const PowerReport& report) {
+  std::vector<Statement> statements{};
   for (std::size_t effect = 0; effect < report.levels.size(); ++effect) {
     if (report.levels[effect].is_null) continue;
     const PlannedStudy study = planned_study(report, effect);
     for (const double wanted : kWantedPowers) {
-      sentences.push_back({.effect = report.levels[effect].text,
-                           .power = wanted,
-                           .text = ethics_sentence(study, wanted)});
+      statements.push_back({.effect = report.levels[effect].text,
+                            .power = wanted,
+                            .text = ethics_statement(study, wanted)});
     }
   }
-  return sentences;
+  return statements;
 }
 
 }  // namespace
@@ -89,15 +165,28 @@ void print_power(const PowerReport& report) {
   if (report.order.physics_sha256) {
     std::cout << "responses: the protocol's virtual observers on the full physics\n\n";
   } else {
-    std::cout << aligned(assumption_table(report.levels.front().assumptions)) << '\n';
+    std::cout << (report.levels.size() > 1 ? "Assumptions, with the first effect:\n"
+                                           : "Assumptions:\n");
+    print_assumptions(report.levels.front().assumptions);
+    std::cout << '\n';
   }
-  std::cout << power.runs << " simulated studies of each effect and number of participants, seed "
-            << report.order.seed << "; intervals: 95 % (Clopper–Pearson)\n\n"
-            << aligned(rounded(power_table(report.power.curves))) << '\n'
-            << aligned(rounded(sample_table(report.power.curves, report.rules)));
-  for (const Sentence& sentence : sentences_of(report)) {
-    if (sentence.power == kWantedPowers.front() && !sentence.text.empty())
-      std::cout << '\n' << sentence.text << '\n';
+  std::cout << wrapped_text(
+                   std::to_string(power.runs) +
+                       " simulated studies of each effect and number of participants, seed " +
+                       std::to_string(report.order.seed) +
+                       ". The power is an estimate; its intervals are 95 % Monte-Carlo CIs "
+                       "(Clopper–Pearson).",
+                   kColumns)
+            << '\n';
+  print_curves(report);
+  for (const Statement& statement : statements_of(report)) {
+    if (statement.power != kWantedPowers.front() || statement.text.empty()) continue;
+    std::cout << '\n'
+              << wrapped_text("Statement for an ethics form or a preregistration, of the effect " +
+                                  statement.effect + ':',
+                              kColumns)
+              << '\n'
+              << wrapped_text(statement.text, kColumns) << '\n';
   }
 }
 
@@ -119,10 +208,10 @@ nlohmann::ordered_json json_of(const PowerReport& report) {
   }
   json["power"] = json_of(power_table(report.power.curves));
   json["sample_size"] = json_of(sample_table(report.power.curves, report.rules));
-  json["sentences"] = nlohmann::ordered_json::array();
-  for (const Sentence& sentence : sentences_of(report)) {
-    json["sentences"].push_back(
-        {{"effect", sentence.effect}, {"power", sentence.power}, {"text", sentence.text}});
+  json["statements"] = nlohmann::ordered_json::array();
+  for (const Statement& statement : statements_of(report)) {
+    json["statements"].push_back(
+        {{"effect", statement.effect}, {"power", statement.power}, {"text", statement.text}});
   }
   return json;
 }

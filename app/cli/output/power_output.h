@@ -27,7 +27,8 @@ struct PowerReport {
   SimulatedPower power{};
 };
 
-/// On standard output: the session, the assumptions, the tables, and the sentence for 80 % of every level with an effect.
+/// On standard output, in lines of at most 100 columns: the session, the assumptions, the power and the numbers of participants of
+/// every test, and the statement for 80 % of every level with an effect.
 void print_power(const PowerReport& report);
 
 /// `asperity.power/1`

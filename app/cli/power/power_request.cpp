@@ -13,7 +13,7 @@
 #include "app/cli/output/terminal.h"
 #include "app/power/calibration.h"
 #include "app/power/curve/effect_levels.h"
-#include "app/power/curve/ethics_sentence.h"
+#include "app/power/curve/ethics_statement.h"
 #include "app/power/power_model.h"
 #include "app/study_files/program.h"
 #include "app/words/text_parts.h"
@@ -26,7 +26,6 @@ namespace asperity {
 namespace {
 
 constexpr int kMostParticipants = 10000;
-constexpr const char* kAssumedSource = "stated";
 
 /// FROM:TO:STEP or N,N,…
 std::vector<int> numbers_in(const std::string& text) {
@@ -77,8 +76,8 @@ std::vector<Assumption> calibrated_by(const std::string& folder, const Protocol&
 }
 
 /// Sets what --assume states.
-void assume(const std::vector<std::string>& stated, std::vector<Assumption>& assumptions) {
-  for (const std::string& text : stated) {
+void assume(const PowerOptions& options, std::vector<Assumption>& assumptions) {
+  for (const std::string& text : options.assumed) {
     const std::size_t equals = std::min(text.find('='), text.size());
     const std::optional<double> value =
         number_in(std::string_view(text).substr(std::min(equals + 1, text.size())));
@@ -87,7 +86,7 @@ void assume(const std::vector<std::string>& stated, std::vector<Assumption>& ass
                        ": write NAME=VALUE with a number, such as order_sd=0.3");
     }
     try {
-      set_assumption(assumptions, text.substr(0, equals), *value, kAssumedSource);
+      set_assumption(assumptions, text.substr(0, equals), *value, options.assumed_source);
     } catch (const std::runtime_error& error) {
       throw WrongUsage("--assume " + text + ": " + error.what());
     }
@@ -115,10 +114,11 @@ void require_one_source(const PowerOptions& options) {
         "--study names the files that are rendered on the full physics; add --physics, or leave it "
         "out");
   }
-  const std::array<std::pair<const char*, bool>, 6> of_tables{
+  const std::array<std::pair<const char*, bool>, 7> of_tables{
       {{"--effect", !options.effects.empty()},
        {"--effect-source", options.effect_source != kStatedSource},
        {"--assume", !options.assumed.empty()},
+       {"--assume-source", options.assumed_source != kAssumedSource},
        {"--assumptions", !options.assumptions.empty()},
        {"--calibrate", !options.calibrated_by.empty()},
        {"--list-assumptions", options.list_assumptions}}};
@@ -145,7 +145,7 @@ std::vector<Assumption> stated_assumptions(const PowerOptions& options, const Pr
   if (!options.assumptions.empty()) {
     assumptions = with_assumptions_of_file(std::move(assumptions), options.assumptions);
   }
-  assume(options.assumed, assumptions);
+  assume(options, assumptions);
   return assumptions;
 }
 

@@ -18,7 +18,9 @@
 
 namespace asperity {
 
-inline constexpr const char* kStatedSource = "stated as the smallest effect of interest";
+inline constexpr const char* kStatedSource =
+    "stated by the researcher as the smallest effect of interest";
+inline constexpr const char* kAssumedSource = "stated by the researcher";
 
 /// As given on the command line.
 struct PowerOptions {
@@ -29,6 +31,7 @@ struct PowerOptions {
   std::string calibrated_by{};
   std::string assumptions{};
   std::vector<std::string> assumed{};
+  std::string assumed_source = kAssumedSource;
   bool list_assumptions = false;
   bool physics = false;
   std::string study{};

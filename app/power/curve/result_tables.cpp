@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/rounded_text.h"
+#include "app/findings/study/test_methods.h"
 
 namespace asperity {
 
@@ -18,20 +19,33 @@ Cell rounded_cell(const std::optional<double>& number) {
 
 Cell count_cell(std::uint64_t count) { return static_cast<std::int64_t>(count); }
 
+Cell count_cell(const std::optional<std::size_t>& count) {
+  return count ? Cell(static_cast<std::int64_t>(*count)) : Cell(std::monostate{});
+}
+
 }  // namespace
 
+std::string methods_text(const PowerCurve& curve) {
+  std::string text{};
+  for (const std::string& code : curve.methods) {
+    text += (text.empty() ? "" : " or ") + text_with_sides(code);
+  }
+  return text;
+}
+
 Table power_table(std::span<const PowerCurve> curves) {
-  Table table{.columns = {"effect", "family", "test", "participants", "studies", "significant",
-                          "power", "power_low", "power_high", "fitted_power", "without_p",
-                          "median_width", "p90_width"}};
+  Table table{.columns = {"effect", "family", "test", "method", "participants", "studies",
+                          "significant", "power", "power_low", "power_high", "fitted_power",
+                          "without_p", "median_width", "p90_width"}};
   for (const PowerCurve& curve : curves) {
     for (const TestAtSize& size : curve.sizes) {
-      table.rows.push_back(
-          {curve.effect, curve.family, curve.test, std::int64_t{size.power.participants},
-           count_cell(size.studies), count_cell(size.significant), size.power.power,
-           rounded_cell(size.power.interval.low), rounded_cell(size.power.interval.high),
-           rounded_cell(size.power.fitted), count_cell(size.without_p),
-           rounded_cell(size.median_width), rounded_cell(size.p90_width)});
+      table.rows.push_back({curve.effect, curve.family, curve.test, methods_text(curve),
+                            std::int64_t{size.power.participants}, count_cell(size.studies),
+                            count_cell(size.significant), size.power.power,
+                            rounded_cell(size.power.interval.low),
+                            rounded_cell(size.power.interval.high), rounded_cell(size.power.fitted),
+                            count_cell(size.without_p), rounded_cell(size.median_width),
+                            rounded_cell(size.p90_width)});
     }
   }
   return table;
@@ -44,12 +58,11 @@ Table sample_table(std::span<const PowerCurve> curves, const SampleRules& rules)
   for (const PowerCurve& curve : curves) {
     for (const double power : kWantedPowers) {
       const PlannedSample sample = planned_sample(curve, power, rules);
-      std::vector<Cell>& row = table.rows.emplace_back(std::vector<Cell>{
-          curve.effect, curve.family, curve.test, power, code_of(sample.smallest.reached),
-          rounded_cell(sample.smallest.participants), rounded_cell(sample.smallest.low),
-          rounded_cell(sample.smallest.high), Cell{}, Cell{}, Cell{}});
-      if (!sample.planned) continue;
-      row[8] = count_cell(*sample.planned);
+      std::vector<Cell>& row = table.rows.emplace_back(
+          std::vector<Cell>{curve.effect, curve.family, curve.test, power, code_of(sample.reached),
+                            count_cell(sample.participants), count_cell(sample.low),
+                            count_cell(sample.high), count_cell(sample.planned), Cell{}, Cell{}});
+      if (!sample.recruited) continue;
       row[9] = count_cell(sample.recruited->on_average);
       row[10] = count_cell(sample.recruited->assured);
     }
