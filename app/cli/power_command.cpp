@@ -36,6 +36,7 @@
 #ifdef ASPERITY_WITH_WINDOWS
 #include "app/figures/figure_files.h"
 #include "app/figures/power_curve_figure.h"
+#include "app/study_files/drawn_figures.h"
 #include "app/study_files/height_field_files.h"
 #endif
 
@@ -74,10 +75,14 @@ StudySource source_by(PhysicsStudies& studies) {
   }};
 }
 
+PowerFiles files_of(const PowerOptions& options) {
+  return {.folder = options.out, .overwrite = options.overwrite()};
+}
+
 /// Simulates the runs of one shard. Power is that of all runs.
 int run_shard(const PowerReport& report, const StudySource& source, const PowerOptions& options) {
   const Shard& shard = *options.shard;
-  const PowerFiles files{.folder = options.out, .overwrite = options.overwrite()};
+  const PowerFiles files = files_of(options);
   PowerShard outcome{};
   {
     const InterruptWatch interrupt("stopping; the shard is not written");
@@ -103,9 +108,7 @@ int run_shard(const PowerReport& report, const StudySource& source, const PowerO
 /// Simulates the studies of the report.
 void simulate(PowerReport& report, const StudySource& source, const PowerOptions& options) {
   std::optional<PowerFiles> files{};
-  if (!options.out.empty()) {
-    files = PowerFiles{.folder = options.out, .overwrite = options.overwrite()};
-  }
+  if (!options.out.empty()) files = files_of(options);
   const InterruptWatch interrupt(files ? "stopping; simulated studies are kept"
                                        : "stopping; without --out nothing is kept");
   Progress progress("simulating studies");
@@ -123,6 +126,14 @@ void say_stopped(const PowerReport& report, const PowerOptions& options) {
                 "; repeat the command to continue it");
 }
 
+#ifdef ASPERITY_WITH_WINDOWS
+/// A figure that an earlier command drew from the same studies is replaced.
+Overwrite overwrite_of_plot(const PowerOptions& options) {
+  if (options.out.empty()) return options.overwrite();
+  return DrawnFigures(files_of(options).figures()).overwrite_of(options.plot, options.overwrite());
+}
+#endif
+
 /// Before hours of work whose figure could not be written.
 void require_plot([[maybe_unused]] const PowerOptions& options) {
 #ifdef ASPERITY_WITH_WINDOWS
@@ -132,7 +143,7 @@ void require_plot([[maybe_unused]] const PowerOptions& options) {
   } catch (const std::invalid_argument& error) {
     throw WrongUsage(std::string("--plot: ") + error.what());
   }
-  refuse_existing({options.plot}, options.overwrite());
+  refuse_existing({options.plot}, overwrite_of_plot(options));
   const std::filesystem::path folder = std::filesystem::path(options.plot).parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder)) {
     throw std::runtime_error("--plot " + options.plot + ": there is no folder " + folder.string() +
@@ -160,7 +171,9 @@ int finish(PowerReport& report, const StudySource& source, const PowerOptions& o
 #ifdef ASPERITY_WITH_WINDOWS
   if (!options.plot.empty()) {
     const LettersWithoutWindows letters;
-    write_figure(options.plot, power_curve_figure(report.power.curves), {}, options.overwrite());
+    write_figure(options.plot, power_curve_figure(report.power.curves), {},
+                 overwrite_of_plot(options));
+    if (!options.out.empty()) DrawnFigures(files_of(options).figures()).record(options.plot);
   }
 #endif
   return 0;
@@ -285,11 +298,15 @@ void add_power(CLI::App& program, Job& job) {
   auto* shard = add_shard_option(*command, options->shard, "runs", "asperity gather")->needs(out);
 #ifdef ASPERITY_WITH_WINDOWS
   command
-      ->add_option("--plot", options->plot, "Also write a figure of the power, .svg, .png or .pdf")
+      ->add_option(
+          "--plot", options->plot,
+          "Also write a figure of the power, .svg, .png or .pdf; one that was drawn from the "
+          "studies of --out before is replaced")
       ->excludes(shard);
 #endif
-  command->add_flag("--force", options->force,
-                    "Replace the studies of other inputs, and the figure");
+  command->add_flag(
+      "--force", options->force,
+      "Replace the studies of other inputs, and a figure that was not drawn from those of --out");
   command->add_flag("--json", options->json, "Print one JSON document")->excludes(shard);
   add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {

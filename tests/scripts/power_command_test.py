@@ -71,6 +71,20 @@ with tempfile.TemporaryDirectory() as folder:
     printed = simulated(grown, 6, "--jobs", 2, *plot).stdout
     assert not plot or plot[1].stat().st_size > 0
     assert max(map(len, printed.splitlines())) <= 100, printed
+    if plot:
+        # Runs are added to the command's own result, and its figure is replaced; one that has been changed since is not.
+        plot[1].unlink()
+        figures = folder / "figures"
+        for runs in (1, 2):
+            simulated(figures, runs, *plot)
+        drawn = plot[1].read_bytes()
+        plot[1].write_text("changed", encoding="utf-8")
+        refused(1, "power.svg", "--participants", "4:6:2", "--seed", 3, "--runs", 3, *STATED, "--out", figures, *plot)
+        simulated(figures, 2, *plot, "--force")
+        assert plot[1].read_bytes() == drawn
+        refused(1, "power.svg", "--participants", "4:6:2", "--seed", 3, "--runs", 2, *STATED, "--out", folder / "another", *plot)
+    assert (grown / "studies.tsv").read_bytes() == (whole / "studies.tsv").read_bytes()
+    assert "min a session" in printed and f"{EFFECT}_sd" in printed, printed
 
     # In shards: the same bytes, with which the undivided command goes to its end.
     divided = folder / "divided"
