@@ -136,6 +136,12 @@ TEST(EthicsStatement, HasNoPartsOfAParticipant) {
   }
 }
 
+// Between 0.55 at 20 and 0.93 at 30 the power .8 is at 26.6: 26 participants do not have it.
+TEST(EthicsStatement, RoundsTheSmallestNumberUp) {
+  EXPECT_THAT(statement_of(study_of({curve_of("order", {0.3, 0.55, 0.93})})),
+              HasSubstr("with an estimated power of 80 % is 27 (95 % Monte-Carlo CI ["));
+}
+
 // Of the tests that the effect concerns, the one that needs most participants; not the test that it does not concern.
 TEST(EthicsStatement, IsAboutTheTestThatNeedsMostParticipants) {
   const PlannedStudy study =
