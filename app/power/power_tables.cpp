@@ -80,7 +80,10 @@ std::string assumption_name(const TabulatedQuestion& asked, const std::string& p
 }
 
 PowerTables::PowerTables(const Protocol& of, std::span<const Assumption> assumptions)
-    : protocol(of), blocks(tabulated_blocks(protocol)), gathered(row_of(protocol)) {
+    : protocol(of),
+      blocks(tabulated_blocks(protocol)),
+      gathered(row_of(protocol)),
+      rules(rules_of(protocol)) {
   for (const auto& [name, block] : blocks) {
     for (const TabulatedBlock::OfQuestion& question : block.questions) {
       OfQuestion& made = with_values[name].emplace_back(OfQuestion{.tabulated = &question});

@@ -13,6 +13,7 @@
 #include "protocols/design/protocol.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/kinds/response_table.h"
+#include "protocols/plan/level_tracks.h"
 
 namespace asperity {
 
@@ -52,6 +53,7 @@ struct PowerTables {
   const std::map<std::string, TabulatedBlock, std::less<>> blocks;
   std::map<std::string, std::vector<OfQuestion>, std::less<>> with_values{};
   const SessionGathering::OfProtocol gathered;
+  const RulesByBlock rules;  ///< of all simulated sessions
 };
 
 }  // namespace asperity

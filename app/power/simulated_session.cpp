@@ -142,7 +142,7 @@ TrialOutcome outcome_of_responses(const Protocol::Block& block, const Trial& tri
 SessionAnswers simulated_session(const SimulatedSitting& sitting) {
   const Protocol& protocol = sitting.tables.protocol;
   AnswersOfSession answers{};
-  Course course(protocol, sitting.allocation);
+  Course course(protocol, sitting.allocation, &sitting.tables.rules);
   for (std::size_t next = 0; next < course.plan().trials.size(); ++next) {
     const Trial& trial = course.plan().trials[next];
     const bool is_awaited = course.awaited() == &trial;

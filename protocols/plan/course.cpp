@@ -181,8 +181,9 @@ int counterbalance_rows(const Protocol& protocol) {
   return static_cast<int>(order_rows(protocol) * pair_parts(protocol));
 }
 
-Course::Course(const Protocol& protocol, const Allocation& allocation)
+Course::Course(const Protocol& protocol, const Allocation& allocation, const RulesByBlock* rules)
     : protocol_(&protocol),
+      rules_(rules),
       random_(Random(allocation.seed).split("plan")),
       maker_(protocol, random_) {
   expand_flow(allocation);
@@ -245,7 +246,7 @@ void Course::proceed() {
       add_block(run);
       continue;
     }
-    tracks_.emplace(*protocol_, std::move(run));
+    tracks_.emplace(*protocol_, std::move(run), rules_);
     if (add_next_of_tracks()) return;
   }
 }

@@ -46,8 +46,9 @@ LevelOutcome level_outcome_of(const Protocol::Block& block,
 /// session make it again from the stored ones and compare it with the stored trials.
 class Course final {
  public:
-  /// The protocol must outlive the course. Errors: as `make_plan`.
-  Course(const Protocol& protocol, const Allocation& allocation);
+  /// The protocol must outlive the course, and `rules`, those of the protocol where many courses share them. Errors: as `make_plan`.
+  Course(const Protocol& protocol, const Allocation& allocation,
+         const RulesByBlock* rules = nullptr);
 
   /// The trials and steps that are determined so far. A reference to a trial remains valid when the plan grows.
   const Plan& plan() const noexcept { return plan_; }
@@ -92,6 +93,7 @@ class Course final {
   void add(Trial trial);
 
   const Protocol* protocol_;
+  const RulesByBlock* rules_;
   Random random_;
   TrialMaker maker_;
   std::vector<Unit> units_{};

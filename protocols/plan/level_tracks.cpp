@@ -45,18 +45,38 @@ std::vector<Protocol::Presented> standards_in_place_of(const Dimension& vary,
   return surfaces;
 }
 
+std::vector<LevelRule> rules_of(const Protocol::Block& block) {
+  std::vector<LevelRule> rules{};
+  for (const ProcedureSettings& settings : block.procedure->tracks) {
+    if (std::holds_alternative<External>(settings)) continue;
+    rules.push_back(procedure_of(settings).rule(settings));
+  }
+  return rules;
+}
+
 }  // namespace
 
-LevelTracks::LevelTracks(const Protocol& protocol, BlockRun run)
+RulesByBlock rules_of(const Protocol& protocol) {
+  RulesByBlock rules{};
+  for (const auto& [name, block] : protocol.blocks) {
+    if (block.procedure) rules[name] = rules_of(block);
+  }
+  return rules;
+}
+
+LevelTracks::LevelTracks(const Protocol& protocol, BlockRun run, const RulesByBlock* rules)
     : protocol_(&protocol), run_(std::move(run)), rows_(rows_of(protocol, *run_.block)) {
   std::vector<Track> of_row{};  // the tracks of all rows share their rules
+  const std::vector<LevelRule> of_block =
+      rules == nullptr ? rules_of(*run_.block) : rules->at(run_.block->name);
+  auto rule = of_block.begin();
   for (const ProcedureSettings& settings : run_.block->procedure->tracks) {
     const Procedure& procedure = procedure_of(settings);
     Track track{.most_trials = procedure.most_trials(settings), .answered = {.settings = settings}};
     if (const auto* const external = std::get_if<External>(&settings)) {
-      track.levels = SuppliedLevels{.settings = *external};
+      track.levels = *external;
     } else {
-      track.levels = procedure.rule(settings);
+      track.levels = *rule++;
     }
     of_row.push_back(std::move(track));
   }
@@ -69,20 +89,19 @@ LevelTracks::LevelTracks(const Protocol& protocol, BlockRun run)
   }
 }
 
-std::optional<double> LevelTracks::next_level(const Track& track) {
+std::optional<double> LevelTracks::next_level(Track& track) {
   // Trials without an answer repeat their level: a participant who no longer responds must not repeat it for ever.
   if (track.trials >= kMostPresented * track.most_trials) return std::nullopt;
-  const auto* const supplied = std::get_if<SuppliedLevels>(&track.levels);
-  const NextStep step =
-      supplied != nullptr ? supplied->next.value()
-                          : std::get<LevelRule>(track.levels)(track.answered.answers, track.random);
-  const auto* const next = std::get_if<NextLevel>(&step);
+  const auto* const rule = std::get_if<LevelRule>(&track.levels);
+  if (rule != nullptr && !track.next) track.next = (*rule)(track.answered.answers, track.random);
+  const auto* const next = std::get_if<NextLevel>(&track.next.value());
   return next == nullptr ? std::nullopt : std::optional(next->level);
 }
 
-bool LevelTracks::is_open(const Track& track) {
-  const auto* const supplied = std::get_if<SuppliedLevels>(&track.levels);
-  if (supplied == nullptr || supplied->next) return next_level(track).has_value();
+bool LevelTracks::is_open(Track& track) {
+  if (std::holds_alternative<LevelRule>(track.levels) || track.next) {
+    return next_level(track).has_value();
+  }
   return track.answered.answers.size() < track.most_trials &&
          track.trials < kMostPresented * track.most_trials;
 }
@@ -92,9 +111,9 @@ void LevelTracks::settle_round() {
   for (;;) {
     if (round_.empty()) begin_round();
     if (round_.empty()) return;
-    const auto* const supplied = std::get_if<SuppliedLevels>(&tracks_[round_.back()].levels);
-    if (supplied == nullptr || !supplied->next ||
-        std::holds_alternative<NextLevel>(*supplied->next)) {
+    const Track& track = tracks_[round_.back()];
+    if (!std::holds_alternative<External>(track.levels) || !track.next ||
+        std::holds_alternative<NextLevel>(*track.next)) {
       return;
     }
     round_.pop_back();
@@ -106,34 +125,34 @@ std::optional<LevelRequest> LevelTracks::request() {
   if (round_.empty()) return std::nullopt;
   const std::size_t index = round_.back();
   const Track& track = tracks_[index];
-  const auto* const supplied = std::get_if<SuppliedLevels>(&track.levels);
-  if (supplied == nullptr || supplied->next) return std::nullopt;
+  const auto* const external = std::get_if<External>(&track.levels);
+  if (external == nullptr || track.next) return std::nullopt;
   LevelRequest request{
       .block_ordinal = run_.ordinal,
       .block = run_.block->name,
       .of = {.track = static_cast<int>(index) + 1, .step = static_cast<int>(track.trials) + 1},
       .tracks = tracks_.size(),
       .factors = run_.outer,
-      .settings = supplied->settings,
+      .settings = *external,
       .answers = answers_};
   request.factors.insert(rows_[track.row].factors.begin(), rows_[track.row].factors.end());
   return request;
 }
 
 void LevelTracks::supply(const NextStep& step) {
-  auto* const supplied =
-      round_.empty() ? nullptr : std::get_if<SuppliedLevels>(&tracks_[round_.back()].levels);
-  if (supplied == nullptr || supplied->next) {
+  Track* const track = round_.empty() ? nullptr : &tracks_[round_.back()];
+  const auto* const external = track == nullptr ? nullptr : std::get_if<External>(&track->levels);
+  if (external == nullptr || track->next) {
     throw std::logic_error(
         "LevelTracks::supply must not be called: no level is requested; call request() before");
   }
   const auto* const next = std::get_if<NextLevel>(&step);
-  const std::vector<double>& levels = supplied->settings.levels;
+  const std::vector<double>& levels = external->levels;
   if (next != nullptr && std::find(levels.begin(), levels.end(), next->level) == levels.end()) {
     throw std::invalid_argument("level " + number_text(next->level) +
                                 " is not one of the levels of the block " + run_.block->name);
   }
-  supplied->next = step;
+  track->next = step;
   settle_round();
 }
 
@@ -171,12 +190,11 @@ void LevelTracks::answer(const std::optional<LevelAnswer>& answer) {
   if (!answer || !awaited_) return;
   Track& track = tracks_.at(*awaited_);
   track.answered.answers.push_back(*answer);
-  auto* const supplied = std::get_if<SuppliedLevels>(&track.levels);
-  if (supplied == nullptr) return;
+  track.next.reset();
+  if (!std::holds_alternative<External>(track.levels)) return;
   answers_.push_back(
       {.of = {.track = static_cast<int>(*awaited_) + 1, .step = static_cast<int>(track.trials)},
        .answer = *answer});
-  supplied->next.reset();
 }
 
 Trial LevelTracks::next_of_track(const TrialMaker& maker) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -33,6 +35,11 @@ struct LevelRequest {
       answers{};  ///< of all tracks of this run of the block, in the order of the trials
 };
 
+/// The rules of the tracks of each block with a procedure, by the name of the block; none of `External`. Sessions of one protocol can
+/// share them, on several threads at a time, so that a table of likelihoods is made once.
+using RulesByBlock = std::map<std::string, std::vector<LevelRule>, std::less<>>;
+RulesByBlock rules_of(const Protocol& protocol);
+
 /// The tracks of a block with a procedure: one for every combination of the other factors and every track of the
 /// procedure, in this order.
 ///
@@ -52,8 +59,8 @@ struct LevelRequest {
 /// `next`. A track is asked for a level when its turn comes, not before, so that the level can depend on every answer.
 class LevelTracks final {
  public:
-  /// The protocol and the block must outlive the tracks.
-  LevelTracks(const Protocol& protocol, BlockRun run);
+  /// The protocol and the block must outlive the tracks. `rules`: those of the protocol; null makes those of the block.
+  LevelTracks(const Protocol& protocol, BlockRun run, const RulesByBlock* rules = nullptr);
 
   const BlockRun& run() const noexcept { return run_; }
   /// Trials so far.
@@ -78,25 +85,21 @@ class LevelTracks final {
   static constexpr std::size_t kMostPresented = 2;
 
  private:
-  /// The levels of a track that a program chooses.
-  struct SuppliedLevels {
-    External settings{};
-    std::optional<NextStep> next{};  // until its trial is answered
-  };
-
   struct Track {
     std::size_t row = 0;
     std::size_t most_trials = 0;
-    std::variant<LevelRule, SuppliedLevels> levels{};
+    std::variant<LevelRule, External> levels{};
+    /// Until its trial is answered: as a program stated it, or as the rule determined it from the answers, once.
+    std::optional<NextStep> next{};
     Random random{0};
     AnsweredTrack answered{};
     std::size_t trials = 0;
   };
 
   /// The level of the next trial of a track; nothing when it is finished.
-  static std::optional<double> next_level(const Track& track);
+  static std::optional<double> next_level(Track& track);
   /// Whether the track can have another trial.
-  static bool is_open(const Track& track);
+  static bool is_open(Track& track);
   void settle_round();
   void begin_round();
   bool is_place_of_catch_trial() const;

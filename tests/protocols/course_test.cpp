@@ -126,6 +126,27 @@ TEST(Course, ProposesTheLevelsOfTheProcedureOfEachTrack) {
   }
 }
 
+// Psi weighs all levels for one: to determine a level twice would double the time of a simulated session.
+TEST(Course, DeterminesEveryLevelOnceByTheRulesThatSessionsShare) {
+  const Protocol protocol = test::valid(staircases());
+  std::size_t determined = 0;
+  RulesByBlock rules = rules_of(protocol);
+  for (LevelRule& rule : rules.at("tracks")) {
+    rule = [&determined, own = rule](std::span<const LevelAnswer> answers, const Random& of_track) {
+      ++determined;
+      return own(answers, of_track);
+    };
+  }
+  Course course(protocol, {.seed = 11}, &rules);
+  while (const Trial* const trial = course.awaited()) course.advance(outcome_by_step(*trial));
+  EXPECT_EQ(determined, 28U) << "24 levels, and the ends of four tracks";
+  const Course with_own_rules = answered_course(protocol, 11);
+  ASSERT_EQ(course.plan().trials.size(), with_own_rules.plan().trials.size());
+  for (std::size_t trial = 0; trial < course.plan().trials.size(); ++trial) {
+    EXPECT_EQ(course.plan().trials[trial].factors, with_own_rules.plan().trials[trial].factors);
+  }
+}
+
 TEST(Course, InterleavesTracksInRoundsInAnOrderOfTheSeed) {
   const Protocol protocol = test::valid(staircases());
   std::set<std::vector<int>> orders{};
