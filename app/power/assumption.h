@@ -30,6 +30,8 @@ struct Assumption {
 
 /// The source of a value that nobody has stated.
 inline constexpr const char* kAssumed = "assumed";
+/// That of an effect with its null value.
+inline constexpr const char* kNoEffect = "no effect";
 
 /// Whether the name is `name`, or ends with it after a point: "order" is the order effect of every question that has one.
 bool is_named(const Assumption& assumption, std::string_view name);

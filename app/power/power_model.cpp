@@ -92,7 +92,7 @@ PowerModel PowerModel::at_null() const {
   for (Assumption& assumption : without_effects) {
     if (assumption.part != Assumption::Part::effect) continue;
     assumption.value = assumption.null_value;
-    assumption.source = "no effect";
+    assumption.source = kNoEffect;
   }
   return {protocol(), std::move(without_effects)};
 }

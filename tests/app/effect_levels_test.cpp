@@ -57,6 +57,7 @@ TEST(EffectLevels, AreOneForEachValue) {
   EXPECT_EQ(levels[0].assumptions[2].value, 0.2);
   EXPECT_FALSE(levels[0].is_null);
   EXPECT_EQ(levels[1].text, "pairs.rougher.order=0, pairs.rougher.ratio=1");
+  EXPECT_EQ(levels[1].assumptions[0].source, kNoEffect) << "not an effect of interest";
   EXPECT_TRUE(levels[1].is_null);
 }
 

@@ -98,7 +98,7 @@ std::vector<EffectLevel> effect_levels(const std::vector<Assumption>& assumption
       const std::optional<double>& value = effect.values[effect.values.size() > 1 ? i : 0];
       for (Assumption* assumed : effects_named(level.assumptions, effect.name)) {
         assumed->value = value.value_or(assumed->null_value);
-        assumed->source = source;
+        assumed->source = value ? source : kNoEffect;
         level.stated.push_back(assumed->name);
         texts.push_back(level_text(assumed->name, *assumed->value));
       }
