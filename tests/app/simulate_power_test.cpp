@@ -330,6 +330,10 @@ TEST(SimulatePower, StoresNoStudyThatWasStopped) {
   };
   EXPECT_THAT(refusal_of([&] { simulate_power(order_of(1), empty, 1, {}, {}, {}); }),
               HasSubstr("the analysis has no test"));
+  PowerOrder without_effects = order_of(1);
+  without_effects.effects = {""};
+  EXPECT_THAT(refusal_of([&] { simulate_power(without_effects, empty, 1, {}, {}, {}); }),
+              HasSubstr(" participants: the analysis"));
 }
 
 TEST(PowerOrder, NamesWhatThePhysicsDiffersIn) {

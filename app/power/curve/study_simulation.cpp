@@ -77,6 +77,7 @@ class StudySimulation final {
   // None where the study was not completed after a stop request.
   std::vector<SimulatedOutcome> simulated(const StudyPlace& place) const {
     const int participants = order_.participants[place.size];
+    const std::string& effect = order_.effects[place.effect];
     try {
       std::vector<SimulatedOutcome> outcomes =
           simulate_(place.effect, participants, order_.seed, place.run);
@@ -87,8 +88,8 @@ class StudySimulation final {
       return outcomes;
     } catch (const std::exception& error) {
       throw std::runtime_error("the simulated study of run " + std::to_string(place.run) +
-                               " with " + std::to_string(participants) + " participants and " +
-                               order_.effects[place.effect] + ": " + message_of(error));
+                               " with " + std::to_string(participants) + " participants" +
+                               (effect.empty() ? "" : " and " + effect) + ": " + message_of(error));
     }
   }
 
