@@ -1,7 +1,6 @@
 #include "app/cli/output/power_output.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <optional>
@@ -17,6 +16,7 @@
 #include "app/findings/study/study_test.h"
 #include "app/power/curve/ethics_statement.h"
 #include "app/power/curve/result_tables.h"
+#include "app/power/curve/true_size.h"
 #include "app/study_files/program.h"
 #include "app/words/text_parts.h"
 
@@ -226,22 +226,19 @@ void write_power(const std::filesystem::path& folder, const PowerReport& report)
 }
 
 void say_true_sizes(const PowerReport& report) {
-  constexpr double kErrors = 3.0;  // of many tests and sizes, two would often be exceeded by chance
+  const bool has_null = std::any_of(report.levels.begin(), report.levels.end(),
+                                    [](const EffectLevel& level) { return level.is_null; });
+  if (!has_null && !report.order.physics_sha256) {
+    say("asperity: the true size of the tests, without an effect, was not simulated; repeat the "
+        "command with the value null for every effect (--effect NAME=null) to simulate it");
+  }
   for (const PowerCurve& curve : report.power.curves) {
     const auto level = std::find_if(report.levels.begin(), report.levels.end(),
                                     [&](const auto& one) { return one.text == curve.effect; });
     if (level == report.levels.end() || !level->is_null) continue;
     for (const TestAtSize& size : curve.sizes) {
-      const PowerOfSize& found = size.power;
-      const double error = std::sqrt(StudyTest::kLevel * (1.0 - StudyTest::kLevel) /
-                                     static_cast<double>(size.studies));
-      if (found.power <= StudyTest::kLevel + kErrors * error) continue;
-      say("asperity: warning: without an effect, " +
-          (curve.test.empty() ? "the family " + curve.family : "the test " + curve.test) +
-          " is significant in " + fixed(100.0 * found.power, 1) + " % of the studies with " +
-          std::to_string(found.participants) + " participants, 95 % Monte-Carlo CI [" +
-          fixed(100.0 * found.interval.low, 1) + ", " + fixed(100.0 * found.interval.high, 1) +
-          "]: its true size exceeds the level of significance");
+      const std::string text = true_size_text(curve, size);
+      if (!text.empty()) say("asperity: warning: " + text);
     }
   }
 }

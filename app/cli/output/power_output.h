@@ -38,8 +38,8 @@ nlohmann::ordered_json json_of(const PowerReport& report);
 /// replaced.
 void write_power(const std::filesystem::path& folder, const PowerReport& report);
 
-/// Prints the size of each test that is significant more often than its level although there is no effect: by more than three
-/// Monte-Carlo standard errors.
+/// Prints the size of each test whose proportion of significant studies without an effect differs from the level (`true_size_text`), or that
+/// no level without an effect was simulated.
 void say_true_sizes(const PowerReport& report);
 
 }  // namespace asperity
