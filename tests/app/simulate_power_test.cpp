@@ -287,6 +287,22 @@ TEST(SimulatePower, CountsTheWidthsOfIntervalsOnly) {
   EXPECT_EQ(size.p90_width, kInfinite);
 }
 
+// Of 20 studies, the 18th width is that which 90 % do not exceed. Widths are stored with an error of 0.1 %.
+TEST(SimulatePower, HasTheWidthThatNineOfTenStudiesDoNotExceed) {
+  const SimulateStudy varying = [](std::size_t, int, std::uint64_t, std::int64_t run) {
+    return std::vector<SimulatedOutcome>{{.family = "f",
+                                          .test = "t",
+                                          .p = 0.1,
+                                          .lower = 0.0,
+                                          .upper = static_cast<double>(run) + 1.0}};
+  };
+  const SimulatedPower power = simulate_power(
+      {.effects = {"e=1"}, .participants = {10}, .runs = 20}, varying, 1, {}, {}, {});
+  const TestAtSize& size = power.curves[0].sizes[0];
+  EXPECT_NEAR(size.median_width.value(), 10.0, 0.02);
+  EXPECT_NEAR(size.p90_width.value(), 18.0, 0.04);
+}
+
 // Without subjects an analysis states once that it cannot test them.
 TEST(SimulatePower, HasNoCurveOfWhatStandsInPlaceOfSeveralTests) {
   const SimulateStudy sometimes = [](std::size_t, int, std::uint64_t, std::int64_t run) {
@@ -306,22 +322,30 @@ TEST(SimulatePower, HasNoCurveOfWhatStandsInPlaceOfSeveralTests) {
   EXPECT_EQ(power.curves[1].sizes[0].without_p, 25U);
 }
 
-// A long study can end on a stop request without outcomes: it is not stored, and no error.
+// A long study can end on a stop request without outcomes: it is not stored, nor is the next one, which ends beside it. It is no
+// error.
 TEST(SimulatePower, StoresNoStudyThatWasStopped) {
   const TemporaryFolder folder;
   std::stop_source stop{};
-  const SimulateStudy stopped_in_third = [&stop](std::size_t effect, int participants,
-                                                 std::uint64_t seed, std::int64_t run) {
+  std::atomic<bool> has_next_begun{false};
+  const SimulateStudy stopped_in_third = [&](std::size_t effect, int participants,
+                                             std::uint64_t seed, std::int64_t run) {
     if (run == 0 && effect == 0 && participants == 24) {
+      has_next_begun.wait(false);
       stop.request_stop();
       return std::vector<SimulatedOutcome>{};
+    }
+    if (run == 0 && effect == 1 && participants == 8) {
+      has_next_begun = true;
+      has_next_begun.notify_all();
     }
     return t_test_study(effect, participants, seed, run);
   };
   const SimulatedPower power =
-      simulated(order_of(2), folder.path() / "out", 1, stopped_in_third, stop.get_token());
+      simulated(order_of(2), folder.path() / "out", 2, stopped_in_third, stop.get_token());
   EXPECT_FALSE(power.is_complete);
   EXPECT_THAT(studies_in(folder.path() / "out"), Not(HasSubstr("0\trating.d=0\t24")));
+  EXPECT_THAT(studies_in(folder.path() / "out"), Not(HasSubstr("rating.d=0.7")));
   simulated(order_of(2), folder.path() / "out");
   simulated(order_of(2), folder.path() / "whole");
   EXPECT_EQ(studies_in(folder.path() / "out"), studies_in(folder.path() / "whole"));
@@ -334,6 +358,28 @@ TEST(SimulatePower, StoresNoStudyThatWasStopped) {
   without_effects.effects = {""};
   EXPECT_THAT(refusal_of([&] { simulate_power(without_effects, empty, 1, {}, {}, {}); }),
               HasSubstr(" participants: the analysis"));
+}
+
+TEST(PowerOrder, NamesEachInputThatDiffers) {
+  const std::string declaration = declaration_of(order_of(1));
+  const auto differing = [&](const auto& change) {
+    PowerOrder other = order_of(1);
+    change(other);
+    return differences(declaration, declaration_of(other));
+  };
+  EXPECT_EQ(differing([](PowerOrder& order) { order.program = "asperity 0.0.1"; }),
+            "the version of the program");
+  EXPECT_EQ(differing([](PowerOrder& order) { order.protocol_sha256 = "cc"; }), "the protocol");
+  EXPECT_EQ(differing([](PowerOrder& order) { order.assumptions_sha256 = "cc"; }),
+            "the assumptions");
+  EXPECT_EQ(differing([](PowerOrder& order) { order.effects.pop_back(); }), "the effects");
+  EXPECT_EQ(differing([](PowerOrder& order) { order.participants.pop_back(); }),
+            "the numbers of participants");
+  EXPECT_EQ(differing([](PowerOrder& order) { order.seed = 4; }), "the seed");
+  EXPECT_EQ(differing([](PowerOrder& order) { order.runs = 2; }), "") << "runs can be added";
+  nlohmann::json later = nlohmann::json::parse(declaration);
+  later["format"] = "asperity.power_studies/2";
+  EXPECT_EQ(differences(declaration, later.dump()), "the format");
 }
 
 TEST(PowerOrder, NamesWhatThePhysicsDiffersIn) {
