@@ -326,6 +326,29 @@ TEST(SubmissionWatch, EndsWithTheResult) {
   EXPECT_EQ(end.why, WatchEnd::Why::complete);
 }
 
+// Another process looks and submits only while this one waits.
+TEST(SubmissionWatch, LooksInItsTurn) {
+  const FakeSlurm fake;
+  const TemporaryFolder folder;
+  Submission submission = four_shards();
+  submission.folder = folder.path();
+  const auto take_turn = [&] { SubmissionTurn(submission, std::chrono::milliseconds(1)); };
+  bool has_looked = false;
+  watch_submission(submission, fake.commands(),
+                   {.on_state =
+                        [&](const SubmissionState&) {
+                          has_looked = true;
+                          EXPECT_THAT(refusal_of(take_turn), HasSubstr("another asperity submit"));
+                        },
+                    .on_submitted = [](const NextJobs&, const SubmittedJobs&) {},
+                    .wait =
+                        [&] {
+                          take_turn();
+                          return false;
+                        }});
+  EXPECT_TRUE(has_looked);
+}
+
 TEST(SubmissionWatch, StopsWhenItIsToldTo) {
   const FakeSlurm fake;
   const TemporaryFolder folder;
