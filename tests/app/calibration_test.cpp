@@ -3,8 +3,10 @@
 #include "app/power/calibration.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -109,6 +111,53 @@ TEST(Calibration, RecoversLapsesFromCatchTrials) {
   const CalibratedStudy study =
       calibrated_from("amplitude_jnd", {{"lapse", 0.4}, {"order", 0.0}, {"order_sd", 0.1}}, 24);
   EXPECT_NEAR(study.value("comparisons.rougher.lapse"), 0.4, 0.25);
+}
+
+/// Two participants with this mean rating of the four textures, each of which they rate twice.
+void add_ratings(MadeUpStudy& made, std::int64_t protocol, int mean, SessionMode mode) {
+  for (const int own : {mean - 4, mean + 4}) {
+    std::vector<MadeUpTrial> trials{};
+    for (const auto& [texture, difference] : {std::pair("metal", -6), std::pair("stone", -2),
+                                              std::pair("wood", 2), std::pair("brick", 6)}) {
+      for (const int noise : {-1, 1}) {
+        MadeUpTrial trial{};
+        trial.block = "ratings";
+        trial.factors_json = nlohmann::json{{"texture", texture}}.dump();
+        trial.surfaces = {surface_of(texture, "height_map", texture)};
+        trial.questions = {"rough"};
+        trial.answers = {std::to_string(own + difference + noise)};
+        trials.push_back(std::move(trial));
+      }
+    }
+    const std::string label = "p" + std::to_string(own);
+    made.add_person(label, "");
+    made.add_session(label, protocol, trials, mode);
+  }
+}
+
+// Of pilot sessions rather than others, and of this version of the protocol rather than another one: never of both.
+TEST(Calibration, IsByOneGroupAndOneVersion) {
+  MadeUpStudy made{};
+  const std::string name = "roughness_of_photographs";
+  const std::string source = test::library_text(name);
+  const Protocol protocol = read_protocol(source, name, test::models_of_library());
+  const auto level = [&] {
+    const std::vector<Assumption> all =
+        calibrated_by_study(assumptions_of(protocol), protocol, made.study());
+    return *std::ranges::find(all, "ratings.rough.level", &Assumption::name);
+  };
+  const std::int64_t before = made.add_protocol(name, "rating", source, "0.8.0");
+  add_ratings(made, before, 20, SessionMode::run);
+  add_ratings(made, made.add_protocol(name, "rating", source, "0.9.0"), 30, SessionMode::run);
+  EXPECT_NEAR(level().value.value(), 30.0, 1e-9);
+  EXPECT_EQ(level().source, "study study, version 0.9.0 of the protocol, 2 participants");
+  const std::int64_t current = made.add_protocol(name, "rating", source, protocol.version);
+  add_ratings(made, current, 40, SessionMode::run);
+  EXPECT_NEAR(level().value.value(), 40.0, 1e-9);
+  EXPECT_EQ(level().source, "study study, 2 participants");
+  add_ratings(made, before, 50, SessionMode::pilot);
+  EXPECT_NEAR(level().value.value(), 50.0, 1e-9);
+  EXPECT_EQ(level().source, "pilot study, version 0.8.0 of the protocol, 2 participants");
 }
 
 TEST(Calibration, NeedsAStudyOfTheProtocol) {
