@@ -2,16 +2,19 @@
 """Compares the results of made-up studies with the stored ones, or stores them again.
 
 Usage: golden.py check PROGRAM MAKER PROTOCOL [without-report]
+       golden.py check-simulated PROGRAM
        golden.py write PROGRAM MAKER [PROTOCOL…]
 
 PROGRAM is asperity, MAKER asperity_golden_study; the form of the files is described in README.md. "check" prints what
-differs and ends with status 1. "write" replaces the files of all library protocols or of those named, and prints what changed."""
+differs and ends with status 1; "check-simulated" does so for the simulated studies of all kinds. "write" replaces the files of all
+library protocols or of those named, and prints what changed."""
 import concurrent.futures
 import difflib
 import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -21,10 +24,15 @@ import golden_texts
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 RESULTS = ROOT / "tests" / "golden" / "results"
 COMMON = "common.tsv"
+# One of each kind, of the demo study, which has their stimuli; with changes of the text that shorten the simulation.
+SIMULATED = {"amplitude_jnd": {}, "chapter_matching": {}, "chapter_recognition": {}, "chapter_selection": {}, "map_of_renderings": {},
+             "roughness_in_pairs": {'"repetitions": 3': '"repetitions": 1'}, "roughness_of_photographs": {'"repetitions": 6': '"repetitions": 1'},
+             "roughness_speed": {'"repetitions": 3': '"repetitions": 1', '"repetitions": 2': '"repetitions": 1', "0.000045": "0.00025"}}
 RELATIVE, ABSOLUTE = 1e-9, 1e-14
 # Of findings that an iterative fit ends with where the likelihood is flat, by the beginning of their quantity: they differ that much
 # between mathematical libraries (glibc with and without the instructions FMA and AVX2).
 RELATIVE_OF_FITS = {"fit.detection.": 1e-4, "glmm.": 1e-6}
+RELATIVE_OF_SIMULATED, ABSOLUTE_OF_SIMULATED = 1e-6, 1e-12  # the servo loop accumulates differences of mathematical libraries
 NUMBER = re.compile(r"(?<![\w.])[-−+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.]*\w)")
 LONGEST_REPORT = 40  # differences of a file that are printed
 LONGEST_TEXT = 240  # characters of a line that are printed
@@ -53,15 +61,41 @@ def results_of(program, maker, protocol, with_report):
         return lines, golden_texts.common_lines(export, study)
 
 
-def is_same(stored, now, relative):
-    """Byte for byte, and the same numbers within the relative tolerance."""
+def simulated_results(program, protocols):
+    """Protocol → lines of the golden file of a session of one virtual participant."""
+    memory = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
+    with tempfile.TemporaryDirectory(dir=memory) as folder:
+        demo = pathlib.Path(folder) / "demo"
+        run(program, "new", demo, "--demo")
+
+        def lines_of_protocol(protocol):
+            study, export = (pathlib.Path(folder) / f"{protocol}{end}" for end in ("", "-export"))
+            shutil.copytree(demo, study)
+            file = study / "protocols" / f"{protocol}.json"
+            text = file.read_text(encoding="utf-8")
+            for before, after in SIMULATED[protocol].items():
+                if before not in text:
+                    sys.exit(f"The protocol {protocol} no longer has the text {before} that SIMULATED in tests/golden/golden.py replaces.")
+                text = text.replace(before, after)
+            file.write_text(text, encoding="utf-8")
+            run(program, "simulate", file, "--study", study, "--participants", 1, "--seed", 1, "--jobs", 1,
+                "--recordings", "none")
+            run(program, "export", study, "--out", export)
+            return list(golden_texts.simulated_lines(export))
+
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            return dict(zip(protocols, pool.map(lines_of_protocol, protocols), strict=True))
+
+
+def is_same(stored, now, relative, absolute):
+    """Byte for byte, and the same numbers within the tolerance."""
     if stored == now:
         return True
     if NUMBER.split(stored) != NUMBER.split(now):
         return False
     for one, other in zip(NUMBER.findall(stored), NUMBER.findall(now), strict=True):
         one, other = float(one.replace("−", "-")), float(other.replace("−", "-"))
-        if abs(one - other) > max(ABSOLUTE, relative * max(abs(one), abs(other))):
+        if abs(one - other) > max(absolute, relative * max(abs(one), abs(other))):
             return False
     return True
 
@@ -73,16 +107,16 @@ def around(text, other):
     return ("…" if start else "") + text[start:start + LONGEST_TEXT] + ("…" if start + LONGEST_TEXT < len(text) else "")
 
 
-def differences(name, stored, now):
+def differences(name, stored, now, relative=RELATIVE, absolute=ABSOLUTE):
     """What changed, with the file, the line and both texts; empty where every line is the same."""
     if len(stored) == len(now):
-        same, tolerance = [], RELATIVE
+        same, tolerance = [], relative
         for before, after in zip(stored, now, strict=True):
             if not before.startswith("  "):
                 fits = [of_fit for quantity, of_fit in RELATIVE_OF_FITS.items()
                         if before.startswith("findings ") and before.split(" | ")[1].startswith(quantity)]
-                tolerance = max([RELATIVE, *fits])
-            same.append(before if is_same(before, after, tolerance) else after)
+                tolerance = max([relative, *fits])
+            same.append(before if is_same(before, after, tolerance, absolute) else after)
         now = same
     if not stored:
         return [f"{name}: {len(now)} lines, which are not stored yet"]
@@ -109,8 +143,16 @@ def name_of(path):
 
 
 def library():
-    files = (ROOT / "protocols" / "library").glob("*.json")
-    return sorted(path.stem for path in files if not path.stem.endswith(".de"))
+    """Name → kind."""
+    files = sorted((ROOT / "protocols" / "library").glob("*.json"))
+    return {path.stem: json.loads(path.read_text(encoding="utf-8"))["kind"] for path in files if not path.stem.endswith(".de")}
+
+
+def end_with(found, what):
+    if found:
+        print("\n".join(found))
+        sys.exit(f"The results of {what} are not the stored ones. If the change is meant, run\n  scripts/golden\n"
+                 "or scripts/golden with the names of protocols, review what it prints, and commit the files as a separate change.")
 
 
 def check(program, maker, protocol, *options):
@@ -121,10 +163,19 @@ def check(program, maker, protocol, *options):
         found += differences(name_of(path), lines_of(path), lines)
     known = set(lines_of(RESULTS / COMMON))
     found += [f"{name_of(RESULTS / COMMON)} has no line: {line}" for line in sorted(common) if line not in known]
-    if found:
-        print("\n".join(found))
-        sys.exit(f"The results of the protocol {protocol} are not the stored ones. If the change is meant, run\n"
-                 f"  scripts/golden {protocol}\nor scripts/golden for all protocols, review what it prints, and commit the files as a separate change.")
+    end_with(found, f"the protocol {protocol}")
+
+
+def check_simulated(program):
+    kinds = library()
+    missing = set(kinds.values()) - {kinds[protocol] for protocol in SIMULATED}
+    if missing:
+        sys.exit(f"No protocol of the kind {', '.join(sorted(missing))} is simulated: add one to SIMULATED in tests/golden/golden.py.")
+    found = []
+    for protocol, lines in simulated_results(program, SIMULATED).items():
+        path = RESULTS / protocol / "simulated.txt"
+        found += differences(name_of(path), lines_of(path), lines, RELATIVE_OF_SIMULATED, ABSOLUTE_OF_SIMULATED)
+    end_with(found, "simulated sessions")
 
 
 def write(program, maker, *protocols):
@@ -132,7 +183,7 @@ def write(program, maker, *protocols):
     unknown = sorted(set(protocols) - set(known))
     if unknown:
         sys.exit(f"The library has no protocol {', '.join(unknown)}; it has {', '.join(known)}.")
-    chosen = list(protocols) or known
+    chosen = list(protocols) or list(known)
     common = set(lines_of(RESULTS / COMMON)) if protocols else set()
     found = []
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -143,15 +194,17 @@ def write(program, maker, *protocols):
             for name, now in files.items():
                 found += replace(RESULTS / protocol / name, now)
     found += replace(RESULTS / COMMON, sorted(common))
+    for protocol, now in simulated_results(program, [name for name in SIMULATED if name in chosen]).items():
+        found += replace(RESULTS / protocol / "simulated.txt", now, RELATIVE_OF_SIMULATED, ABSOLUTE_OF_SIMULATED)
     if not protocols:
         for folder in sorted(path for path in RESULTS.iterdir() if path.is_dir() and path.name not in known):
             found.append(f"{name_of(folder)}: the library has no such protocol; remove the folder")
     print("\n".join([*found, f"{len({place.split(':')[0] for place in found})} files changed."] if found else ["Nothing changed."]))
 
 
-def replace(path, lines):
+def replace(path, lines, *tolerance):
     """What changed. A file whose numbers are the same within the tolerance is left as it is."""
-    found = differences(name_of(path), lines_of(path), lines)
+    found = differences(name_of(path), lines_of(path), lines, *tolerance)
     if found:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text("\n".join(lines) + "\n", encoding="utf-8")
@@ -159,7 +212,7 @@ def replace(path, lines):
 
 
 if __name__ == "__main__":
-    actions = {"check": (check, 3), "write": (write, 2)}
+    actions = {"check": (check, 3), "check-simulated": (check_simulated, 1), "write": (write, 2)}
     action, least = actions.get(sys.argv[1] if len(sys.argv) > 1 else "", (None, 0))
     if action is None or len(sys.argv) - 2 < least:
         sys.exit(__doc__)

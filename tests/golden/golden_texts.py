@@ -197,6 +197,22 @@ def export_lines(folder, study):
                 yield from lines
 
 
+def simulated_lines(folder):
+    """What a session of a virtual participant left: attempts, responses, and of every surface times and forces. Without columns whose
+    texts contain numbers or hashes of computed surfaces."""
+    for name in ("attempts", "presentations", "compliance", "responses"):
+        columns, *rows = [line.split("\t") for line in (folder / f"{name}.tsv").read_text(encoding="utf-8").splitlines()]
+        # The measures of the exploration have a unit each.
+        place = columns.index("quantity") if "quantity" in columns else None
+        for quantity in dict.fromkeys(row[place] for row in rows) if place is not None else ("",):
+            yield f"{name} {quantity}".rstrip()
+            chosen = [row for row in rows if place is None or row[place] == quantity]
+            yield f"  {len(chosen)} rows"
+            for column, cells in zip(columns, zip(*chosen), strict=True):
+                if not column.endswith(("_json", "_sha256")) and set(cells) != {"n/a"}:
+                    yield column_line(column, cells)
+
+
 def common_lines(folder, study):
     """The lines of the files of an export that are not tables, each after the name of its file: protocols have most of them in common.
     Of a line of the codebook without the file that has the column: files have many columns in common."""
