@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <fstream>
 #include <iterator>
 #include <map>
 #include <sstream>
@@ -369,7 +370,9 @@ TEST(Sweep, DrawsACurveForEveryValue) {
   const std::string svg = text_of(place / "sweep.svg");
   EXPECT_THAT(svg, HasSubstr("<svg"));
   EXPECT_THAT(svg, HasSubstr("maximum acceleration"));
-  EXPECT_EQ(asperity(order).status, 1);  // the figure is there
+  EXPECT_EQ(asperity(order).status, 0);  // it replaces the figure that it drew itself
+  std::ofstream(place / "sweep.svg") << "another drawing";
+  EXPECT_EQ(asperity(order).status, 1);
   // Another measure of the rows that are there.
   order.back() = place / "powers.svg";
   order.insert(order.end(), {"--measure", "pacinian"});

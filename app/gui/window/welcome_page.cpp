@@ -6,6 +6,8 @@
 #include <utility>
 
 #include <QtCore/QDir>
+#include <QtCore/QEvent>
+#include <QtGui/QResizeEvent>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QHeaderView>
@@ -61,6 +63,30 @@ std::filesystem::path made_demo_study(const std::filesystem::path& folder,
   return folder;
 }
 
+/// Its content is at least as high as its texts need at the width of the area. Qt takes the height at the texts' preferred
+/// width, which cuts texts that wrap into more lines.
+class AreaOfTexts final : public QScrollArea {
+ public:
+  using QScrollArea::QScrollArea;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QScrollArea::resizeEvent(event);
+    fit_content();
+  }
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (watched == widget() && event->type() == QEvent::LayoutRequest) fit_content();
+    return QScrollArea::eventFilter(watched, event);
+  }
+
+ private:
+  void fit_content() {
+    if (widget() != nullptr) {
+      widget()->setMinimumHeight(widget()->heightForWidth(viewport()->width()));
+    }
+  }
+};
+
 }  // namespace
 
 WelcomePage::WelcomePage(QWidget* parent)
@@ -74,7 +100,7 @@ WelcomePage::WelcomePage(QWidget* parent)
   interrupted_->setObjectName("welcome_interrupted");
   outer->addWidget(interrupted_);
   // On a small screen the page scrolls, and no part of it is cut.
-  auto* area = new QScrollArea(this);
+  auto* area = new AreaOfTexts(this);
   area->setObjectName("welcome_area");
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);

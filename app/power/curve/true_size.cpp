@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "analysis/number_text.h"
-#include "app/findings/study/study_test.h"
+#include "app/findings/outcome/study_test.h"
 
 namespace asperity {
 
