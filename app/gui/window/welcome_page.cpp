@@ -7,7 +7,6 @@
 
 #include <QtCore/QDir>
 #include <QtCore/QEvent>
-#include <QtGui/QResizeEvent>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QHeaderView>
@@ -63,28 +62,29 @@ std::filesystem::path made_demo_study(const std::filesystem::path& folder,
   return folder;
 }
 
-/// Its content is at least as high as its texts need at the width of the area. Qt takes the height at the texts' preferred
-/// width, which cuts texts that wrap into more lines.
-class AreaOfTexts final : public QScrollArea {
+/// Its content is at least as high as the column in it needs at the column's width. Qt takes the height at the preferred width
+/// of texts, which cuts those that wrap into more lines.
+class AreaOfColumn final : public QScrollArea {
  public:
   using QScrollArea::QScrollArea;
+  void set_column(QWidget* column) {
+    column_ = column;
+    column->installEventFilter(this);
+  }
 
  protected:
-  void resizeEvent(QResizeEvent* event) override {
-    QScrollArea::resizeEvent(event);
-    fit_content();
-  }
   bool eventFilter(QObject* watched, QEvent* event) override {
-    if (watched == widget() && event->type() == QEvent::LayoutRequest) fit_content();
+    const bool may_need_more =
+        event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest;
+    if (watched == column_ && may_need_more) {
+      // The layout rounds the heights of wrapped texts by itself.
+      widget()->setMinimumHeight(column_->layout()->totalHeightForWidth(column_->width()) + kGrid);
+    }
     return QScrollArea::eventFilter(watched, event);
   }
 
  private:
-  void fit_content() {
-    if (widget() != nullptr) {
-      widget()->setMinimumHeight(widget()->heightForWidth(viewport()->width()));
-    }
-  }
+  QWidget* column_ = nullptr;
 };
 
 }  // namespace
@@ -100,7 +100,7 @@ WelcomePage::WelcomePage(QWidget* parent)
   interrupted_->setObjectName("welcome_interrupted");
   outer->addWidget(interrupted_);
   // On a small screen the page scrolls, and no part of it is cut.
-  auto* area = new AreaOfTexts(this);
+  auto* area = new AreaOfColumn(this);
   area->setObjectName("welcome_area");
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
@@ -143,6 +143,7 @@ WelcomePage::WelcomePage(QWidget* parent)
   middle->addWidget(column, 8);
   middle->addStretch(1);
   area->setWidget(inside);
+  area->set_column(column);
   inside->setAutoFillBackground(false);  // setWidget turns it on
   outer->addWidget(area, 1);
 
