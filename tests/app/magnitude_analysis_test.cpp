@@ -86,6 +86,8 @@ TEST(Magnitudes, PeakWhereTheyWereMadeToPeak) {
   const auto asked = std::find_if(outcome.questions.begin(), outcome.questions.end(),
                                   [](const AnsweredQuestion& one) { return one.name == "peaks"; });
   ASSERT_NE(asked, outcome.questions.end());
+  EXPECT_EQ(asked->table, "peaks");
+  EXPECT_EQ(question_of(outcome, "peak_ratios").table, "peak_ratios");
   EXPECT_THAT(asked->answer, says("Peaks of the curves: small at 1 mm (95 % CI "));
   EXPECT_THAT(asked->answer,
               says("test for an interior maximum p < .001; R² of the mean parabola 1.00"));

@@ -11,6 +11,7 @@
 #include "app/findings/found_numbers.h"
 #include "app/findings/reading_table.h"
 #include "app/findings/study/analyze_study.h"
+#include "app/findings/study/cell_words.h"
 #include "tests/app/analysed_study.h"
 #include "tests/app/coverage_counts.h"
 
@@ -512,6 +513,17 @@ TEST(Agreement, HasAStatusWithTwoItems) {
   ASSERT_NE(table, nullptr);
   ASSERT_EQ(table->table.columns.back(), "status");
   EXPECT_EQ(table->table.rows.front().back(), Cell(std::string("too_few_items")));
+}
+
+// A code, which windows show in their language.
+TEST(RatingsOfOneItem, HaveAReasonWhyTheyAreNotTested) {
+  const std::vector<std::vector<MadeUpTrial>> people{{rated_on("wood", "1", "6")},
+                                                     {rated_on("wood", "3", "6")}};
+  const AnalysisOutcome outcome = analysed_ratings(two_scales_with("{}"), people);
+  const Table& tests = table_of(outcome, "tests").table;
+  const Cell status = tests.rows.front().back();
+  EXPECT_EQ(status, Cell{"one_item"});
+  EXPECT_EQ(words_of_cell("status", "one_item").english(), "only one item was rated on this scale");
 }
 
 std::string one_scale(const std::string& scale) {

@@ -274,6 +274,7 @@ const CellWords& words_of_reasons() {
        phrase("CellWords", "the protocol declares no target, or there is only one texture")},
       {"no_two_peaks", phrase("CellWords", "fewer than two conditions have a peak")},
       {"one_condition", phrase("CellWords", "there is only one condition")},
+      {"one_item", phrase("CellWords", "only one item was rated on this scale")},
       {"one_group", phrase("CellWords", "the participants are not in two groups of the protocol")},
       {"one_sex", phrase("CellWords", "the participants do not include both women and men")},
       {"pictures_differ", phrase("CellWords", "the pictures differ between trials")},

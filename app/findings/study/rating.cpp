@@ -150,7 +150,7 @@ std::vector<Finding> findings_of_items(const GatheredAnswers& gathered, const Ra
 }
 
 void add_untested_scale(const RatedScale& scale, StudyTests& tests) {
-  tests.add_untested("ratings", scale.name, "only one item was rated on this scale");
+  tests.add_untested("ratings", scale.name, "one_item");
 }
 
 void ask_about(const RatedScale& scale, const FoundNumbers& found, const StudyTests& tests,

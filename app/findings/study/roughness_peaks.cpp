@@ -183,7 +183,7 @@ void ask_peak_ratios(const FoundNumbers& found, const StudyTests& tests, Analysi
                phrase("Analysis",
                       "The ratio of the peaks of two conditions that both have an interior "
                       "maximum, with a t-based CI over participants on the logarithmic scale."),
-               "peaks", first);
+               "peak_ratios", first);
 }
 
 void ask_types(const std::vector<std::string>& conditions, const FoundNumbers& found,

@@ -136,6 +136,7 @@ void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
     finding.analysis.clear();
     outcome.findings.push_back(std::move(finding));
   }
+  if (made.table.rows.empty()) return;
   if (!has_interval) made.note = phrase("Analysis", "With one participant there is no CI.");
   outcome.tables.push_back(std::move(made));
 }

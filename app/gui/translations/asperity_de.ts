@@ -3920,6 +3920,10 @@
         <translation>es gibt nur eine Bedingung</translation>
     </message>
     <message>
+        <source>only one item was rated on this scale</source>
+        <translation>auf dieser Skala wurde nur ein Item beurteilt</translation>
+    </message>
+    <message>
         <source>the participants do not include both women and men</source>
         <translation>unter den Versuchspersonen sind keine Frauen oder keine Männer</translation>
     </message>
