@@ -20,7 +20,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "app/findings/study/analyze_study.h"
 #include "app/session/rig/recording_columns.h"
 #include "app/session/session_setup.h"

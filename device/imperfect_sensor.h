@@ -9,7 +9,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "device/probe_state.h"
 #include "device/velocity_estimator.h"
 

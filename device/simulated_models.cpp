@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "device/falcon/falcon_device.h"
 #include "device/force_dimension/dhd_models.h"
 #include "device/force_dimension/force_dimension_device.h"

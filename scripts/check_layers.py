@@ -46,7 +46,7 @@ class Layers:
 
     def may_include(self, row: str) -> set[str]:
         """A folder in a component may include what the component may; the component does not get what the whole of app/ may."""
-        return set().union(*(self.rules.get(folder, set()) for folder in around(row) if folder == row or "/" in folder))
+        return set().union(*(self.rules.get(folder, set()) for folder in around(row) if folder == row or folder.count("/") == 1))
 
     def permits(self, row: str, target: str) -> bool:
         allowed = self.may_include(row)

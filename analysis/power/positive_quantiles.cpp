@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 
 namespace asperity {
 

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/number_text.h"
-#include "analysis/proportion.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/proportion.h"
 
 namespace asperity {
 

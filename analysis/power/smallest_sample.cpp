@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/isotonic_regression.h"
-#include "analysis/number_text.h"
+#include "analysis/numbers/isotonic_regression.h"
+#include "analysis/numbers/number_text.h"
 
 namespace asperity {
 

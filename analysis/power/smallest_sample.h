@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/proportion.h"
+#include "analysis/numbers/proportion.h"
 
 namespace asperity {
 

@@ -11,7 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/options/number_option.h"
 #include "app/cli/options/word_option.h"

@@ -19,7 +19,7 @@
 #include <poll.h>
 #include <termios.h>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/cli/call_limit.h"
 #include "app/cli/command.h"
 #include "app/cli/options/driver_options.h"

@@ -11,8 +11,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "analysis/line_spectrum.h"
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/signals/line_spectrum.h"
 #include "app/cli/command.h"
 #include "app/cli/options/number_option.h"
 #include "app/cli/options/word_option.h"

@@ -35,7 +35,7 @@
 #include "protocols/file/diagnostic.h"
 #ifdef ASPERITY_WITH_WINDOWS
 #include "app/figures/figure_files.h"
-#include "app/figures/power_curve_figure.h"
+#include "app/power/curve/power_curve_figure.h"
 #include "app/study_files/drawn_figures.h"
 #include "app/study_files/height_field_files.h"
 #endif

@@ -11,7 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/options/asset_option.h"
 #include "app/cli/options/body_option.h"
@@ -26,8 +26,8 @@
 #include "app/study_files/height_field_files.h"
 #include "app/words/text_parts.h"
 #ifdef ASPERITY_WITH_WINDOWS
-#include "app/figures/column_figure.h"
 #include "app/figures/figure_files.h"
+#include "app/findings/shared/figures/column_figure.h"
 #endif
 #include "renderers/built_in_models.h"
 #include "renderers/compute/compute_device.h"

@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/rounded_text.h"
+#include "analysis/numbers/rounded_text.h"
 #include "app/cli/command.h"
 #include "app/cli/output/terminal.h"
 #include "app/cli/replay_options.h"
@@ -21,7 +21,7 @@
 #include "results_schema/hashes/sha256.h"
 #ifdef ASPERITY_WITH_WINDOWS
 #include "app/figures/figure_files.h"
-#include "app/figures/replay_figure.h"
+#include "app/findings/shared/figures/replay_figure.h"
 #endif
 
 namespace asperity {

@@ -10,7 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/options/compute_option.h"
 #include "app/cli/options/driver_options.h"

@@ -8,13 +8,13 @@
 
 #include <CLI/CLI.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/options/parameter_option.h"
 #include "app/cli/options/png_name.h"
 #include "app/cli/output/height_field_line.h"
 #include "app/cli/output/terminal.h"
-#include "app/findings/reading_number.h"
+#include "app/findings/outcome/reading_number.h"
 #include "app/study_files/height_field_files.h"
 #include "stimuli/heights/synthetic_surface.h"
 #include "stimuli/photographs/synthetic_photograph.h"

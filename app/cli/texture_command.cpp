@@ -11,14 +11,14 @@
 
 #include <CLI/CLI.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/options/number_option.h"
 #include "app/cli/options/png_name.h"
 #include "app/cli/options/word_option.h"
 #include "app/cli/output/height_field_line.h"
 #include "app/cli/output/terminal.h"
-#include "app/findings/reading_number.h"
+#include "app/findings/outcome/reading_number.h"
 #include "app/study_files/height_field_files.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/hashes/sha256.h"

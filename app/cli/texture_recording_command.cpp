@@ -13,7 +13,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/options/number_option.h"
 #include "app/cli/options/plugin_option.h"

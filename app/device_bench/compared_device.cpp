@@ -7,7 +7,7 @@
 #include <exception>
 #include <functional>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/device_bench/device_choice.h"
 #include "app/profiles/device_kind.h"
 #include "app/session/rehearsal/friction_rehearsal.h"

@@ -12,7 +12,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/words/phrase.h"
 #include "renderers/servo/servo_thread.h"
 #include "renderers/servo/servo_time.h"

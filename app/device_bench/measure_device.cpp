@@ -1,6 +1,6 @@
 #include "app/device_bench/measure_device.h"
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/profiles/device_kind.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/study_sharing.h"

@@ -6,8 +6,8 @@
 
 #include "app/exports/columns/column_making.h"
 #include "app/exports/fit_table.h"
-#include "app/findings/study/discrimination_sensitivity.h"
-#include "app/findings/study/gathered_answers.h"
+#include "app/findings/gathering/gathered_answers.h"
+#include "app/findings/methods/discrimination/sensitivity/discrimination_sensitivity.h"
 #include "results_schema/tables/table.h"
 #include "results_schema/tables/table_file.h"
 

@@ -21,7 +21,7 @@
 #include "app/exports/publication.h"
 #include "app/exports/sidecar.h"
 #include "app/exports/stimulus_table.h"
-#include "app/findings/study/catch_exclusions.h"
+#include "app/findings/methods/discrimination/catch/catch_exclusions.h"
 #include "app/findings/study/own_scales.h"
 #include "app/records/eye_mask.h"
 #include "app/records/session_conditions.h"

@@ -7,7 +7,7 @@
 
 #include "app/exports/columns/column_making.h"
 #include "app/exports/detection_table.h"
-#include "app/findings/study/gathered_answers.h"
+#include "app/findings/gathering/gathered_answers.h"
 #include "results_schema/analysis_use.h"
 #include "results_schema/tables/table_file.h"
 

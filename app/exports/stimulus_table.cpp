@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "analysis/spectrum.h"
-#include "analysis/summary.h"
+#include "analysis/numbers/summary.h"
+#include "analysis/signals/spectrum.h"
 #include "app/exports/columns/column_making.h"
 #include "app/study_files/height_field_files.h"
 #include "results_schema/analysis_use.h"

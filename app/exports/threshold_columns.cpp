@@ -5,8 +5,8 @@
 #include <optional>
 #include <set>
 
-#include "app/findings/found_numbers.h"
-#include "app/findings/study/cell_words.h"
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
 

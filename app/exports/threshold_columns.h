@@ -12,7 +12,7 @@
 
 #include "app/exports/columns/export_column.h"
 #include "app/exports/columns/study_vocabulary.h"
-#include "app/findings/study/discrimination_thresholds.h"
+#include "app/findings/methods/discrimination/thresholds/discrimination_thresholds.h"
 
 namespace asperity {
 

@@ -7,7 +7,7 @@
 
 #include <qcustomplot.h>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 
 namespace asperity {
 

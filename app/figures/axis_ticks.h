@@ -5,14 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/findings/figure.h"
+#include "app/findings/outcome/figure.h"
 
 namespace asperity {
-
-/// Lengths are stored in metres and drawn in millimetres.
-inline constexpr double kMillimetresPerMetre = 1e3;
-/// How far a logarithmic axis extends beyond the outermost marks, as a factor.
-inline constexpr double kBeyondMarks = 1.12;
 
 struct AxisTick {
   double value = 0.0;

@@ -5,7 +5,7 @@
 #include <QtCore/QRectF>
 
 #include "app/figures/figure_look.h"
-#include "app/findings/figure.h"
+#include "app/findings/outcome/figure.h"
 
 class QPainter;
 

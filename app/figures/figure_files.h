@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "app/findings/figure.h"
+#include "app/findings/outcome/figure.h"
 #include "results_schema/files/atomic_file.h"
 
 namespace asperity {

@@ -8,7 +8,7 @@
 #include <QtGui/QFontMetricsF>
 #include <QtGui/QTextLayout>
 
-#include "app/findings/reading_number.h"
+#include "app/findings/outcome/reading_number.h"
 
 namespace asperity {
 

@@ -10,7 +10,7 @@
 
 #include "app/figures/axis_ticks.h"
 #include "app/figures/figure_look.h"
-#include "app/findings/figure.h"
+#include "app/findings/outcome/figure.h"
 
 namespace asperity {
 

@@ -18,7 +18,7 @@
 #include <system_error>
 #include <unistd.h>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "renderers/plugin/plugin_call.h"
 
 namespace asperity {

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/number_text.h"
-#include "app/findings/study/study_analysis.h"
+#include "analysis/numbers/number_text.h"
+#include "app/findings/outcome/study_analysis.h"
 #include "app/power/power_tables.h"
 #include "app/study_files/study_condition.h"
 #include "results_schema/study.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/findings/study/gathered_answers.h"
+#include "app/findings/gathering/gathered_answers.h"
 #include "app/power/assumption.h"
 #include "protocols/design/protocol.h"
 #include "results_schema/study.h"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/findings/study/gathered_answers.h"
+#include "app/findings/gathering/gathered_answers.h"
 #include "app/power/assumption.h"
 #include "protocols/design/protocol.h"
 #include "protocols/kinds/experiment_kind.h"

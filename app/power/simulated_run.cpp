@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/findings/study/study_analysis.h"
+#include "app/findings/outcome/study_analysis.h"
 #include "app/power/power_model.h"
 #include "app/power/power_tables.h"
 #include "app/power/simulated_study.h"

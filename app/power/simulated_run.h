@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/random.h"
-#include "app/findings/study/gathered_answers.h"
+#include "analysis/numbers/random.h"
+#include "app/findings/gathering/gathered_answers.h"
 
 namespace asperity {
 

@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "app/power/power_tables.h"
 #include "protocols/plan/plan.h"
 #include "results_schema/session_answers.h"

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "analysis/random.h"
-#include "app/findings/study/gathered_answers.h"
+#include "analysis/numbers/random.h"
+#include "app/findings/gathering/gathered_answers.h"
 #include "app/power/power_tables.h"
 
 namespace asperity {

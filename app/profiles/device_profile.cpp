@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/repeated_key.h"
+#include "analysis/numbers/repeated_key.h"
 #include "app/words/coded_phrases.h"
 #include "app/words/device_remarks.h"
 #include "app/words/utc_time.h"

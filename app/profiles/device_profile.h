@@ -11,7 +11,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "analysis/device_response.h"
+#include "analysis/signals/device_response.h"
 #include "app/words/phrase.h"
 #include "device/device_trait.h"
 

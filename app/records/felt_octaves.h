@@ -8,7 +8,7 @@
 #include <span>
 #include <string>
 
-#include "analysis/force_features.h"
+#include "analysis/signals/force_features.h"
 #include "results_schema/study.h"
 
 namespace asperity {

@@ -9,7 +9,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
-#include "analysis/look_alikes.h"
+#include "analysis/numbers/look_alikes.h"
 #include "device/small_turn.h"
 #include "results_schema/tables/table.h"
 

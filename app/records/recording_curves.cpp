@@ -5,8 +5,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "analysis/compliance.h"
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/signals/compliance.h"
 #include "renderers/force/adjacent_patches.h"
 #include "renderers/servo/contact.h"
 

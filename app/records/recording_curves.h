@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/spectrum.h"
+#include "analysis/signals/spectrum.h"
 #include "renderers/servo/tick_record.h"
 
 namespace asperity {

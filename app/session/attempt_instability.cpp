@@ -14,7 +14,7 @@
 #include <thread>
 #include <utility>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/words/phrase_registry.h"
 #include "app/words/reason.h"
 #include "renderers/servo/contact.h"

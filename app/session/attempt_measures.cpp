@@ -8,8 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 
-#include "analysis/compliance.h"
-#include "analysis/summary.h"
+#include "analysis/numbers/summary.h"
+#include "analysis/signals/compliance.h"
 #include "renderers/force/adjacent_patches.h"
 #include "renderers/servo/contact.h"
 

@@ -8,9 +8,9 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/level_scale.h"
-#include "analysis/threshold_prior.h"
-#include "analysis/up_down.h"
+#include "analysis/numbers/level_scale.h"
+#include "analysis/psychometric/threshold_prior.h"
+#include "analysis/psychometric/up_down.h"
 #include "protocols/design/block_factors.h"
 #include "protocols/procedures/procedure.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "analysis/number_text.h"
-#include "analysis/random.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/random.h"
 #include "protocols/kinds/experiment_kind.h"
 
 namespace asperity {

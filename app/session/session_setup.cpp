@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "app/session/trial_outcome.h"
 #include "app/study_files/dealt_places.h"
 #include "app/words/phrase.h"

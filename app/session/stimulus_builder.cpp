@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/study_files/parameter_json.h"
 #include "app/words/phrase.h"
 #include "renderers/built_in_models.h"

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/session/attempt_measures.h"
 #include "app/session/layout.h"
 #include "app/session/rig/clock.h"

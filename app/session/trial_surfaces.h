@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "app/session/layout.h"
 #include "app/session/stimulus_builder.h"
 #include "protocols/plan/plan.h"

@@ -12,8 +12,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/number_text.h"
-#include "app/findings/found_numbers.h"
+#include "analysis/numbers/number_text.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/parameter_json.h"
 #include "renderers/offline/drop_point.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/magnitude.h"
+#include "analysis/scales/magnitude.h"
 #include "app/shards/shard.h"
 #include "app/sweep/sweep_measure.h"
 #include "renderers/offline/roughness_stroke.h"

@@ -11,7 +11,7 @@
 #include <utility>
 #include <variant>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/study_files/height_field_files.h"
 #include "app/words/text_parts.h"
 #include "protocols/plan/plan.h"

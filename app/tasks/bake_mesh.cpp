@@ -6,7 +6,7 @@
 
 #include <glm/common.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/textured_mesh_files.h"
 #include "results_schema/hashes/sha256.h"

@@ -10,7 +10,7 @@
 #include <thread>
 #include <utility>
 
-#include "analysis/force_features.h"
+#include "analysis/signals/force_features.h"
 #include "app/plugins/stored_plugins.h"
 #include "app/records/builders_of_attempts.h"
 #include "app/records/recorded_attempt.h"

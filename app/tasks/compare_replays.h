@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/force_difference.h"
+#include "analysis/signals/force_difference.h"
 #include "app/plugins/plugin_builds.h"
 #include "app/records/other_model.h"
 #include "results_schema/study.h"

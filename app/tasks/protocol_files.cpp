@@ -15,8 +15,8 @@
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 
-#include "analysis/number_text.h"
-#include "analysis/random.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/random.h"
 #include "app/profiles/device_kind.h"
 #include "app/session/attempt_measures.h"
 #include "app/session/trial_attempt.h"

@@ -15,7 +15,7 @@
 
 #include <glm/common.hpp>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "app/plugins/stored_plugins.h"
 #include "app/session/session_setup.h"
 #include "app/session/stimulus_builder.h"

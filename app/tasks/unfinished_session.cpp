@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/session/levels/external_program.h"
 #include "app/session/rig/clock.h"
 #include "app/session/session_setup.h"

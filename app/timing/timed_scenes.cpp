@@ -14,7 +14,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "app/timing/hung_ticks.h"
 #include "device/machine.h"
 #include "device/simulated_device.h"

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <thread>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/study_files/program.h"
 #include "device/machine.h"
 #include "renderers/pd_gradient/loops/instruction_set.h"

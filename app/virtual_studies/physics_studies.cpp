@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/findings/study/gathered_answers.h"
+#include "app/findings/gathering/gathered_answers.h"
 #include "app/session/levels/external_program.h"
 #include "app/session/respondents/virtual_participant.h"
 #include "app/session/session_setup.h"

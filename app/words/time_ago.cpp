@@ -1,6 +1,6 @@
 #include "app/words/time_ago.h"
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 
 namespace asperity {
 

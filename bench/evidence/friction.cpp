@@ -13,7 +13,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "bench/evidence/evidence.h"
 #include "device/simulated_models.h"
 #include "renderers/models/sinusoid.h"

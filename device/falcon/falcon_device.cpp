@@ -10,7 +10,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "device/units_in_use.h"
 
 namespace asperity {

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "device/falcon/falcon_frame.h"
 
 namespace asperity::falcon {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "protocols/answers/stored_number.h"
 #include "protocols/answers/trial_question.h"
 

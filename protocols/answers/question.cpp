@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "analysis/number_text.h"
-#include "analysis/overloaded.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/overloaded.h"
 #include "protocols/answers/stored_number.h"
 
 namespace asperity {

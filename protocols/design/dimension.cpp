@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/rounded_text.h"
+#include "analysis/numbers/rounded_text.h"
 
 namespace asperity {
 

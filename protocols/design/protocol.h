@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/force_features.h"
+#include "analysis/signals/force_features.h"
 #include "protocols/answers/question.h"
 #include "protocols/answers/trial_question.h"
 #include "protocols/design/analysis_declaration.h"

@@ -10,8 +10,8 @@
 #include <utility>
 #include <variant>
 
-#include "analysis/multidimensional_scaling.h"
-#include "analysis/number_text.h"
+#include "analysis/dissimilarity/multidimensional_scaling.h"
+#include "analysis/numbers/number_text.h"
 #include "protocols/design/block_factors.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "protocols/file/meaning_checks.h"
 #include "protocols/plan/arranged_patches.h"
 

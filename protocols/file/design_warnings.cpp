@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "protocols/design/block_factors.h"
 #include "protocols/design/discrimination_design.h"
 #include "protocols/design/json_pointer.h"

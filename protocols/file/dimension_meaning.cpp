@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/rounded_text.h"
+#include "analysis/numbers/rounded_text.h"
 #include "protocols/file/meaning_checks.h"
 
 namespace asperity {

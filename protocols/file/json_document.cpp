@@ -7,7 +7,7 @@
 #include <iterator>
 #include <utility>
 
-#include "analysis/look_alikes.h"
+#include "analysis/numbers/look_alikes.h"
 #include "protocols/design/json_pointer.h"
 
 namespace asperity {

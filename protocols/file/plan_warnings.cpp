@@ -5,7 +5,7 @@
 #include <map>
 #include <variant>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"

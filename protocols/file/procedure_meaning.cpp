@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "analysis/number_text.h"
-#include "analysis/rounded_text.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/rounded_text.h"
 #include "protocols/file/levels_from_json.h"
 #include "protocols/file/meaning_checks.h"
 #include "protocols/plan/level_tracks.h"

@@ -12,7 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "protocols/answers/scale_form.h"
 #include "protocols/design/discrimination_design.h"
 #include "protocols/design/protocol.h"

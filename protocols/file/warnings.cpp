@@ -12,7 +12,7 @@
 #include <utility>
 #include <variant>
 
-#include "analysis/rounded_text.h"
+#include "analysis/numbers/rounded_text.h"
 #include "protocols/design/block_factors.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"

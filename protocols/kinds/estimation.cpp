@@ -10,7 +10,7 @@
 #include <string_view>
 #include <variant>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "protocols/design/block_factors.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"

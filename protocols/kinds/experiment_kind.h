@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/force_features.h"
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
+#include "analysis/signals/force_features.h"
 #include "protocols/answers/trial_question.h"
 #include "protocols/design/problem_sink.h"
 #include "protocols/design/protocol.h"
@@ -74,7 +74,7 @@ struct Judgement {
 struct ResponseTable;
 
 /// A kind of experiment. Everything that differs between kinds before the data are analysed is here;
-/// the counterpart for the analysis is StudyAnalysis (app/findings/study/study_analysis.h).
+/// the counterpart for the analysis is StudyAnalysis (app/findings/outcome/study_analysis.h).
 ///
 /// A function that is null does nothing. Functions report problems, and do not throw.
 struct ExperimentKind {

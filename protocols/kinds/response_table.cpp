@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "protocols/answers/scale_form.h"
 #include "protocols/answers/stored_number.h"
 #include "protocols/kinds/experiment_kind.h"

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "protocols/answers/trial_question.h"
 #include "protocols/design/protocol.h"
 #include "protocols/design/trial.h"

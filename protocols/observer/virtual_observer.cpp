@@ -13,11 +13,11 @@
 #include <string>
 #include <string_view>
 
-#include "analysis/decision_rules.h"
-#include "analysis/forced_choice.h"
-#include "analysis/number_text.h"
-#include "analysis/roughness.h"
-#include "analysis/tail_probabilities.h"
+#include "analysis/choices/decision_rules.h"
+#include "analysis/choices/forced_choice.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/tail_probabilities.h"
+#include "analysis/signals/roughness.h"
 
 namespace asperity {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/force_features.h"
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
+#include "analysis/signals/force_features.h"
 #include "protocols/design/protocol.h"
 
 namespace asperity {
@@ -21,8 +21,9 @@ using Expectations = std::map<std::string, ForceFeatures, std::less<>>;
 
 /// A participant's use of numbers in magnitude estimation.
 struct NumberHabit {
-  double modulus = 10.0;  ///< the estimate for a force of the mean normal force, for 1 m/s² or 1 mm/N
-  int digits = 2;         ///< significant digits
+  double modulus =
+      10.0;        ///< the estimate for a force of the mean normal force, for 1 m/s² or 1 mm/N
+  int digits = 2;  ///< significant digits
 };
 /// A participant's use of lines (LineForm) in magnitude estimation.
 struct LineHabit {

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "analysis/number_text.h"
-#include "analysis/psychometric_function.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/psychometric/psychometric_function.h"
 #include "protocols/design/block_factors.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/block_rows.h"

@@ -10,7 +10,7 @@
 #include <utility>
 #include <variant>
 
-#include "analysis/rounded_text.h"
+#include "analysis/numbers/rounded_text.h"
 #include "protocols/design/arithmetic.h"
 
 namespace asperity {

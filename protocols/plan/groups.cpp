@@ -7,7 +7,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "protocols/design/wording.h"
 
 namespace asperity {

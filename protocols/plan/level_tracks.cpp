@@ -9,7 +9,7 @@
 #include <utility>
 #include <variant>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "protocols/plan/block_rows.h"
 
 namespace asperity {

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "protocols/design/protocol.h"
 #include "protocols/plan/roughness_matching.h"
 #include "protocols/plan/trial_maker.h"

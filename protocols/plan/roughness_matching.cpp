@@ -6,7 +6,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "analysis/up_down.h"
+#include "analysis/psychometric/up_down.h"
 
 namespace asperity {
 

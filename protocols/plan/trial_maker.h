@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "protocols/design/protocol.h"
 #include "protocols/design/roughness_match.h"
 #include "protocols/design/trial.h"

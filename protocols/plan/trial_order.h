@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 
 namespace asperity {
 

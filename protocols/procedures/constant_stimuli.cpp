@@ -5,7 +5,7 @@
 #include <numeric>
 #include <string>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "protocols/procedures/procedure.h"
 
 namespace asperity {

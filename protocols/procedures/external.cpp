@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "protocols/procedures/procedure.h"
 
 namespace asperity {

@@ -7,7 +7,7 @@
 #include <span>
 #include <variant>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 
 namespace asperity {
 

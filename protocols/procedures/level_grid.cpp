@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 
 namespace asperity {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/level_scale.h"
+#include "analysis/numbers/level_scale.h"
 #include "protocols/procedures/procedure_problems.h"
 
 namespace asperity {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/function_table.h"
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/psychometric/function_table.h"
 
 namespace asperity {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "analysis/threshold_prior.h"
+#include "analysis/psychometric/threshold_prior.h"
 #include "protocols/procedures/level_answer.h"
 #include "protocols/procedures/level_grid.h"
 

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "protocols/procedures/constant_stimuli.h"
 #include "protocols/procedures/external.h"
 #include "protocols/procedures/procedure_problems.h"

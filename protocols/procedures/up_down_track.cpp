@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "analysis/number_text.h"
-#include "analysis/rounded_text.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/rounded_text.h"
 
 namespace asperity {
 namespace {

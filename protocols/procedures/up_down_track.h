@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/up_down.h"
+#include "analysis/psychometric/up_down.h"
 #include "protocols/procedures/level_answer.h"
 #include "protocols/procedures/level_grid.h"
 

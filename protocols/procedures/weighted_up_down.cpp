@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include "analysis/number_text.h"
-#include "analysis/rounded_text.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/rounded_text.h"
 #include "protocols/procedures/procedure.h"
 
 namespace asperity {

@@ -13,8 +13,8 @@
 #include <span>
 #include <utility>
 
-#include "analysis/number_text.h"
-#include "analysis/spectrum.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/signals/spectrum.h"
 #include "renderers/conformance/check_paths.h"
 #include "renderers/conformance/finite_check.h"
 #include "renderers/conformance/heap_calls.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/number_text.h"
-#include "analysis/random.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/random.h"
 #include "renderers/conformance/check_paths.h"
 #include "renderers/force/layers.h"
 #include "renderers/offline/along_path.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "renderers/force/smoothstep.h"
 
 namespace asperity {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <variant>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "renderers/force/layers.h"
 #include "renderers/force/point_on_body.h"
 #include "renderers/force/resonance.h"

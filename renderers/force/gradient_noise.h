@@ -6,7 +6,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 
 namespace asperity {
 

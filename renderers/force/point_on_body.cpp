@@ -10,7 +10,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "renderers/force/adjacent_patches.h"
 #include "renderers/force/smoothstep.h"
 #include "renderers/force/tip_on_charts.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "analysis/autoregression.h"
+#include "analysis/signals/autoregression.h"
 
 namespace asperity {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "renderers/force/servo_low_pass.h"
 
 namespace asperity {

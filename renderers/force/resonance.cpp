@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "renderers/force/contact_fade.h"
 #include "renderers/force/servo_low_pass.h"
 #include "renderers/force/surface_contact.h"

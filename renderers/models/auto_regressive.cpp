@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/autoregression.h"
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
+#include "analysis/signals/autoregression.h"
 #include "renderers/force/layers.h"
 #include "renderers/force/motion_gate.h"
 #include "renderers/force/path_clock.h"

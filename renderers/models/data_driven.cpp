@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/band_limited.h"
-#include "analysis/line_spectrum.h"
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
+#include "analysis/signals/band_limited.h"
+#include "analysis/signals/line_spectrum.h"
 #include "renderers/force/contact_fade.h"
 #include "renderers/force/layers.h"
 #include "renderers/force/motion_gate.h"

@@ -14,7 +14,7 @@
 #include <string>
 #include <utility>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "renderers/elastic/relaxing_half_space.h"
 #include "renderers/elastic/surface_dent.h"
 #include "renderers/force/indentation_law.h"

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "analysis/number_text.h"
-#include "analysis/random.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/random.h"
 #include "renderers/force/layers.h"
 #include "renderers/force/path_clock.h"
 #include "renderers/force/recursive_noise.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "renderers/force/layers.h"
 #include "renderers/force/surface_contact.h"
 #include "renderers/models/sinusoid.h"

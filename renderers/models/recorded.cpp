@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/number_text.h"
-#include "analysis/random.h"
-#include "analysis/spectrum.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/random.h"
+#include "analysis/signals/spectrum.h"
 #include "renderers/force/contact_fade.h"
 #include "renderers/force/layers.h"
 #include "renderers/force/motion_gate.h"

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "analysis/spectrum.h"
+#include "analysis/signals/spectrum.h"
 #include "renderers/force/layers.h"
 #include "renderers/force/surface_contact.h"
 

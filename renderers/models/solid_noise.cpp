@@ -9,7 +9,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "renderers/force/gradient_noise.h"
 #include "renderers/force/layers.h"
 #include "renderers/force/surface_contact.h"

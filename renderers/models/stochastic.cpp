@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "renderers/force/contact_fade.h"
 #include "renderers/force/layers.h"
 #include "renderers/force/path_clock.h"

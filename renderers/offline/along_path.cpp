@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "renderers/servo/servo_time.h"
 
 namespace asperity {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "analysis/number_text.h"
-#include "analysis/random.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/random.h"
 #include "device/refusal.h"
 #include "renderers/offline/unexplained_vibration.h"
 #include "renderers/servo/servo_time.h"

@@ -18,7 +18,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "renderers/pd_gradient/geometry/contact_geometry.h"
 #include "renderers/pd_gradient/sampling/reference_penetration.h"
 

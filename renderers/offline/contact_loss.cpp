@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "device/refusal.h"
 #include "renderers/servo/contact.h"
 #include "renderers/servo/servo_time.h"

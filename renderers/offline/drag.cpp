@@ -16,7 +16,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "device/refusal.h"
 #include "renderers/offline/constant_height.h"
 #include "renderers/servo/contact.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <stop_token>
 
-#include "analysis/roughness.h"
+#include "analysis/signals/roughness.h"
 #include "renderers/force/force_renderer.h"
 #include "renderers/offline/held_tool.h"
 #include "renderers/offline/stroke_guide.h"

@@ -8,7 +8,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "analysis/roughness.h"
+#include "analysis/signals/roughness.h"
 #include "renderers/offline/held_tool.h"
 
 namespace asperity {

@@ -15,7 +15,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "device/refusal.h"
 #include "renderers/force/indentation_law.h"
 

@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/spectrum.h"
+#include "analysis/signals/spectrum.h"
 #include "device/refusal.h"
 #include "renderers/force/friction.h"
 #include "renderers/force/indentation_law.h"

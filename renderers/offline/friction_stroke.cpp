@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/filters.h"
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
+#include "analysis/signals/filters.h"
 #include "device/refusal.h"
 #include "renderers/servo/servo_time.h"
 #include "renderers/servo/tick_record.h"

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "device/refusal.h"
 #include "renderers/force/surface_contact.h"
 

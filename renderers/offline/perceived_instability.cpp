@@ -12,7 +12,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "analysis/spectrum.h"
+#include "analysis/signals/spectrum.h"
 #include "renderers/offline/replay.h"
 #include "renderers/offline/slow_hand.h"
 #include "renderers/offline/unexplained_vibration.h"

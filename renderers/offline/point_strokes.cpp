@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 
 namespace asperity {
 

@@ -12,8 +12,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "analysis/compliance.h"
-#include "analysis/spectrum.h"
+#include "analysis/signals/compliance.h"
+#include "analysis/signals/spectrum.h"
 #include "renderers/offline/felt_roughness.h"
 #include "renderers/offline/replay.h"
 #include "renderers/servo/contact.h"

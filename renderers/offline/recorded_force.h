@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/force_features.h"
+#include "analysis/signals/force_features.h"
 #include "renderers/force/force_model.h"
 #include "renderers/servo/tick_record.h"
 

@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/number_text.h"
-#include "analysis/spectrum.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/signals/spectrum.h"
 #include "stimuli/heights/synthetic_surface.h"
 #include "stimuli/meshes/textured_shape.h"
 

@@ -9,7 +9,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
-#include "analysis/filters.h"
+#include "analysis/signals/filters.h"
 #include "renderers/servo/contact.h"
 
 namespace asperity {

@@ -13,7 +13,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "device/refusal.h"
 #include "renderers/proxy/surface_proxy.h"
 

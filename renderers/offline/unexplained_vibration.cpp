@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/number_text.h"
-#include "analysis/spectrum.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/signals/spectrum.h"
 
 namespace asperity {
 namespace {

@@ -15,7 +15,7 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "renderers/force/layers.h"
 #include "renderers/force/surface_contact.h"
 #include "renderers/plugin/plugin_call.h"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "analysis/look_alikes.h"
-#include "analysis/number_text.h"
+#include "analysis/numbers/look_alikes.h"
+#include "analysis/numbers/number_text.h"
 
 namespace asperity {
 namespace {

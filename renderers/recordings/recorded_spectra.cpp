@@ -8,7 +8,7 @@
 #include <limits>
 #include <span>
 
-#include "analysis/spectrum.h"
+#include "analysis/signals/spectrum.h"
 
 namespace asperity {
 namespace {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "device/refusal.h"
 
 namespace asperity {

@@ -8,7 +8,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "renderers/recordings/number_table.h"
 
 namespace asperity {

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 
 namespace asperity {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "analysis/force_features.h"
+#include "analysis/signals/force_features.h"
 #include "renderers/force/rendered_tick.h"
 #include "renderers/servo/tick_record.h"
 

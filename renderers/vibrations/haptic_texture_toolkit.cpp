@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/autoregression.h"
-#include "analysis/line_spectrum.h"
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/signals/autoregression.h"
+#include "analysis/signals/line_spectrum.h"
 #include "renderers/recordings/number_table.h"
 #include "stimuli/measured/xml_element.h"
 

@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/autoregression.h"
-#include "analysis/band_limited.h"
-#include "analysis/line_spectrum.h"
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/signals/autoregression.h"
+#include "analysis/signals/band_limited.h"
+#include "analysis/signals/line_spectrum.h"
 #include "device/refusal.h"
 #include "renderers/recordings/even_stroke.h"
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "analysis/line_spectrum.h"
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/signals/line_spectrum.h"
 
 namespace asperity {
 

@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "analysis/delaunay.h"
+#include "analysis/numbers/delaunay.h"
 #include "renderers/vibrations/vibration_models.h"
 
 namespace asperity {

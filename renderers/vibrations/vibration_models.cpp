@@ -10,8 +10,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "analysis/line_spectrum.h"
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/signals/line_spectrum.h"
 #include "renderers/recordings/number_table.h"
 
 namespace asperity {

@@ -18,7 +18,7 @@ inline constexpr double kVibrationRate_Hz = 1000.0;
 ///
 ///   a_n = Σ_{j=1..p} c_j·a_{n−j} + e_n                   at 1 kHz; e_n normal noise of mean 0 and variance σ²
 ///
-/// The coefficients c_j are stored as line spectral frequencies (analysis/line_spectrum.h), because means of these, and not of
+/// The coefficients c_j are stored as line spectral frequencies (analysis/signals/line_spectrum.h), because means of these, and not of
 /// the c_j, are stationary.
 struct VibrationModel {
   double speed_m_per_s = 0.0;

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
-#include "analysis/repeated_key.h"
+#include "analysis/numbers/repeated_key.h"
 #include "stimuli/pictures/photograph.h"
 #include "stimuli/pictures/picture_codecs.h"
 

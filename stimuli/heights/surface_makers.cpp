@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 
 namespace asperity {
 

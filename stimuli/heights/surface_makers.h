@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "stimuli/heights/surface_declaration.h"
 
 namespace asperity {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "stimuli/heights/spectral_noise.h"
 #include "stimuli/heights/surface_makers.h"
 

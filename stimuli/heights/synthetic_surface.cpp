@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "stimuli/heights/surface_makers.h"
 
 namespace asperity {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "stimuli/measured/surface_decoding.h"
 #include "stimuli/pictures/float_tiff.h"
 #include "stimuli/pictures/photograph.h"

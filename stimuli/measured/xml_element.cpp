@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "analysis/look_alikes.h"
+#include "analysis/numbers/look_alikes.h"
 
 namespace asperity {
 namespace {

@@ -9,7 +9,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 
 namespace asperity {
 

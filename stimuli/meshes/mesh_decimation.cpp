@@ -14,7 +14,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "stimuli/meshes/decimation/batches.h"
 #include "stimuli/meshes/decimation/best_collapse.h"
 #include "stimuli/meshes/decimation/closed_surface.h"

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/look_alikes.h"
+#include "analysis/numbers/look_alikes.h"
 
 namespace asperity {
 

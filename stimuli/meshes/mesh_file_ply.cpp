@@ -7,7 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "stimuli/meshes/mesh_decoding.h"
 
 namespace asperity {

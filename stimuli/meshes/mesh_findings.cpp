@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 
 namespace asperity {
 
@@ -22,8 +22,7 @@ std::vector<std::string> sentences_of(const MeshFindings& found) {
   state("Faces reversed because their orientation differed from that of their neighbours",
         found.faces_turned);
   state("Non-manifold edges (of more than two faces), separated", found.non_manifold_edges);
-  state("Vertices added at non-manifold vertices or edges",
-        found.vertices_split);
+  state("Vertices added at non-manifold vertices or edges", found.vertices_split);
   state("Edges divided because another edge had the same two vertices", found.edges_divided);
   state("Holes closed, up to " + millimetres(found.widest_hole_m) + " wide", found.holes_filled);
   state("Parts left out as debris, each far smaller than the whole", found.debris_parts);

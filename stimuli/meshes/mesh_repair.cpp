@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "stimuli/meshes/repair/mesh_in_repair.h"
 
 namespace asperity {

@@ -12,7 +12,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "stimuli/meshes/mesh_edges.h"
 #include "stimuli/meshes/surface_search.h"
 #include "stimuli/meshes/texture_atlas.h"

@@ -18,7 +18,7 @@
 #include <zstd.h>
 #include <zstd_errors.h>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 
 namespace asperity {
 

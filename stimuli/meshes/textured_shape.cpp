@@ -15,7 +15,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "stimuli/meshes/texture_atlas.h"
 
 namespace asperity {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "stimuli/photographs/texture_method.h"
 
 namespace asperity {

@@ -11,7 +11,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "stimuli/pictures/reflected_filter.h"
 
 namespace asperity {

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/number_text.h"
-#include "analysis/random.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/random.h"
 #include "stimuli/heights/spectral_noise.h"
 
 namespace asperity {

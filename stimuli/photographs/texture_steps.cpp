@@ -11,7 +11,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "stimuli/photographs/texture_method.h"
 #include "stimuli/pictures/bands.h"
 #include "stimuli/properties/parameter.h"

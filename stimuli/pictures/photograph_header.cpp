@@ -11,7 +11,7 @@
 #include <string>
 #include <system_error>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "stimuli/pictures/float_tiff.h"
 #include "stimuli/pictures/photograph.h"
 

@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 
 namespace asperity {
 

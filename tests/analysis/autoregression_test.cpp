@@ -1,6 +1,6 @@
 // Autoregressive models: the estimators against R and against known processes, and the test of stationarity.
 
-#include "analysis/autoregression.h"
+#include "analysis/signals/autoregression.h"
 
 #include <cmath>
 #include <complex>
@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 
 namespace asperity {
 namespace {

@@ -1,6 +1,6 @@
 // Band-limited interpolation: waves between their samples, and what a lower rate does not keep.
 
-#include "analysis/band_limited.h"
+#include "analysis/signals/band_limited.h"
 
 #include <algorithm>
 #include <cmath>

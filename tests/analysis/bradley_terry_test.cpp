@@ -1,6 +1,6 @@
 // Holds the models of paired comparisons to R and names what has no finite scale.
 
-#include "analysis/bradley_terry.h"
+#include "analysis/choices/bradley_terry.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/comparison_graph.h"
+#include "analysis/choices/comparison_graph.h"
 #include "tests/analysis/computed_in_r/r_results.h"
 
 namespace asperity {

@@ -8,14 +8,14 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/cochran.h"
-#include "analysis/contingency.h"
-#include "analysis/decisive_choices.h"
-#include "analysis/equal_error_information.h"
-#include "analysis/matching_null.h"
-#include "analysis/pooled_share.h"
-#include "analysis/random.h"
-#include "analysis/uniform_counts.h"
+#include "analysis/choices/decisive_choices.h"
+#include "analysis/choices/equal_error_information.h"
+#include "analysis/choices/matching_null.h"
+#include "analysis/numbers/random.h"
+#include "analysis/tests/cochran.h"
+#include "analysis/tests/contingency.h"
+#include "analysis/tests/pooled_share.h"
+#include "analysis/tests/uniform_counts.h"
 
 namespace asperity {
 namespace {

@@ -1,6 +1,6 @@
 // Holds circular triads and agreement to counts of all outcomes and to published examples.
 
-#include "analysis/circular_triads.h"
+#include "analysis/choices/circular_triads.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 // Holds bands, strokes and speeds to motions that were drawn by hand.
 
-#include "analysis/compliance.h"
+#include "analysis/signals/compliance.h"
 
 #include <cmath>
 #include <limits>
@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 
 namespace asperity {
 namespace {

@@ -1,6 +1,6 @@
 // Holds Cronbach's alpha to its formula, to R, and to its interval's distribution.
 
-#include "analysis/cronbach_alpha.h"
+#include "analysis/scales/cronbach_alpha.h"
 
 #include <cmath>
 #include <limits>

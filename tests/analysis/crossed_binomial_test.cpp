@@ -1,7 +1,7 @@
 // Holds the crossed mixed model to a second program (Python: dense Newton for the mode, Nelder and
 // Mead for the maximum, plain central differences for the errors) and to integration by brute force.
 
-#include "analysis/crossed_binomial.h"
+#include "analysis/models/crossed_binomial.h"
 
 #include <array>
 #include <cmath>
@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/mixed_logit.h"
+#include "analysis/models/mixed_logit.h"
 
 namespace asperity {
 namespace {

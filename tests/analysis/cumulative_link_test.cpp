@@ -1,6 +1,6 @@
 // Holds cumulative link models to R, to integration by brute force, and to what has no maximum.
 
-#include "analysis/cumulative_link.h"
+#include "analysis/models/cumulative_link.h"
 
 #include <cmath>
 #include <numbers>
@@ -11,8 +11,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/cumulative_likelihood.h"
-#include "analysis/random.h"
+#include "analysis/models/cumulative_likelihood.h"
+#include "analysis/numbers/random.h"
 #include "tests/analysis/computed_in_r/r_results.h"
 
 namespace asperity {

@@ -1,6 +1,6 @@
 // The triangulation of points: empty circles, a convex whole, lines.
 
-#include "analysis/delaunay.h"
+#include "analysis/numbers/delaunay.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 
 namespace asperity {
 namespace {

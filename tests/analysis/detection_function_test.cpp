@@ -1,6 +1,6 @@
 // Fits the psychometric functions of simulated observers of yes/no and same–different tasks.
 
-#include "analysis/detection_function.h"
+#include "analysis/psychometric/detection_function.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/decision_rules.h"
-#include "analysis/random.h"
-#include "analysis/tail_probabilities.h"
+#include "analysis/choices/decision_rules.h"
+#include "analysis/numbers/random.h"
+#include "analysis/numbers/tail_probabilities.h"
 
 namespace asperity {
 namespace {

@@ -1,6 +1,6 @@
 // Tests the properties of a device from its motion, with motions whose answers are computed by hand.
 
-#include "analysis/device_response.h"
+#include "analysis/signals/device_response.h"
 
 #include <algorithm>
 #include <array>

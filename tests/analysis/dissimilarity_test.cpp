@@ -1,6 +1,6 @@
 // Holds maps to the plane they came from, and trees to distances that a hand can follow.
 
-#include "analysis/dissimilarity.h"
+#include "analysis/dissimilarity/dissimilarity.h"
 
 #include <stdexcept>
 

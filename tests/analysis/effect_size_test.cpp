@@ -2,7 +2,7 @@
 // as an integral over χ, the noncentral F as a sum of beta functions, both inverted by the secant
 // method), and to their limits.
 
-#include "analysis/effect_size.h"
+#include "analysis/tests/effect_size.h"
 
 #include <array>
 #include <cmath>
@@ -12,8 +12,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/friedman.h"
-#include "analysis/t_test.h"
+#include "analysis/tests/friedman.h"
+#include "analysis/tests/t_test.h"
 
 namespace asperity {
 namespace {

@@ -1,7 +1,7 @@
 // Holds equivalence and Bayes factors to numbers of a second program (mpmath, 30 digits, integrals by
 // adaptive quadrature) and to what they must be.
 
-#include "analysis/equivalence.h"
+#include "analysis/tests/equivalence.h"
 
 #include <array>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/t_test.h"
+#include "analysis/tests/t_test.h"
 
 namespace asperity {
 namespace {

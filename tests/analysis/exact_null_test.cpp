@@ -1,6 +1,6 @@
 // Exact null distributions against counting everything, and against published numbers.
 
-#include "analysis/exact_null.h"
+#include "analysis/numbers/exact_null.h"
 
 #include <cmath>
 #include <numeric>

@@ -1,6 +1,6 @@
 // Holds the filters to Butterworth's formula and to a response worked out by hand.
 
-#include "analysis/filters.h"
+#include "analysis/signals/filters.h"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 // The difference of two forces, in all and in nine bands of frequency.
 
-#include "analysis/force_difference.h"
+#include "analysis/signals/force_difference.h"
 
 #include <cmath>
 #include <numbers>

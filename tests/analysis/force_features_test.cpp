@@ -1,6 +1,6 @@
 // Holds the features of a force record to surfaces whose spectrum is known.
 
-#include "analysis/force_features.h"
+#include "analysis/signals/force_features.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 
 namespace asperity {
 namespace {

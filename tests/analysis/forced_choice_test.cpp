@@ -1,6 +1,6 @@
 // Holds the sensitivity of a choice to what two alternatives and guessing give in closed form.
 
-#include "analysis/forced_choice.h"
+#include "analysis/choices/forced_choice.h"
 
 #include <cmath>
 #include <limits>

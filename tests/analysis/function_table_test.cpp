@@ -1,6 +1,6 @@
 // The probabilities of functions after responses, and the entropy expected of a level.
 
-#include "analysis/function_table.h"
+#include "analysis/psychometric/function_table.h"
 
 #include <cmath>
 #include <stdexcept>

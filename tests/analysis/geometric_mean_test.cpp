@@ -1,4 +1,4 @@
-#include "analysis/geometric_mean.h"
+#include "analysis/tests/geometric_mean.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 // Holds transmitted information to tables whose bits can be counted.
 
-#include "analysis/information_transfer.h"
+#include "analysis/choices/information_transfer.h"
 
 #include <numbers>
 #include <stdexcept>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/equal_error_information.h"
+#include "analysis/choices/equal_error_information.h"
 
 namespace asperity {
 namespace {

@@ -1,6 +1,6 @@
 // Holds intraclass correlations to the published example and to their limits.
 
-#include "analysis/intraclass.h"
+#include "analysis/scales/intraclass.h"
 
 #include <array>
 #include <cmath>

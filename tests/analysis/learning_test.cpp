@@ -1,4 +1,4 @@
-#include "analysis/learning.h"
+#include "analysis/tests/learning.h"
 
 #include <cmath>
 #include <stdexcept>

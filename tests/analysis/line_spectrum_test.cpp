@@ -1,6 +1,6 @@
 // Line spectral frequencies: there and back, and the stability of their means.
 
-#include "analysis/line_spectrum.h"
+#include "analysis/signals/line_spectrum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/autoregression.h"
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
+#include "analysis/signals/autoregression.h"
 
 namespace asperity {
 namespace {

@@ -1,7 +1,7 @@
 // Holds the linear mixed model to the analysis of variance, where both are the same, and to designs without a fit. Unbalanced
 // designs are compared with R in tests/analysis/reference/lmm_NN.
 
-#include "analysis/linear_mixed.h"
+#include "analysis/models/linear_mixed.h"
 
 #include <cmath>
 #include <limits>
@@ -12,7 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 
 namespace asperity {
 namespace {

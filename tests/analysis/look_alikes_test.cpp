@@ -1,6 +1,6 @@
 // Characters that look like others are found and named.
 
-#include "analysis/look_alikes.h"
+#include "analysis/numbers/look_alikes.h"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 // Holds curves and peaks to participants whose numbers were made from known ones.
 
-#include "analysis/magnitude.h"
+#include "analysis/scales/magnitude.h"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Holds the null of matching to counted permutations.
 
-#include "analysis/matching_null.h"
+#include "analysis/choices/matching_null.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 
 namespace asperity {
 namespace {

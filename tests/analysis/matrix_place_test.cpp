@@ -1,6 +1,6 @@
 // Finds the first value, by rows.
 
-#include "analysis/matrix_place.h"
+#include "analysis/numbers/matrix_place.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // Configurations of distances that are known, and the parts of the fit.
 
-#include "analysis/multidimensional_scaling.h"
+#include "analysis/dissimilarity/multidimensional_scaling.h"
 
 #include <array>
 #include <cmath>
@@ -13,8 +13,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/isotonic_regression.h"
-#include "analysis/procrustes.h"
+#include "analysis/dissimilarity/procrustes.h"
+#include "analysis/numbers/isotonic_regression.h"
 #include "tests/analysis/simulated_raters.h"
 
 namespace asperity {
@@ -90,7 +90,8 @@ TEST(MultidimensionalScaling, LeavesOutPairsWithoutAWeight) {
   }
   const Configuration map = scaled(given, {.level = ScalingLevel::ratio});
   EXPECT_GT(procrustes(plane, map.points)->r_squared, 0.9999);
-  EXPECT_EQ(shepard_diagram(given, map.points, ScalingLevel::ratio).size(), 42U);  // 45 pairs less 3
+  EXPECT_EQ(shepard_diagram(given, map.points, ScalingLevel::ratio).size(),
+            42U);  // 45 pairs less 3
 }
 
 TEST(MultidimensionalScaling, IsTheSameForTheSameSeed) {

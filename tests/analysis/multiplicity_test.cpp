@@ -1,6 +1,6 @@
 // Adjusted p values, worked out by hand.
 
-#include "analysis/multiplicity.h"
+#include "analysis/tests/multiplicity.h"
 
 #include <stdexcept>
 

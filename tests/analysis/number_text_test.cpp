@@ -1,6 +1,6 @@
 // Holds the text of a number to reading back, and the text of a count to the noun that it needs.
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 
 #include <charconv>
 #include <limits>

@@ -1,6 +1,6 @@
 // Holds power to plans that can be counted by hand.
 
-#include "analysis/power.h"
+#include "analysis/power/power.h"
 
 #include <cmath>
 #include <cstddef>
@@ -10,8 +10,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/proportion.h"
-#include "analysis/two_by_two.h"
+#include "analysis/numbers/proportion.h"
+#include "analysis/tests/two_by_two.h"
 #include "tests/support/refusal.h"
 
 namespace asperity {

@@ -1,6 +1,6 @@
 // Holds principal components to R, to their identities, and to cases that can be written down.
 
-#include "analysis/principal_components.h"
+#include "analysis/scales/principal_components.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,13 @@
 // Intervals by running a procedure again: against the likelihood, and what they count.
 
-#include "analysis/procedure_bootstrap.h"
+#include "analysis/psychometric/procedure_bootstrap.h"
 
 #include <cmath>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
-#include "analysis/psychometric_fit.h"
+#include "analysis/psychometric/psychometric_fit.h"
 
 namespace asperity {
 namespace {

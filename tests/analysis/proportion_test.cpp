@@ -1,6 +1,6 @@
 // Holds intervals and the exact test to their definitions, summed here term by term.
 
-#include "analysis/proportion.h"
+#include "analysis/numbers/proportion.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 // Fits psychometric functions to the exact proportions of known ones, and to data without a fit.
 
-#include "analysis/psychometric_fit.h"
+#include "analysis/psychometric/psychometric_fit.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/psychometric_bootstrap.h"
-#include "analysis/psychometric_maximum.h"
+#include "analysis/psychometric/psychometric_bootstrap.h"
+#include "analysis/psychometric/psychometric_maximum.h"
 
 namespace asperity {
 namespace {

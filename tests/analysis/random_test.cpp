@@ -1,6 +1,6 @@
 // Holds the generator to published answers, to its own golden numbers, and to its distributions.
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 
 #include <algorithm>
 #include <array>

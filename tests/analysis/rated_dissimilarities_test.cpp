@@ -1,6 +1,6 @@
 // Raters with a known configuration, and raters who guess.
 
-#include "analysis/rated_dissimilarities.h"
+#include "analysis/dissimilarity/rated_dissimilarities.h"
 
 #include <cmath>
 #include <cstdint>
@@ -10,8 +10,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/individual_differences.h"
-#include "analysis/procrustes.h"
+#include "analysis/dissimilarity/individual_differences.h"
+#include "analysis/dissimilarity/procrustes.h"
 #include "tests/analysis/simulated_raters.h"
 
 namespace asperity {

@@ -1,6 +1,6 @@
 // Compares the ROC of ratings with hand computation, with the yes/no model and with the truth of simulated observers.
 
-#include "analysis/rating_roc.h"
+#include "analysis/choices/rating_roc.h"
 
 #include <algorithm>
 #include <array>
@@ -10,9 +10,9 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/participant_bootstrap.h"
-#include "analysis/random.h"
-#include "analysis/signal_detection.h"
+#include "analysis/choices/signal_detection.h"
+#include "analysis/numbers/random.h"
+#include "analysis/tests/participant_bootstrap.h"
 
 namespace asperity {
 namespace {

@@ -1,6 +1,6 @@
 // Holds the null of participants to counted relabellings, and its test to its size.
 
-#include "analysis/relabelled_matching.h"
+#include "analysis/choices/relabelled_matching.h"
 
 #include <algorithm>
 #include <numeric>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 
 namespace asperity {
 namespace {

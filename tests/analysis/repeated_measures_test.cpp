@@ -1,6 +1,6 @@
 // Holds the analysis of variance to t tests, and to tables without any error.
 
-#include "analysis/repeated_measures.h"
+#include "analysis/tests/repeated_measures.h"
 
 #include <cmath>
 #include <stdexcept>

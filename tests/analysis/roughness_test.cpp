@@ -1,6 +1,6 @@
 // Holds the measures of roughness to records and heights whose values follow from their formulas.
 
-#include "analysis/roughness.h"
+#include "analysis/signals/roughness.h"
 
 #include <cmath>
 #include <numbers>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 
 namespace asperity {
 namespace {

@@ -6,13 +6,13 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/bradley_terry.h"
-#include "analysis/comparison_graph.h"
-#include "analysis/first_choice.h"
-#include "analysis/friedman.h"
-#include "analysis/mallows.h"
-#include "analysis/plackett_luce.h"
-#include "analysis/thurstone.h"
+#include "analysis/choices/bradley_terry.h"
+#include "analysis/choices/comparison_graph.h"
+#include "analysis/choices/first_choice.h"
+#include "analysis/choices/mallows.h"
+#include "analysis/choices/plackett_luce.h"
+#include "analysis/choices/thurstone.h"
+#include "analysis/tests/friedman.h"
 
 namespace asperity {
 namespace {

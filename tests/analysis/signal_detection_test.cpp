@@ -1,6 +1,6 @@
 // Compares sensitivities and their errors with closed forms, with simulated observers and with each other.
 
-#include "analysis/signal_detection.h"
+#include "analysis/choices/signal_detection.h"
 
 #include <cmath>
 #include <numbers>
@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/decision_rules.h"
-#include "analysis/forced_choice.h"
-#include "analysis/random.h"
-#include "analysis/tail_probabilities.h"
+#include "analysis/choices/decision_rules.h"
+#include "analysis/choices/forced_choice.h"
+#include "analysis/numbers/random.h"
+#include "analysis/numbers/tail_probabilities.h"
 
 namespace asperity {
 namespace {

@@ -1,6 +1,6 @@
 // Makes confusions out of known similarities and biases, and takes them apart again.
 
-#include "analysis/similarity_choice.h"
+#include "analysis/choices/similarity_choice.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/procrustes.h"
+#include "analysis/dissimilarity/procrustes.h"
 #include "tests/analysis/simulated_raters.h"
 
 namespace asperity {
@@ -31,8 +31,8 @@ TEST(SimilarityRecovery, RestoresThePlane) {
   std::sort(r_squared.begin(), r_squared.end());
   const double median = r_squared[kStudies / 2];
   const double p05 = r_squared[kStudies / 20];
-  std::cout << "Procrustes r² over " << kStudies << " studies: median " << median << ", 5 % quantile "
-            << p05 << "; two dimensions chosen in " << two_dimensions << '\n';
+  std::cout << "Procrustes r² over " << kStudies << " studies: median " << median
+            << ", 5 % quantile " << p05 << "; two dimensions chosen in " << two_dimensions << '\n';
   EXPECT_GE(median, 0.97);
   EXPECT_GE(p05, 0.95);
   EXPECT_GE(two_dimensions, 180U);

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "analysis/random.h"
-#include "analysis/rated_dissimilarities.h"
+#include "analysis/dissimilarity/rated_dissimilarities.h"
+#include "analysis/numbers/random.h"
 
 namespace asperity {
 

@@ -1,6 +1,6 @@
 // Tones, pink noise and their samples.
 
-#include "analysis/sound_signals.h"
+#include "analysis/signals/sound_signals.h"
 
 #include <cmath>
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 
 namespace asperity {
 namespace {

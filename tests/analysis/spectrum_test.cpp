@@ -1,6 +1,6 @@
 // Holds the spectra to the definition of the Fourier transform and to signals of known power.
 
-#include "analysis/spectrum.h"
+#include "analysis/signals/spectrum.h"
 
 #include <cmath>
 #include <functional>
@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 
 namespace asperity {
 namespace {

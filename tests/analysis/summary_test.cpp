@@ -1,6 +1,6 @@
 // Holds means, spreads and quantiles to numbers worked out by hand.
 
-#include "analysis/summary.h"
+#include "analysis/numbers/summary.h"
 
 #include <array>
 #include <cmath>

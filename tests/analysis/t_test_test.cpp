@@ -1,6 +1,6 @@
 // Holds t tests to numbers that can be worked out on paper.
 
-#include "analysis/t_test.h"
+#include "analysis/tests/t_test.h"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Holds tails to closed forms, and to answers where the distribution has none.
 
-#include "analysis/tail_probabilities.h"
+#include "analysis/numbers/tail_probabilities.h"
 
 #include <cmath>
 #include <limits>

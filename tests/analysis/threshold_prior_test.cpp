@@ -1,6 +1,6 @@
 // The grid of functions of a prior, and the threshold that the responses leave.
 
-#include "analysis/threshold_prior.h"
+#include "analysis/psychometric/threshold_prior.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/function_table.h"
+#include "analysis/psychometric/function_table.h"
 
 namespace asperity {
 namespace {

@@ -1,6 +1,6 @@
 // Holds the exact tests of two groups to splits and tables counted by hand.
 
-#include "analysis/two_samples.h"
+#include "analysis/tests/two_samples.h"
 
 #include <algorithm>
 #include <array>
@@ -16,8 +16,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/mixed_logit.h"
-#include "analysis/two_by_two.h"
+#include "analysis/models/mixed_logit.h"
+#include "analysis/tests/two_by_two.h"
 
 namespace asperity {
 namespace {

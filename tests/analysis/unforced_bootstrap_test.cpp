@@ -1,6 +1,6 @@
 // Bootstrap intervals of psychometric functions of unforced choices.
 
-#include "analysis/unforced_bootstrap.h"
+#include "analysis/psychometric/unforced_bootstrap.h"
 
 #include <stdexcept>
 #include <vector>
@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/psychometric_fit.h"
+#include "analysis/psychometric/psychometric_fit.h"
 
 namespace asperity {
 namespace {

@@ -1,6 +1,6 @@
 // The rules of staircases, and the mean of their reversals.
 
-#include "analysis/up_down.h"
+#include "analysis/psychometric/up_down.h"
 
 #include <cmath>
 #include <limits>
@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/level_scale.h"
-#include "analysis/staircase.h"
+#include "analysis/numbers/level_scale.h"
+#include "analysis/psychometric/staircase.h"
 
 namespace asperity {
 namespace {

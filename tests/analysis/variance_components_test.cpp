@@ -1,11 +1,11 @@
-#include "analysis/variance_components.h"
+#include "analysis/models/variance_components.h"
 
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 
 namespace asperity {
 namespace {

@@ -1,6 +1,6 @@
 // The tables of anchors: which responses they contain, the change, and that nothing else contains them.
 
-#include "app/findings/study/anchors.h"
+#include "app/findings/shared/anchors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +11,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "app/exports/export_study.h"
-#include "app/findings/reading_table.h"
-#include "app/findings/study/cell_words.h"
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/reading_table.h"
 #include "tests/app/analysed_study.h"
 #include "tests/app/exported_study.h"
 

@@ -1,6 +1,6 @@
 // Participants who are excluded by their errors in catch trials, as the protocol declares it.
 
-#include "app/findings/study/catch_exclusions.h"
+#include "app/findings/methods/discrimination/catch/catch_exclusions.h"
 
 #include <string>
 #include <variant>
@@ -10,11 +10,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/findings/found_numbers.h"
-#include "app/findings/reading_table.h"
-#include "app/findings/study/discrimination_results.h"
-#include "app/findings/study/study_analysis.h"
-#include "app/findings/study/threshold_sentences.h"
+#include "app/findings/methods/discrimination/threshold_sentences.h"
+#include "app/findings/methods/discrimination/thresholds/discrimination_results.h"
+#include "app/findings/outcome/reading_table.h"
+#include "app/findings/outcome/study_analysis.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "app/report/text/study_report.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/made_up_study.h"

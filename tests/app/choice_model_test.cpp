@@ -1,6 +1,6 @@
 // The model of choices by level and exploration: what is planted is found, and the numbers are those of the family glmm.
 
-#include "app/findings/study/choice_model.h"
+#include "app/findings/methods/discrimination/choice_model.h"
 
 #include <cmath>
 #include <optional>
@@ -13,9 +13,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/number_text.h"
-#include "app/findings/found_numbers.h"
-#include "app/findings/reading_table.h"
+#include "analysis/numbers/number_text.h"
+#include "app/findings/outcome/reading_table.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/app/analysed_study.h"
 

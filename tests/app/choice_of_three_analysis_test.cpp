@@ -11,13 +11,13 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/decision_rules.h"
-#include "analysis/forced_choice.h"
-#include "analysis/psychometric_function.h"
-#include "app/findings/found_numbers.h"
-#include "app/findings/reading_table.h"
-#include "app/findings/study/discrimination_thresholds.h"
-#include "app/findings/study/study_analysis.h"
+#include "analysis/choices/decision_rules.h"
+#include "analysis/choices/forced_choice.h"
+#include "analysis/psychometric/psychometric_function.h"
+#include "app/findings/methods/discrimination/thresholds/discrimination_thresholds.h"
+#include "app/findings/outcome/reading_table.h"
+#include "app/findings/outcome/study_analysis.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "renderers/built_in_models.h"

@@ -1,6 +1,6 @@
 // Ratings of confidence next to a discrimination, from the rows of a study to the ROC.
 
-#include "app/findings/study/confidence_roc.h"
+#include "app/findings/methods/discrimination/sensitivity/confidence_roc.h"
 
 #include <algorithm>
 #include <array>
@@ -12,10 +12,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/random.h"
-#include "analysis/tail_probabilities.h"
-#include "app/findings/found_numbers.h"
-#include "app/findings/reading_table.h"
+#include "analysis/numbers/random.h"
+#include "analysis/numbers/tail_probabilities.h"
+#include "app/findings/outcome/reading_table.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "protocols/design/discrimination_design.h"
 #include "tests/app/coverage_counts.h"
 #include "tests/app/made_up_choices.h"

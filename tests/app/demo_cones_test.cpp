@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "app/study_files/height_field_files.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"

@@ -10,10 +10,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/detection_function.h"
-#include "app/findings/found_numbers.h"
-#include "app/findings/reading_table.h"
-#include "app/findings/study/study_analysis.h"
+#include "analysis/psychometric/detection_function.h"
+#include "app/findings/outcome/reading_table.h"
+#include "app/findings/outcome/study_analysis.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "protocols/design/discrimination_design.h"
 #include "tests/app/made_up_choices.h"
 

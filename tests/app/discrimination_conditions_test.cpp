@@ -13,10 +13,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/psychometric_function.h"
-#include "app/findings/found_numbers.h"
+#include "analysis/psychometric/psychometric_function.h"
+#include "app/findings/outcome/study_analysis.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/study/study_analysis.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/made_up_study.h"
 

@@ -10,12 +10,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/random.h"
-#include "app/findings/found_numbers.h"
-#include "app/findings/study/discrimination_coverage.h"
-#include "app/findings/study/estimate_sentences.h"
-#include "app/findings/study/references.h"
-#include "app/findings/study/study_analysis.h"
+#include "analysis/numbers/random.h"
+#include "app/findings/methods/discrimination/thresholds/discrimination_coverage.h"
+#include "app/findings/outcome/estimate_sentences.h"
+#include "app/findings/outcome/references.h"
+#include "app/findings/outcome/study_analysis.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "renderers/built_in_models.h"

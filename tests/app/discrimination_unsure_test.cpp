@@ -8,12 +8,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/unforced_bootstrap.h"
-#include "app/findings/found_numbers.h"
-#include "app/findings/reading_table.h"
-#include "app/findings/study/discrimination_results.h"
-#include "app/findings/study/discrimination_tasks.h"
-#include "app/findings/study/discrimination_tracks.h"
+#include "analysis/psychometric/unforced_bootstrap.h"
+#include "app/findings/methods/discrimination/thresholds/discrimination_results.h"
+#include "app/findings/methods/discrimination/thresholds/discrimination_tasks.h"
+#include "app/findings/methods/discrimination/thresholds/discrimination_tracks.h"
+#include "app/findings/outcome/reading_table.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "protocols/file/stored_protocol.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/made_up_study.h"

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/findings/study/sensitivity_bounds.h"
+#include "app/findings/methods/discrimination/sensitivity/sensitivity_bounds.h"
 #include "app/findings/tidy/finding_list.h"
 
 namespace asperity {

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/findings/shared/equal_roughness.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/study/equal_roughness.h"
 #include "app/records/presented_matches.h"
 #include "app/report/text/report_roughness.h"
 #include "app/study_files/parameter_json.h"

@@ -9,12 +9,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/findings/found_numbers.h"
-#include "app/findings/reading_table.h"
-#include "app/findings/study/cell_words.h"
-#include "app/findings/study/study_findings.h"
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/reading_table.h"
+#include "app/findings/outcome/study_findings.h"
+#include "app/findings/outcome/study_tests.h"
 #include "app/findings/study/study_tables.h"
-#include "app/findings/study/study_tests.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/app/analysed_study.h"
 #include "tests/app/scripted_session.h"

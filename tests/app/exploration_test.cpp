@@ -1,6 +1,6 @@
 // Exploration by condition and over the session, from the rows of a study.
 
-#include "app/findings/study/exploration.h"
+#include "app/findings/shared/exploration.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +12,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
-#include "app/findings/reading_table.h"
+#include "analysis/numbers/random.h"
+#include "app/findings/outcome/reading_table.h"
+#include "app/findings/outcome/study_tests.h"
+#include "app/findings/shared/exploration_model.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/study/exploration_model.h"
 #include "app/findings/study/study_tables.h"
-#include "app/findings/study/study_tests.h"
 #include "tests/app/analysed_study.h"
 
 namespace asperity {

@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/exports/export_folder.h"
 #include "app/exports/publication.h"
 #include "app/findings/study/analyze_study.h"

@@ -12,9 +12,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/findings/gathering/gathered_answers.h"
+#include "app/findings/shared/similarity_properties.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/study/gathered_answers.h"
-#include "app/findings/study/similarity_properties.h"
 #include "tests/app/scripted_session.h"
 
 namespace asperity {

@@ -1,6 +1,6 @@
 // The exploration of a study as it is kept: own values by condition, contact times by surface, and little memory.
 
-#include "app/findings/study/gathered_exploration.h"
+#include "app/findings/gathering/gathered_exploration.h"
 
 #include <cstdint>
 #include <string>
@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
-#include "app/findings/study/gathered_answers.h"
+#include "app/findings/gathering/gathered_answers.h"
 
 namespace asperity {
 namespace {

@@ -10,9 +10,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/findings/outcome/study_tests.h"
+#include "app/findings/shared/group_equivalence.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/study/group_equivalence.h"
-#include "app/findings/study/study_tests.h"
 #include "app/report/text/study_report.h"
 #include "tests/app/made_up_study.h"
 

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/findings/study/study_analysis.h"
+#include "app/findings/outcome/study_analysis.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/kinds/experiment_kind.h"

@@ -1,6 +1,6 @@
 // Learning over trials, from the rows of a study.
 
-#include "app/findings/study/learning.h"
+#include "app/findings/shared/learning.h"
 
 #include <algorithm>
 #include <cmath>

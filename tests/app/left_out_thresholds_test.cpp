@@ -1,6 +1,6 @@
 // What the mean is that leaves out thresholds on one side of the presented levels, or on both.
 
-#include "app/findings/study/left_out_thresholds.h"
+#include "app/findings/methods/discrimination/thresholds/left_out_thresholds.h"
 
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/findings/study/missing_threshold.h"
+#include "app/findings/methods/discrimination/thresholds/missing_threshold.h"
 
 namespace asperity {
 namespace {

@@ -12,9 +12,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/psychometric_function.h"
+#include "analysis/psychometric/psychometric_function.h"
 #include "app/exports/export_study.h"
-#include "app/findings/study/discrimination_tracks.h"
+#include "app/findings/methods/discrimination/thresholds/discrimination_tracks.h"
 #include "app/words/text_parts.h"
 #include "protocols/file/stored_protocol.h"
 #include "renderers/built_in_models.h"

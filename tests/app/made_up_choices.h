@@ -13,7 +13,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "analysis/psychometric_function.h"
+#include "analysis/psychometric/psychometric_function.h"
 #include "tests/app/analysed_study.h"
 #include "tests/app/made_up_study.h"
 

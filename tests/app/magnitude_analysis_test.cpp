@@ -12,10 +12,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/number_text.h"
-#include "app/findings/reading_number.h"
+#include "analysis/numbers/number_text.h"
+#include "app/findings/outcome/estimate_sentences.h"
+#include "app/findings/outcome/reading_number.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/study/estimate_sentences.h"
 #include "tests/app/chapter_studies.h"
 
 namespace asperity {

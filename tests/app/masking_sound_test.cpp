@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/spectrum.h"
+#include "analysis/signals/spectrum.h"
 #include "tests/support/allocation_guard.h"
 
 namespace asperity {

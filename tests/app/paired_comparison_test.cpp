@@ -9,10 +9,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/pooled_share.h"
-#include "app/findings/found_numbers.h"
+#include "analysis/tests/pooled_share.h"
+#include "app/findings/outcome/estimate_sentences.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/study/estimate_sentences.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "tests/app/analysed_study.h"
 
 namespace asperity {

@@ -9,11 +9,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/findings/study/level_words.h"
-#include "app/findings/study/references.h"
-#include "app/findings/study/study_tests.h"
-#include "app/findings/study/test_methods.h"
-#include "app/findings/study/test_sentences.h"
+#include "app/findings/outcome/level_words.h"
+#include "app/findings/outcome/references.h"
+#include "app/findings/outcome/study_tests.h"
+#include "app/findings/outcome/test_methods.h"
+#include "app/findings/outcome/test_sentences.h"
 #include "app/report/text/report_order.h"
 #include "app/report/text/report_roughness.h"
 #include "app/report/text/study_report.h"

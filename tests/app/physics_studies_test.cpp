@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/findings/study/gathered_answers.h"
+#include "app/findings/gathering/gathered_answers.h"
 #include "protocols/file/protocol_reader.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"

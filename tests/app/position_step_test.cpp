@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "app/device_bench/compared_device.h"
 #include "app/session/stimulus_builder.h"
 #include "app/study_files/parameter_json.h"

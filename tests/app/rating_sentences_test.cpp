@@ -1,6 +1,6 @@
 // What a paper states about the agreement, reliability and dimensions of ratings.
 
-#include "app/findings/study/rating_sentences.h"
+#include "app/findings/methods/rating/rating_sentences.h"
 
 #include <string>
 #include <vector>
@@ -8,9 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/findings/found_numbers.h"
-#include "app/findings/reading_number.h"
+#include "app/findings/outcome/reading_number.h"
 #include "app/findings/study/analyze_study.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {

@@ -8,10 +8,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/findings/found_numbers.h"
-#include "app/findings/reading_table.h"
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/reading_table.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/study/cell_words.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "tests/app/analysed_study.h"
 #include "tests/app/coverage_counts.h"
 

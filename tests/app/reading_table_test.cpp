@@ -1,6 +1,6 @@
 // The digits of the tables of a report.
 
-#include "app/findings/reading_table.h"
+#include "app/findings/outcome/reading_table.h"
 
 #include <string>
 #include <variant>
@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/findings/reading_number.h"
+#include "app/findings/outcome/reading_number.h"
 
 namespace asperity {
 namespace {

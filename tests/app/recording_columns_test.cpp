@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 
 namespace asperity {
 namespace {

@@ -10,8 +10,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/number_text.h"
-#include "analysis/random.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/random.h"
 #include "app/findings/tidy/reference_case.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/tables/table.h"

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/records/session_conditions.h"
 #include "app/report/text/report_sections.h"
 #include "app/report/text/study_report.h"

@@ -10,8 +10,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/number_text.h"
-#include "app/findings/reading_number.h"
+#include "analysis/numbers/number_text.h"
+#include "app/findings/outcome/reading_number.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/report/text/report_numbers.h"
 #include "app/report/text/report_sections.h"

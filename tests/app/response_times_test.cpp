@@ -1,6 +1,6 @@
 // Response times by condition, from the rows of a study.
 
-#include "app/findings/study/response_times.h"
+#include "app/findings/shared/response_times.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/findings/reading_table.h"
-#include "app/findings/study/cell_words.h"
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/reading_table.h"
 #include "tests/app/analysed_study.h"
 
 namespace asperity {

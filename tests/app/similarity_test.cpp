@@ -10,9 +10,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/findings/found_numbers.h"
-#include "app/findings/reading_table.h"
-#include "app/findings/study/estimate_sentences.h"
+#include "app/findings/outcome/estimate_sentences.h"
+#include "app/findings/outcome/reading_table.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/app/analysed_study.h"
 

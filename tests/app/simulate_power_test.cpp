@@ -17,9 +17,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/power.h"
-#include "analysis/random.h"
-#include "analysis/t_test.h"
+#include "analysis/numbers/random.h"
+#include "analysis/power/power.h"
+#include "analysis/tests/t_test.h"
 #include "app/power/curve/planned_sample.h"
 #include "app/power/curve/result_tables.h"
 #include "app/power/curve/study_rows.h"

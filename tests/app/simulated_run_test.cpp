@@ -15,9 +15,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/findings/reading_table.h"
-#include "app/findings/study/study_analysis.h"
-#include "app/findings/study/study_tests.h"
+#include "app/findings/outcome/reading_table.h"
+#include "app/findings/outcome/study_analysis.h"
+#include "app/findings/outcome/study_tests.h"
 #include "app/power/power_model.h"
 #include "app/power/simulated_study.h"
 #include "app/words/text_parts.h"

@@ -11,7 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/findings/study/test_methods.h"
+#include "app/findings/outcome/test_methods.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/app/coverage_counts.h"
 

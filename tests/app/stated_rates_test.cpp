@@ -81,7 +81,7 @@ std::vector<StatedRate> rates_of_intervals() {
        coverage_of(shares) + ") + \" with mean proportions of at most 98 %"},
       {"findings/tidy/rmanova.cpp", coverage_of(drawn("effects", "pes"))},
       {"findings/tidy/rmanova.cpp", coverage_of(drawn("effects", "ges"))},
-      {"findings/study/choices_by_place.cpp",
+      {"findings/methods/discrimination/thresholds/choices_by_place.cpp",
        coverage_of(drawn("choices_by_place", "place.proportion"))},
       {"findings/tidy/components.cpp", coverage_of(drawn("components", "proportion.corrected"))},
       {"findings/tidy/components.cpp", coverage_of(drawn("components", "loading.corrected"))},
@@ -112,58 +112,60 @@ std::vector<StatedRate> rates_of_intervals() {
        "was " +
            span_of(other_targets) + ", with three raters " + span_of(three_raters) +
            ", with two targets " + span_of(two_targets)},
-      {"findings/study/crossed_textures.cpp",
+      {"findings/shared/crossed_textures.cpp",
        "In simulations with 5 to 20 participants and SDs of 0.5 and 1, among the studies with an "
        "estimate, the coverage of the 95 % CI was " +
            span_of(drawn("crossed_textures", "glmm.proportion")) + " with four textures and " +
            span_of(drawn("crossed_ten_textures", "glmm.proportion")) + " with ten"},
-      {"findings/study/learning.cpp",
+      {"findings/shared/learning.cpp",
        "in simulations with 2 to 20 participants, its coverage was " + at_least(changes)},
-      {"findings/study/learning.cpp",
+      {"findings/shared/learning.cpp",
        "in simulations with 2 to 20 participants and proportions of 5 to 98 %, its coverage was " +
            at_least(course)},
-      {"findings/study/response_times.cpp",
+      {"findings/shared/response_times.cpp",
        "in simulations with 2 to 20 participants, its coverage was " +
            at_least(drawn("response_times", "geomean"))},
-      {"findings/study/repetition_reliability.cpp",
+      {"findings/shared/repetition_reliability.cpp",
        "In simulations of proportions of 2 to 20 participants, their coverage was " +
            at_least(repeated(0.25, 0.71)) + " with a mean of 25 to 71 %, and " +
            at_least(repeated(0.87, 0.95)) + " with a mean of 87 or 95 %"},
-      {"findings/study/repetition_reliability.cpp",
+      {"findings/shared/repetition_reliability.cpp",
        "In simulations with 2 to 20 participants and seven surfaces, the coverage of the CI was " +
            at_least(drawn("repeated_estimates", "icc.mean"))},
-      {"findings/study/test_methods.cpp",
+      {"findings/outcome/test_methods.cpp",
        "in simulations, their coverage was " + at_least(effect_sizes(0.0, 0.8)) +
            " with a true d of at most 0.8, and " + at_least(effect_sizes(0.8, 1e9)) +
            " with a larger one"},
-      {"findings/study/test_methods.cpp",
+      {"findings/outcome/test_methods.cpp",
        "in simulations with 12 and 20 participants, their coverage was " +
            span_of(drawn("choice_effects", "relabel.W"))},
-      {"findings/study/rating_components.cpp",
+      {"findings/methods/rating/rating_components.cpp",
        "which contained the true first proportion in " +
            span_of(drawn("components", "proportion.corrected")) + " of simulations"},
-      {"findings/study/rating_components.cpp",
+      {"findings/methods/rating/rating_components.cpp",
        "in simulations that of the jackknife over participants contained the true loading in " +
            span_of(drawn("components", "loading.corrected")) + " of the studies"},
-      {"findings/study/exploration_model.cpp",
+      {"findings/shared/exploration_model.cpp",
        "the CIs contained the true difference in " + span_of(varying) + " of the studies"},
-      {"findings/study/discrimination_results.cpp", coverage_of(no_lapses)},
-      {"findings/study/discrimination_results.cpp", "CoverageSpan" + limits(lapses)},
-      {"findings/study/discrimination_tables.cpp",
+      {"findings/methods/discrimination/thresholds/discrimination_results.cpp",
+       coverage_of(no_lapses)},
+      {"findings/methods/discrimination/thresholds/discrimination_results.cpp",
+       "CoverageSpan" + limits(lapses)},
+      {"findings/methods/discrimination/discrimination_tables.cpp",
        "in simulations of comparisons by participants who never lapse they contained the true JND "
        "in " +
            span_of(no_lapses) +
            " of the studies, in fewer of them the more participants and trials there were, and "
            "in " +
            span_of(lapses) + " with lapse rates of 2 %"},
-      {"findings/study/discrimination_questions.cpp",
+      {"findings/methods/discrimination/discrimination_questions.cpp",
        "simulated JNDs were too small by 11 to 13 %, and the CI of the mean contained the true JND "
        "in " +
            span_of(no_lapses) + " of the studies (" + span_of(lapses) +
            " with lapse rates of 2 %)"},
-      {"findings/study/threshold_sentences.cpp",
+      {"findings/methods/discrimination/threshold_sentences.cpp",
        "the CIs contained the true JND in " + span_of(no_lapses) + " of simulated studies"},
-      {"findings/study/discrimination_coverage.cpp",
+      {"findings/methods/discrimination/thresholds/discrimination_coverage.cpp",
        "In simulations of responses “cannot tell” (two alternatives, 36 to 144 trials at five "
        "levels, " +
            tables_per_setting +
@@ -171,24 +173,24 @@ std::vector<StatedRate> rates_of_intervals() {
            "contained the true JND in " +
            span_of(unforced("performance")) + " of the tables; with 36 trials it is too narrow (" +
            span_of(few_unforced) + ")"},
-      {"findings/study/discrimination_coverage.cpp",
+      {"findings/methods/discrimination/thresholds/discrimination_coverage.cpp",
        "In simulations of responses “cannot tell” (36 to 144 trials at five levels, " +
            tables_per_setting +
            "), the 95 % CI of the JND of a comparison contained the true JND in " +
            span_of(unforced("comparison")) + " of the tables that had one"},
-      {"findings/study/confidence_roc.cpp",
+      {"findings/methods/discrimination/sensitivity/confidence_roc.cpp",
        "in simulations the coverage for A_z was " +
            span_of(drawn("areas_of_participants", "uv.az.mean")) +
            " and for the area by trapezoids " +
            span_of(drawn("areas_of_participants", "auc.mean"))},
-      {"findings/study/confidence_roc.cpp",
+      {"findings/methods/discrimination/sensitivity/confidence_roc.cpp",
        "in simulations in which participants had different criteria, that of a bootstrap over "
        "participants contained the common A_z in " +
            areas + " of the studies"},
-      {"findings/study/confidence_roc.cpp",
+      {"findings/methods/discrimination/sensitivity/confidence_roc.cpp",
        "in simulations that of a bootstrap over participants contained the common A_z in " + areas +
            " of the studies, and DeLong’s the common area by trapezoids in " + trapezoids},
-      {"findings/study/confidence_roc.cpp",
+      {"findings/methods/discrimination/sensitivity/confidence_roc.cpp",
        "in simulations of one participant with 24 to 144 trials of either kind, its coverage was " +
            span_of(drawn("ratings_of_signal", "auc"))},
   };
@@ -212,7 +214,7 @@ std::vector<StatedRate> rates_of_tests() {
            up_to(drawn("continuous_scale", "lmm.F.p")) +
            ", and with effects that vary over participants (SDs of half and one residual SD) " +
            of_varying},
-      {"findings/study/exploration_model.cpp",
+      {"findings/shared/exploration_model.cpp",
        "in simulations of ratings whose effects varied over participants (SDs of half and one "
        "residual SD) the F test had Type I error rates of " +
            of_varying},
@@ -275,40 +277,40 @@ struct OtherRate {
 
 const std::vector<OtherRate>& rates_of_other_simulations() {
   static const std::vector<OtherRate> kRates{
-      {{"findings/study/anchors.cpp",
+      {{"findings/shared/anchors.cpp",
         "in simulations with 2 to 20 participants, its coverage was 94 to 100 %, and 92 to 100 % "
         "for ratings near an end of their scale"},
        "it contained the true change in 94 to 100 % of the studies that had one for ratings in the "
        "middle of the scale (from 5 participants in 94 to 96 %), and in 92 to 100 % for ratings "
        "near an end"},
-      {{"findings/study/anchors.cpp",
+      {{"findings/shared/anchors.cpp",
         "in simulations with 2 to 20 participants, the coverage of a t-based CI was 92 to 100 %"},
        "a t-based CI contained the true change in 92 to 100 % of the studies that had one"},
-      {{"findings/study/study_findings.cpp",
+      {{"findings/outcome/study_findings.cpp",
         "In simulations with 2 to 20 participants, its coverage was at least 91 %"},
        "With SD 2 the smallest coverage was .91"},
-      {{"findings/study/rating_constructs.cpp",
+      {{"findings/methods/rating/rating_constructs.cpp",
         "in simulations with 7 to 20 participants its coverage was 87 to 92 %"},
        "in simulations with 7 to 20 participants its coverage was 87 to 92 %"},
-      {{"findings/study/rating_components.cpp",
+      {{"findings/methods/rating/rating_components.cpp",
         "A percentile bootstrap contained the true first proportion in 0 to 32 % of simulations"},
        "it contained the true first proportion in 0 to 32 % of simulations"},
-      {{"findings/study/rating_models.cpp",
+      {{"findings/methods/rating/rating_models.cpp",
         "in simulations in which these varied with an SD of 0.5 its likelihood-ratio test had a "
         "Type I error rate of 21 %"},
        "the likelihood-ratio test of the cumulative link mixed model 3 and 21 % (SD 0 and 0.5)"},
-      {{"findings/study/discrimination_tables.cpp",
+      {{"findings/methods/discrimination/discrimination_tables.cpp",
         "in simulations in which 27 and 34 % of the thresholds were left out, the t-based CI of "
         "the others contained the true mean in 75 and 48 % of the studies"},
        "27 and 34 % of the thresholds were left out, the mean of the others was too high by "
        "factors of 1.17 and 1.26, and its CI contained the true mean in 75 and 48 % of the "
        "studies"},
-      {{"findings/study/equal_roughness.cpp",
+      {{"findings/shared/equal_roughness.cpp",
         "such CIs contained the true mean in 48 to 75 % of simulated studies"},
        "the t-based CI of the mean of the others contained the true mean in 75 and 48 % of 200 "
        "simulated studies each"},
       // The numbers are those of docs/data/interval_coverage.tsv.
-      {{"findings/study/discrimination_coverage.cpp",
+      {{"findings/methods/discrimination/thresholds/discrimination_coverage.cpp",
         "In simulations of this procedure (%1), the 95 % CI of the threshold contained the true "
         "threshold for: %2."},
        "a note states the coverage if it is outside 93 to 97 %"},

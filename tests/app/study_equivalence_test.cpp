@@ -9,8 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/findings/shared/group_equivalence.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/study/group_equivalence.h"
 #include "tests/app/analysed_study.h"
 
 namespace asperity {

@@ -11,7 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/report/text/report_sections.h"
 #include "app/tasks/simulation/simulation.h"

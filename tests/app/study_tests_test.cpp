@@ -1,6 +1,6 @@
 // The table of tests: every kind of study fills it, and its numbers can be worked out on paper.
 
-#include "app/findings/study/study_tests.h"
+#include "app/findings/outcome/study_tests.h"
 
 #include <algorithm>
 #include <array>
@@ -13,10 +13,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/findings/reading_table.h"
-#include "app/findings/study/cell_words.h"
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/reading_table.h"
+#include "app/findings/outcome/test_methods.h"
 #include "app/findings/study/study_tables.h"
-#include "app/findings/study/test_methods.h"
 #include "app/report/text/report_sexes.h"
 #include "tests/app/analysed_study.h"
 

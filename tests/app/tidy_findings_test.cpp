@@ -8,9 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/decision_rules.h"
-#include "analysis/forced_choice.h"
-#include "analysis/tail_probabilities.h"
+#include "analysis/choices/decision_rules.h"
+#include "analysis/choices/forced_choice.h"
+#include "analysis/numbers/tail_probabilities.h"
 #include "app/cli/output/analysis_output.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/support/refusal.h"

@@ -12,7 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/findings/study/gathered_answers.h"
+#include "app/findings/gathering/gathered_answers.h"
 #include "renderers/built_in_models.h"
 #include "tests/app/made_up_study.h"
 #include "tests/app/no_more_threads.h"

@@ -6,9 +6,9 @@
 #include <numeric>
 #include <vector>
 
-#include "analysis/number_text.h"
-#include "analysis/tail_probabilities.h"
-#include "app/findings/study/repetition_reliability.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/tail_probabilities.h"
+#include "app/findings/shared/repetition_reliability.h"
 #include "tests/coverage/coverage_parts.h"
 
 namespace asperity {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "analysis/forced_choice.h"
+#include "analysis/choices/forced_choice.h"
 #include "tests/coverage/coverage_parts.h"
 
 namespace asperity {

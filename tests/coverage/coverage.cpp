@@ -13,9 +13,9 @@
 #include <thread>
 #include <utility>
 
-#include "analysis/number_text.h"
-#include "analysis/proportion.h"
-#include "app/findings/found_numbers.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/proportion.h"
+#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
 

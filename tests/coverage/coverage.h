@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/proportion.h"
-#include "app/findings/found_numbers.h"
+#include "analysis/numbers/proportion.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "tests/coverage/coverage_parts.h"
 
 namespace asperity {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/participant_bootstrap.h"
-#include "analysis/rating_roc.h"
-#include "app/findings/found_numbers.h"
+#include "analysis/choices/rating_roc.h"
+#include "analysis/tests/participant_bootstrap.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "tests/coverage/coverage_parts.h"
 
 namespace asperity {

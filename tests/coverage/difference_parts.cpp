@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "analysis/effect_size.h"
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/tests/effect_size.h"
 #include "tests/coverage/coverage_parts.h"
 
 namespace asperity {

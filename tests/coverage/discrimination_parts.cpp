@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "analysis/number_text.h"
-#include "analysis/tail_probabilities.h"
-#include "app/findings/study/answer_columns.h"
-#include "app/findings/study/choices_by_place.h"
-#include "app/findings/study/discrimination_results.h"
-#include "app/findings/study/study_findings.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/tail_probabilities.h"
+#include "app/findings/gathering/answer_columns.h"
+#include "app/findings/methods/discrimination/thresholds/choices_by_place.h"
+#include "app/findings/methods/discrimination/thresholds/discrimination_results.h"
+#include "app/findings/outcome/study_findings.h"
 #include "tests/coverage/coverage_parts.h"
 
 namespace asperity {

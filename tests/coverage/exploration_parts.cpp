@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/number_text.h"
-#include "analysis/tail_probabilities.h"
-#include "app/findings/study/choice_model.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/tail_probabilities.h"
+#include "app/findings/methods/discrimination/choice_model.h"
 #include "tests/coverage/coverage_parts.h"
 
 namespace asperity {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "analysis/number_text.h"
-#include "app/findings/study/crossed_textures.h"
+#include "analysis/numbers/number_text.h"
+#include "app/findings/shared/crossed_textures.h"
 #include "tests/coverage/coverage_parts.h"
 
 namespace asperity {

@@ -11,8 +11,8 @@
 
 #include <Eigen/Core>
 
-#include "analysis/number_text.h"
-#include "analysis/principal_components.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/scales/principal_components.h"
 #include "tests/coverage/coverage_parts.h"
 
 namespace asperity {

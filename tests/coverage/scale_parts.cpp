@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <map>
 
-#include "analysis/bradley_terry.h"
-#include "analysis/number_text.h"
-#include "app/findings/study/estimates.h"
-#include "app/findings/study/study_findings.h"
+#include "analysis/choices/bradley_terry.h"
+#include "analysis/numbers/number_text.h"
+#include "app/findings/outcome/study_findings.h"
+#include "app/findings/shared/estimates.h"
 #include "tests/coverage/coverage_parts.h"
 
 namespace asperity {

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/number_text.h"
-#include "analysis/procrustes.h"
-#include "analysis/rated_dissimilarities.h"
+#include "analysis/dissimilarity/procrustes.h"
+#include "analysis/dissimilarity/rated_dissimilarities.h"
+#include "analysis/numbers/number_text.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/rated_pairs.h"
 #include "tests/coverage/coverage_parts.h"

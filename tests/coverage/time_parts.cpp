@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "tests/coverage/coverage_parts.h"
 
 namespace asperity {

@@ -12,7 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "device/falcon/falcon_device.h"
 #include "device/openhaptics/openhaptics_device.h"
 #include "device/simulated_models.h"

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "tests/device/falcon_arm_angles.h"
 #include "tests/device/ticks.h"
 

@@ -14,7 +14,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "tests/device/ticks.h"
 #include "tests/support/allocation_guard.h"
 #include "tests/support/refusal.h"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "tests/device/ticks.h"
 #include "tests/support/allocation_guard.h"
 

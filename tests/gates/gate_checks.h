@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/matching_null.h"
-#include "analysis/proportion.h"
+#include "analysis/choices/matching_null.h"
+#include "analysis/numbers/proportion.h"
 #include "tests/gates/simulated_study.h"
 
 namespace asperity {

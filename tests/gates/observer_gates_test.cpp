@@ -7,8 +7,8 @@
 #include <string>
 #include <variant>
 
-#include "analysis/number_text.h"
-#include "app/findings/study/kinds/magnitude_analysis.h"
+#include "analysis/numbers/number_text.h"
+#include "app/findings/methods/magnitude/magnitude_analysis.h"
 #include "protocols/observer/virtual_observer.h"
 #include "tests/gates/gate_checks.h"
 

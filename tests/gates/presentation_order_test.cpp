@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "protocols/plan/plan.h"
 #include "tests/gates/gate_checks.h"
 

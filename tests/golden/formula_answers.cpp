@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <variant>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "protocols/plan/plan.h"
 
 namespace asperity::test {

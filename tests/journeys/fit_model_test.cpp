@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "results_schema/tables/table.h"
 #include "tests/journeys/program.h"
 #include "tests/journeys/small_study.h"

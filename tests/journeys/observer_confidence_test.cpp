@@ -12,11 +12,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/random.h"
-#include "analysis/rating_roc.h"
-#include "analysis/tail_probabilities.h"
-#include "app/findings/found_numbers.h"
+#include "analysis/choices/rating_roc.h"
+#include "analysis/numbers/random.h"
+#include "analysis/numbers/tail_probabilities.h"
 #include "app/findings/study/analyze_study.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "app/session/rig/recording_columns.h"
 #include "renderers/offline/recorded_force.h"
 #include "results_schema/files/atomic_file.h"

@@ -11,10 +11,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/psychometric_maximum.h"
-#include "app/findings/found_numbers.h"
+#include "analysis/psychometric/psychometric_maximum.h"
+#include "app/findings/methods/discrimination/thresholds/discrimination_thresholds.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/study/discrimination_thresholds.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "app/session/rig/recording_columns.h"
 #include "renderers/offline/recorded_force.h"
 #include "results_schema/analysis_use.h"

@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/psychometric_function.h"
+#include "analysis/psychometric/psychometric_function.h"
 #include "protocols/file/plan_warnings.h"
 #include "protocols/file/warnings.h"
 #include "protocols/plan/block_design.h"

@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/detection_function.h"
-#include "analysis/signal_detection.h"
+#include "analysis/choices/signal_detection.h"
+#include "analysis/psychometric/detection_function.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/block_design.h"

@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/random.h"
-#include "analysis/tail_probabilities.h"
+#include "analysis/numbers/random.h"
+#include "analysis/numbers/tail_probabilities.h"
 #include "protocols/file/plan_warnings.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/kinds/experiment_kind.h"

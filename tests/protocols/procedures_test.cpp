@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/function_table.h"
+#include "analysis/psychometric/function_table.h"
 #include "protocols/procedures/procedure.h"
 
 namespace asperity {

@@ -16,9 +16,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/decision_rules.h"
-#include "analysis/forced_choice.h"
-#include "analysis/tail_probabilities.h"
+#include "analysis/choices/decision_rules.h"
+#include "analysis/choices/forced_choice.h"
+#include "analysis/numbers/tail_probabilities.h"
 #include "protocols/design/block_factors.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/kinds/experiment_kind.h"

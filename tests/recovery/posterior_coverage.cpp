@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <thread>
 
-#include "analysis/function_table.h"
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/psychometric/function_table.h"
 #include "tests/recovery/recovery.h"
 
 namespace asperity {

@@ -12,10 +12,10 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
-#include "analysis/function_table.h"
-#include "analysis/number_text.h"
-#include "analysis/psychometric_maximum.h"
-#include "analysis/staircase.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/psychometric/function_table.h"
+#include "analysis/psychometric/psychometric_maximum.h"
+#include "analysis/psychometric/staircase.h"
 
 namespace asperity {
 namespace {

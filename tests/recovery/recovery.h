@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/psychometric_model.h"
+#include "analysis/psychometric/psychometric_model.h"
 #include "protocols/procedures/procedure.h"
 
 namespace asperity {

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/findings/study/discrimination_coverage.h"
+#include "app/findings/methods/discrimination/thresholds/discrimination_coverage.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/tables/tidy_table.h"
 #include "tests/recovery/posterior_coverage.h"

@@ -9,9 +9,9 @@
 #include <span>
 #include <thread>
 
-#include "analysis/number_text.h"
-#include "app/findings/found_numbers.h"
-#include "app/findings/study/discrimination_thresholds.h"
+#include "analysis/numbers/number_text.h"
+#include "app/findings/methods/discrimination/thresholds/discrimination_thresholds.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "tests/recovery/recovery.h"
 
 namespace asperity {

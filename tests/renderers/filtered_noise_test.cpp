@@ -12,8 +12,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
-#include "analysis/spectrum.h"
+#include "analysis/numbers/random.h"
+#include "analysis/signals/spectrum.h"
 #include "renderers/offline/along_path.h"
 #include "tests/renderers/surfaces.h"
 

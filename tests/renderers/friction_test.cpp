@@ -15,7 +15,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "renderers/force/adjacent_patches.h"
 #include "renderers/force/layers.h"
 #include "renderers/models/sinusoid.h"

@@ -15,7 +15,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "tests/renderers/meshes.h"
 #include "tests/support/allocation_guard.h"
 

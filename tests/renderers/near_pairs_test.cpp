@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "renderers/pd_gradient/loops/instruction_set.h"
 #include "tests/renderers/meshes.h"
 

@@ -17,7 +17,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "renderers/pd_gradient/geometry/contact_geometry.h"
 #include "stimuli/meshes/textured_mesh.h"
 

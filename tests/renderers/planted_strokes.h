@@ -13,7 +13,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "device/simulated_models.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/friction.h"

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/spectrum.h"
+#include "analysis/signals/spectrum.h"
 #include "renderers/models/sinusoid.h"
 #include "renderers/offline/along_path.h"
 #include "tests/renderers/surfaces.h"

@@ -19,7 +19,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/filters.h"
+#include "analysis/signals/filters.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
 #include "renderers/models/sinusoid.h"

@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
-#include "analysis/spectrum.h"
+#include "analysis/numbers/random.h"
+#include "analysis/signals/spectrum.h"
 #include "renderers/force/gradient_noise.h"
 #include "renderers/offline/along_path.h"
 #include "tests/renderers/surfaces.h"

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
-#include "analysis/spectrum.h"
+#include "analysis/numbers/random.h"
+#include "analysis/signals/spectrum.h"
 #include "renderers/force/path_clock.h"
 #include "renderers/force/servo_low_pass.h"
 #include "renderers/models/stochastic.h"

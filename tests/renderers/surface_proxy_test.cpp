@@ -11,7 +11,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "tests/renderers/meshes.h"
 #include "tests/renderers/proxy_paths.h"
 #include "tests/support/allocation_guard.h"

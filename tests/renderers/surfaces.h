@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "device/probe_state.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"

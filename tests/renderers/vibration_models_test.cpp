@@ -12,9 +12,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/autoregression.h"
-#include "analysis/band_limited.h"
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
+#include "analysis/signals/autoregression.h"
+#include "analysis/signals/band_limited.h"
 #include "renderers/vibrations/haptic_texture_toolkit.h"
 #include "renderers/vibrations/vibration_fit.h"
 #include "renderers/vibrations/vibration_map.h"

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "analysis/line_spectrum.h"
-#include "analysis/spectrum.h"
+#include "analysis/signals/line_spectrum.h"
+#include "analysis/signals/spectrum.h"
 #include "renderers/vibrations/vibration_models.h"
 
 namespace asperity {

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/look_alikes.h"
+#include "analysis/numbers/look_alikes.h"
 #include "results_schema/study.h"
 #include "results_schema/tables/table_words.h"
 #include "tests/support/refusal.h"

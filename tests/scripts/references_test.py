@@ -18,8 +18,8 @@ for folder in FOLDERS:
             for key in bracket.split(", "):
                 if KEY.fullmatch(key) and key not in known:
                     missing.append(f"{path.relative_to(ROOT)}: [{key}] has no entry in docs/references.md")
-cited = re.findall(r'Reference\{"([^"]+)"', (ROOT / "app/findings/study/references.cpp").read_text(encoding="utf-8"))
-missing += [f"app/findings/study/references.cpp: [{key}] has no entry in docs/references.md" for key in cited if key not in known]
+cited = re.findall(r'Reference\{"([^"]+)"', (ROOT / "app/findings/outcome/references.cpp").read_text(encoding="utf-8"))
+missing += [f"app/findings/outcome/references.cpp: [{key}] has no entry in docs/references.md" for key in cited if key not in known]
 if len(known) < 40 or len(cited) < 8:
     missing.append(f"docs/references.md: only {len(known)} entries were understood, and {len(cited)} of those that reports cite")
 print("\n".join(missing))

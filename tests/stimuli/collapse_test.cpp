@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "stimuli/meshes/decimation/batches.h"
 #include "stimuli/meshes/decimation/best_collapse.h"
 #include "stimuli/meshes/decimation/closed_surface.h"

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "stimuli/meshes/mesh_decimation.h"
 #include "tests/stimuli/made_mesh.h"
 #include "tests/support/refusal.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "stimuli/meshes/triangle_mesh.h"
 
 namespace asperity::test {

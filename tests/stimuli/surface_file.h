@@ -13,7 +13,7 @@
 #include <zip.h>
 #include <zlib.h>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "stimuli/measured/measured_surface.h"
 
 namespace asperity::test {

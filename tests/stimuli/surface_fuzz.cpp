@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "stimuli/measured/surface_relief.h"
 #include "tests/stimuli/surface_file.h"
 

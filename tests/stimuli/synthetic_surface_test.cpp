@@ -10,7 +10,7 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/force_features.h"
+#include "analysis/signals/force_features.h"
 #include "tests/support/refusal.h"
 
 namespace asperity {

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/output/terminal.h"
-#include "app/findings/reading_table.h"
-#include "app/findings/study/cell_words.h"
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/reading_table.h"
 #include "app/findings/study/study_tables.h"
 #include "app/words/text_parts.h"
 

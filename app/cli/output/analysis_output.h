@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/finding.h"
-#include "app/findings/study/analysis_outcome.h"
+#include "analysis/numbers/finding.h"
+#include "app/findings/outcome/analysis_outcome.h"
 
 namespace asperity {
 

@@ -10,8 +10,8 @@
 
 #include "app/cli/output/analysis_output.h"
 #include "app/cli/output/terminal.h"
-#include "app/findings/found_numbers.h"
-#include "app/findings/reading_number.h"
+#include "app/findings/outcome/reading_number.h"
+#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
 namespace {

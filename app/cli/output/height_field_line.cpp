@@ -1,8 +1,8 @@
 #include "app/cli/output/height_field_line.h"
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/cli/output/terminal.h"
-#include "app/findings/reading_number.h"
+#include "app/findings/outcome/reading_number.h"
 
 namespace asperity {
 

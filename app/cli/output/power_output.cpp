@@ -10,10 +10,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/number_text.h"
-#include "analysis/rounded_text.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/rounded_text.h"
 #include "app/cli/output/terminal.h"
-#include "app/findings/study/study_test.h"
+#include "app/findings/outcome/study_test.h"
 #include "app/power/curve/ethics_statement.h"
 #include "app/power/curve/result_tables.h"
 #include "app/power/curve/true_size.h"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/cli/output/terminal.h"
 
 namespace asperity {

@@ -9,7 +9,7 @@
 #include <unistd.h>
 #include <utility>
 
-#include "app/findings/reading_number.h"
+#include "app/findings/outcome/reading_number.h"
 #include "app/study_files/study_condition.h"
 #include "app/words/shown_text.h"
 #include "app/words/text_parts.h"

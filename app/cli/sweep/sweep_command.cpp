@@ -12,7 +12,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/options/number_option.h"
 #include "app/cli/options/plugin_option.h"
@@ -28,9 +28,9 @@
 #ifdef ASPERITY_WITH_WINDOWS
 #include "app/cli/sweep/sweep_study.h"
 #include "app/figures/figure_files.h"
-#include "app/figures/sweep_figure.h"
 #include "app/study_files/drawn_figures.h"
 #include "app/study_files/height_field_files.h"
+#include "app/sweep/sweep_figure.h"
 #endif
 
 namespace asperity {

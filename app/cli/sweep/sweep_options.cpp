@@ -7,7 +7,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/options/asset_option.h"
 #include "app/cli/options/body_option.h"

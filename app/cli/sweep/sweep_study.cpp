@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "app/cli/output/terminal.h"
-#include "app/figures/figures_of.h"
-#include "app/figures/sweep_figure.h"
 #include "app/findings/study/analyze_study.h"
+#include "app/findings/study/figures_of.h"
 #include "app/sweep/sweep_beside.h"
+#include "app/sweep/sweep_figure.h"
 #include "app/words/text_parts.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/kinds/magnitude.h"

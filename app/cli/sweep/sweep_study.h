@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/cli/sweep/sweep_options.h"
-#include "app/findings/figure.h"
-#include "app/findings/study/analysis_outcome.h"
+#include "app/findings/outcome/analysis_outcome.h"
+#include "app/findings/outcome/figure.h"
 
 namespace asperity {
 

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/cli/output/terminal.h"
 #include "app/words/text_parts.h"
 

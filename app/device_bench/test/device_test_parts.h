@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "analysis/device_response.h"
+#include "analysis/signals/device_response.h"
 #include "app/device_bench/test/device_test_run.h"
 
 namespace asperity {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/words/coded_phrases.h"
 #include "app/words/device_remarks.h"
 #include "app/words/reason.h"

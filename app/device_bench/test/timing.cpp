@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "analysis/summary.h"
+#include "analysis/numbers/summary.h"
 #include "app/device_bench/test/device_test_parts.h"
 #include "app/words/device_remarks.h"
 #include "app/words/reason.h"

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/device_bench/test/device_test_parts.h"
 #include "app/words/device_remarks.h"
 

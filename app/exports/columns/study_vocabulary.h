@@ -11,7 +11,7 @@
 
 #include "app/exports/age_bands.h"
 #include "app/exports/columns/export_column.h"
-#include "app/findings/study/discrimination_tasks.h"
+#include "app/findings/methods/discrimination/thresholds/discrimination_tasks.h"
 #include "protocols/design/analysis_declaration.h"
 #include "protocols/file/stored_protocol.h"
 

@@ -1,3 +1,5 @@
+// Gathers the responses, calls the analysis of each kind, then adds what all kinds have: times, learning, anchors.
+
 #include "app/findings/study/analyze_study.h"
 
 #include <algorithm>
@@ -7,14 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include "app/findings/study/anchors.h"
-#include "app/findings/study/equal_roughness.h"
-#include "app/findings/study/exploration.h"
-#include "app/findings/study/gathered_answers.h"
-#include "app/findings/study/learning.h"
-#include "app/findings/study/repetition_reliability.h"
-#include "app/findings/study/response_times.h"
-#include "app/findings/study/study_analysis.h"
+#include "app/findings/gathering/gathered_answers.h"
+#include "app/findings/outcome/study_analysis.h"
+#include "app/findings/shared/anchors.h"
+#include "app/findings/shared/equal_roughness.h"
+#include "app/findings/shared/exploration.h"
+#include "app/findings/shared/learning.h"
+#include "app/findings/shared/repetition_reliability.h"
+#include "app/findings/shared/response_times.h"
 #include "app/study_files/study_condition.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "results_schema/hashes/short_hash.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/findings/study/analysis_outcome.h"
+#include "app/findings/outcome/analysis_outcome.h"
 #include "results_schema/study.h"
 
 namespace asperity {

@@ -1,3 +1,5 @@
+// Divides normalised by raw estimates in the tables that the analysis of each protocol makes.
+
 #include "app/findings/study/own_scales.h"
 
 #include <algorithm>

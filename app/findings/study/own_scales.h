@@ -8,7 +8,7 @@
 #include <string>
 #include <tuple>
 
-#include "app/findings/study/gathered_answers.h"
+#include "app/findings/gathering/gathered_answers.h"
 #include "results_schema/study.h"
 
 namespace asperity {

@@ -3,22 +3,22 @@
 #include <algorithm>
 #include <array>
 
-#include "app/findings/study/kinds/discrimination_analysis.h"
-#include "app/findings/study/kinds/magnitude_analysis.h"
-#include "app/findings/study/kinds/matching_analysis.h"
-#include "app/findings/study/kinds/paired_comparison_analysis.h"
-#include "app/findings/study/kinds/rating_analysis.h"
-#include "app/findings/study/kinds/recognition_analysis.h"
-#include "app/findings/study/kinds/selection_analysis.h"
-#include "app/findings/study/kinds/similarity_analysis.h"
-#include "app/findings/study/study_analysis.h"
+#include "app/findings/methods/discrimination/discrimination_analysis.h"
+#include "app/findings/methods/magnitude/magnitude_analysis.h"
+#include "app/findings/methods/matching/matching_analysis.h"
+#include "app/findings/methods/paired_comparison/paired_comparison_analysis.h"
+#include "app/findings/methods/rating/rating_analysis.h"
+#include "app/findings/methods/recognition/recognition_analysis.h"
+#include "app/findings/methods/selection/selection_analysis.h"
+#include "app/findings/methods/similarity/similarity_analysis.h"
+#include "app/findings/outcome/study_analysis.h"
 
 namespace asperity {
 
 std::span<const StudyAnalysis* const> study_analyses() {
-  static const std::array kAnalyses{&selection_analysis(),     &matching_analysis(),
-                                    &recognition_analysis(),   &magnitude_analysis(),
-                                    &rating_analysis(),        &paired_comparison_analysis(),
+  static const std::array kAnalyses{&selection_analysis(),      &matching_analysis(),
+                                    &recognition_analysis(),    &magnitude_analysis(),
+                                    &rating_analysis(),         &paired_comparison_analysis(),
                                     &discrimination_analysis(), &similarity_analysis()};
   return kAnalyses;
 }

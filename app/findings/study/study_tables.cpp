@@ -1,3 +1,5 @@
+// Joins statistics, effects and units of a row in single cells, then formats the table like any other.
+
 #include "app/findings/study/study_tables.h"
 
 #include <array>
@@ -9,19 +11,19 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/number_text.h"
-#include "app/findings/reading_number.h"
-#include "app/findings/reading_table.h"
-#include "app/findings/study/catch_exclusions.h"
-#include "app/findings/study/choice_model.h"
-#include "app/findings/study/choice_sensitivity.h"
-#include "app/findings/study/confidence_roc.h"
-#include "app/findings/study/discrimination_results.h"
-#include "app/findings/study/discrimination_sensitivity.h"
-#include "app/findings/study/exploration.h"
-#include "app/findings/study/exploration_model.h"
-#include "app/findings/study/study_tests.h"
-#include "app/findings/study/test_sentences.h"
+#include "analysis/numbers/number_text.h"
+#include "app/findings/methods/discrimination/catch/catch_exclusions.h"
+#include "app/findings/methods/discrimination/choice_model.h"
+#include "app/findings/methods/discrimination/sensitivity/choice_sensitivity.h"
+#include "app/findings/methods/discrimination/sensitivity/confidence_roc.h"
+#include "app/findings/methods/discrimination/sensitivity/discrimination_sensitivity.h"
+#include "app/findings/methods/discrimination/thresholds/discrimination_results.h"
+#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/reading_table.h"
+#include "app/findings/outcome/study_tests.h"
+#include "app/findings/outcome/test_sentences.h"
+#include "app/findings/shared/exploration.h"
+#include "app/findings/shared/exploration_model.h"
 
 namespace asperity {
 

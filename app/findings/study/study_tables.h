@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "app/findings/study/analysis_outcome.h"
+#include "app/findings/outcome/analysis_outcome.h"
 
 namespace asperity {
 

@@ -1,3 +1,5 @@
+// Presents the level of least expected entropy, applies Bayes' rule to the response, and repeats.
+
 #include "app/findings/tidy/bayesian_tracks.h"
 
 #include <algorithm>
@@ -7,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 
 namespace asperity {
 namespace {

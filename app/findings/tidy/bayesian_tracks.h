@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "analysis/function_table.h"
+#include "analysis/psychometric/function_table.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/tidy_families.h"
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/principal_components.h"
+#include "analysis/scales/principal_components.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/simulated_coverage.h"
 #include "app/findings/tidy/tidy_families.h"

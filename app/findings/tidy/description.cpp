@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/summary.h"
+#include "analysis/numbers/summary.h"
 #include "app/findings/tidy/described_conditions.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/tidy_families.h"

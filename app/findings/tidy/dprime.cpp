@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/decision_rules.h"
-#include "analysis/forced_choice.h"
-#include "analysis/number_text.h"
-#include "analysis/participant_bootstrap.h"
-#include "analysis/signal_detection.h"
-#include "analysis/tail_probabilities.h"
+#include "analysis/choices/decision_rules.h"
+#include "analysis/choices/forced_choice.h"
+#include "analysis/choices/signal_detection.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/tail_probabilities.h"
+#include "analysis/tests/participant_bootstrap.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/repeated_rows.h"
 #include "app/findings/tidy/simulated_coverage.h"

@@ -1,6 +1,6 @@
 // Whether two means are equivalent: two one-sided tests and a Bayes factor.
 
-#include "analysis/equivalence.h"
+#include "analysis/tests/equivalence.h"
 
 #include <cmath>
 #include <numbers>
@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/effect_size.h"
-#include "analysis/number_text.h"
-#include "analysis/t_test.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/tests/effect_size.h"
+#include "analysis/tests/t_test.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/repeated_rows.h"
 #include "app/findings/tidy/tidy_families.h"

@@ -11,8 +11,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/number_text.h"
-#include "analysis/repeated_key.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/repeated_key.h"
 #include "protocols/file/json_document.h"
 #include "results_schema/tables/table.h"
 

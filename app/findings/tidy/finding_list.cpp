@@ -1,3 +1,5 @@
+// Stores numbers that are not finite as words with a reason; means of groups have t intervals.
+
 #include "app/findings/tidy/finding_list.h"
 
 #include <cmath>
@@ -5,9 +7,9 @@
 #include <string_view>
 #include <utility>
 
-#include "analysis/geometric_mean.h"
-#include "analysis/seed_of_tests.h"
-#include "analysis/summary.h"
+#include "analysis/numbers/seed_of_tests.h"
+#include "analysis/numbers/summary.h"
+#include "analysis/tests/geometric_mean.h"
 #include "app/findings/tidy/simulated_coverage.h"
 
 namespace asperity {

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "analysis/finding.h"
-#include "analysis/pooled_share.h"
-#include "analysis/proportion.h"
-#include "analysis/t_test.h"
-#include "analysis/two_samples.h"
+#include "analysis/numbers/finding.h"
+#include "analysis/numbers/proportion.h"
+#include "analysis/tests/pooled_share.h"
+#include "analysis/tests/t_test.h"
+#include "analysis/tests/two_samples.h"
 
 namespace asperity {
 

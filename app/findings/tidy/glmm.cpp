@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/crossed_binomial.h"
-#include "analysis/linear_mixed.h"
-#include "analysis/number_text.h"
-#include "analysis/tail_probabilities.h"
+#include "analysis/models/crossed_binomial.h"
+#include "analysis/models/linear_mixed.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/tail_probabilities.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/tidy_families.h"
 

@@ -8,12 +8,12 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/effect_size.h"
-#include "analysis/mixed_logit.h"
-#include "analysis/t_test.h"
-#include "analysis/tail_probabilities.h"
-#include "analysis/two_by_two.h"
-#include "analysis/two_samples.h"
+#include "analysis/models/mixed_logit.h"
+#include "analysis/numbers/tail_probabilities.h"
+#include "analysis/tests/effect_size.h"
+#include "analysis/tests/t_test.h"
+#include "analysis/tests/two_by_two.h"
+#include "analysis/tests/two_samples.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/repeated_rows.h"
 #include "app/findings/tidy/tidy_families.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/intraclass.h"
+#include "analysis/scales/intraclass.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/tidy_families.h"
 

@@ -1,6 +1,6 @@
 // Learning: how response times, or proportions correct, change over the trials of a participant.
 
-#include "analysis/learning.h"
+#include "analysis/tests/learning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/number_text.h"
-#include "analysis/t_test.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/tests/t_test.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "app/findings/tidy/time_column.h"

@@ -11,8 +11,8 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/linear_mixed.h"
-#include "analysis/number_text.h"
+#include "analysis/models/linear_mixed.h"
+#include "analysis/numbers/number_text.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/mixed_rows.h"
 #include "app/findings/tidy/simulated_coverage.h"

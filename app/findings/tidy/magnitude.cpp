@@ -1,6 +1,6 @@
 // Roughness by magnitude estimation: normalised means, exponents, quadratic curves and their peaks.
 
-#include "analysis/magnitude.h"
+#include "analysis/scales/magnitude.h"
 
 #include <algorithm>
 #include <array>
@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/number_text.h"
-#include "analysis/repeated_measures.h"
-#include "analysis/summary.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/summary.h"
+#include "analysis/tests/repeated_measures.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/repeated_rows.h"
 #include "app/findings/tidy/tidy_families.h"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/multidimensional_scaling.h"
+#include "analysis/dissimilarity/multidimensional_scaling.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/rated_pairs.h"
 #include "app/findings/tidy/tidy_families.h"
@@ -36,8 +36,7 @@ ScaledTable scaled_table(const TidyInput& input) {
     }
     const auto i = static_cast<Eigen::Index>(first.codes[row]);
     const auto j = static_cast<Eigen::Index>(second.codes[row]);
-    if (i == j)
-      table.refuse(row, "other", "a pair has two different items; remove this row");
+    if (i == j) table.refuse(row, "other", "a pair has two different items; remove this row");
     if (!values[row]) continue;
     if (*values[row] < 0.0)
       table.refuse(row, "dissimilarity", "a dissimilarity is at least 0; correct it");
@@ -130,7 +129,8 @@ void add_nonmetric(const ScaledTable& table, Eigen::Index dimensions, FindingLis
     square += pair.distance * pair.distance;
   }
   findings.number(
-      "nonmetric.rho", "", pearson_correlation(mean_ranks(distances), mean_ranks(dissimilarities)).value_or(kUndefined),
+      "nonmetric.rho", "",
+      pearson_correlation(mean_ranks(distances), mean_ranks(dissimilarities)).value_or(kUndefined),
       {.n = n, .method = method + ": Spearman's correlation of distances and dissimilarities"});
   add_distances("nonmetric.dist", table, map.points,
                 std::sqrt(static_cast<double>(distances.size()) / square),

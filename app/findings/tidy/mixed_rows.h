@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/finding.h"
+#include "analysis/numbers/finding.h"
 #include "results_schema/tables/tidy_table.h"
 
 namespace asperity {

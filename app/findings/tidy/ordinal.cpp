@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/cumulative_link.h"
-#include "analysis/random.h"
-#include "analysis/tail_probabilities.h"
+#include "analysis/models/cumulative_link.h"
+#include "analysis/numbers/random.h"
+#include "analysis/numbers/tail_probabilities.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/tidy_families.h"
 

@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/bradley_terry.h"
-#include "analysis/circular_triads.h"
-#include "analysis/comparison_graph.h"
-#include "analysis/random.h"
-#include "analysis/tail_probabilities.h"
-#include "analysis/thurstone.h"
+#include "analysis/choices/bradley_terry.h"
+#include "analysis/choices/circular_triads.h"
+#include "analysis/choices/comparison_graph.h"
+#include "analysis/choices/thurstone.h"
+#include "analysis/numbers/random.h"
+#include "analysis/numbers/tail_probabilities.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/scale_findings.h"
 #include "app/findings/tidy/simulated_coverage.h"

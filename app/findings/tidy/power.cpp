@@ -1,6 +1,6 @@
 // Power of planned tests: one scenario per row.
 
-#include "analysis/power.h"
+#include "analysis/power/power.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/forced_choice.h"
-#include "analysis/number_text.h"
+#include "analysis/choices/forced_choice.h"
+#include "analysis/numbers/number_text.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/repeated_rows.h"
 #include "app/findings/tidy/tidy_families.h"

@@ -1,6 +1,6 @@
 // Single counts of hits: intervals, exact tests, and both adjustments over all of them.
 
-#include "analysis/proportion.h"
+#include "analysis/numbers/proportion.h"
 
 #include <cmath>
 #include <string>
@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/multiplicity.h"
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/tests/multiplicity.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/repeated_rows.h"
 #include "app/findings/tidy/tidy_families.h"

@@ -1,3 +1,5 @@
+// Reads rows into blocks, refusing impossible counts, and splits responses “cannot tell”.
+
 #include "app/findings/tidy/psychometric_conditions.h"
 
 #include <algorithm>

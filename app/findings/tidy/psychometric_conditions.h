@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/psychometric_model.h"
+#include "analysis/psychometric/psychometric_model.h"
 #include "app/findings/tidy/unforced_estimates.h"
 #include "results_schema/tables/tidy_table.h"
 

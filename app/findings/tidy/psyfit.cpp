@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/number_text.h"
-#include "analysis/psychometric_bootstrap.h"
-#include "analysis/psychometric_fit.h"
-#include "analysis/psychometric_maximum.h"
-#include "analysis/tail_probabilities.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/tail_probabilities.h"
+#include "analysis/psychometric/psychometric_bootstrap.h"
+#include "analysis/psychometric/psychometric_fit.h"
+#include "analysis/psychometric/psychometric_maximum.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/psychometric_conditions.h"
 #include "app/findings/tidy/simulated_coverage.h"

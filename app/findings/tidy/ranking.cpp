@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/comparison_graph.h"
-#include "analysis/effect_size.h"
-#include "analysis/number_text.h"
-#include "analysis/plackett_luce.h"
-#include "analysis/tail_probabilities.h"
+#include "analysis/choices/comparison_graph.h"
+#include "analysis/choices/plackett_luce.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/tail_probabilities.h"
+#include "analysis/tests/effect_size.h"
 #include "app/findings/tidy/scale_findings.h"
 #include "app/findings/tidy/simulated_coverage.h"
 #include "app/findings/tidy/tidy_families.h"

@@ -1,3 +1,5 @@
+// Averages judgements of a pair in either order; identical pairs are kept apart.
+
 #include "app/findings/tidy/rated_pairs.h"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/rated_dissimilarities.h"
+#include "analysis/dissimilarity/rated_dissimilarities.h"
 #include "results_schema/tables/tidy_table.h"
 
 namespace asperity {

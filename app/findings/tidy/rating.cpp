@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/effect_size.h"
-#include "analysis/friedman.h"
-#include "analysis/multiplicity.h"
+#include "analysis/tests/effect_size.h"
+#include "analysis/tests/friedman.h"
+#include "analysis/tests/multiplicity.h"
 #include "app/findings/tidy/scale_findings.h"
 #include "app/findings/tidy/tidy_families.h"
 

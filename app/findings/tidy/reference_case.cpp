@@ -1,3 +1,5 @@
+// Reads case.json and its tables, and writes findings as quantity, key and value.
+
 #include "app/findings/tidy/reference_case.h"
 
 #include <stdexcept>
@@ -5,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "results_schema/files/atomic_file.h"
 
 namespace asperity {

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "analysis/finding.h"
+#include "analysis/numbers/finding.h"
 #include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {

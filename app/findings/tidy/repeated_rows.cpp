@@ -1,3 +1,5 @@
+// Takes the most frequent number of values of a cell as the expected one.
+
 #include "app/findings/tidy/repeated_rows.h"
 
 #include <algorithm>

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/effect_size.h"
-#include "analysis/multiplicity.h"
-#include "analysis/number_text.h"
-#include "analysis/repeated_measures.h"
-#include "analysis/t_test.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/tests/effect_size.h"
+#include "analysis/tests/multiplicity.h"
+#include "analysis/tests/repeated_measures.h"
+#include "analysis/tests/t_test.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/repeated_rows.h"
 #include "app/findings/tidy/simulated_coverage.h"

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/number_text.h"
-#include "analysis/rating_roc.h"
-#include "analysis/tail_probabilities.h"
+#include "analysis/choices/rating_roc.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/tail_probabilities.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/simulated_coverage.h"
 #include "app/findings/tidy/tidy_families.h"

@@ -1,8 +1,10 @@
+// t intervals from CR2 errors, CR0 errors or Wald intervals of a scale, and the findings of Friedman's test.
+
 #include "app/findings/tidy/scale_findings.h"
 
 #include <string>
 
-#include "analysis/tail_probabilities.h"
+#include "analysis/numbers/tail_probabilities.h"
 #include "app/findings/tidy/simulated_coverage.h"
 
 namespace asperity {

@@ -7,8 +7,8 @@
 #include <span>
 #include <string>
 
-#include "analysis/bradley_terry.h"
-#include "analysis/friedman.h"
+#include "analysis/choices/bradley_terry.h"
+#include "analysis/tests/friedman.h"
 #include "app/findings/tidy/finding_list.h"
 
 namespace asperity {

@@ -11,17 +11,17 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/cochran.h"
-#include "analysis/contingency.h"
-#include "analysis/decisive_choices.h"
-#include "analysis/equal_error_information.h"
-#include "analysis/exact_null.h"
-#include "analysis/forced_choice.h"
-#include "analysis/matching_null.h"
-#include "analysis/pooled_share.h"
-#include "analysis/proportion.h"
-#include "analysis/two_by_two.h"
-#include "analysis/uniform_counts.h"
+#include "analysis/choices/decisive_choices.h"
+#include "analysis/choices/equal_error_information.h"
+#include "analysis/choices/forced_choice.h"
+#include "analysis/choices/matching_null.h"
+#include "analysis/numbers/exact_null.h"
+#include "analysis/numbers/proportion.h"
+#include "analysis/tests/cochran.h"
+#include "analysis/tests/contingency.h"
+#include "analysis/tests/pooled_share.h"
+#include "analysis/tests/two_by_two.h"
+#include "analysis/tests/uniform_counts.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/tidy_families.h"
 

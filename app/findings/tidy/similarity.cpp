@@ -14,12 +14,12 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/individual_differences.h"
-#include "analysis/multidimensional_scaling.h"
-#include "analysis/multiplicity.h"
-#include "analysis/procrustes.h"
-#include "analysis/rated_dissimilarities.h"
-#include "analysis/t_test.h"
+#include "analysis/dissimilarity/individual_differences.h"
+#include "analysis/dissimilarity/multidimensional_scaling.h"
+#include "analysis/dissimilarity/procrustes.h"
+#include "analysis/dissimilarity/rated_dissimilarities.h"
+#include "analysis/tests/multiplicity.h"
+#include "analysis/tests/t_test.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/rated_pairs.h"
 #include "app/findings/tidy/tidy_families.h"

@@ -1,6 +1,6 @@
 // Tracks of up-down staircases: the levels from the responses, and the mean of the reversals.
 
-#include "analysis/staircase.h"
+#include "analysis/psychometric/staircase.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "protocols/design/wording.h"

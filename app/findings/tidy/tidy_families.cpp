@@ -1,3 +1,5 @@
+// One row per family, in alphabetical order, with its columns, its options and its function.
+
 #include "app/findings/tidy/tidy_families.h"
 
 #include <algorithm>
@@ -6,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/number_text.h"
-#include "app/findings/found_numbers.h"
+#include "analysis/numbers/number_text.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "protocols/design/wording.h"
 
 namespace asperity {
@@ -37,14 +39,15 @@ constexpr std::array kFamilies{
                "lower, upper: equivalence bounds, both or neither; alpha of each one-sided "
                "test; groups: names of the two samples, in order; conf",
                equivalence_findings, "lower,upper,alpha,groups,conf"},
-    TidyFamily{"glmm",
-               "subject,item,correct,trials and one column per factor and covariate: the responses of "
-               "a participant to an item under a condition; without the column item where "
-               "random=subject",
-               "link: logit, probit; random: subject, item or both; fixed: factors with their "
-               "levels, as {\"tip\": [\"a\", \"b\"]}; covariates: columns of numbers; chance: "
-               "proportion against which the intercept is tested; conf",
-               glmm_findings, "link,random,fixed,covariates,chance,conf"},
+    TidyFamily{
+        "glmm",
+        "subject,item,correct,trials and one column per factor and covariate: the responses of "
+        "a participant to an item under a condition; without the column item where "
+        "random=subject",
+        "link: logit, probit; random: subject, item or both; fixed: factors with their "
+        "levels, as {\"tip\": [\"a\", \"b\"]}; covariates: columns of numbers; chance: "
+        "proportion against which the intercept is tested; conf",
+        glmm_findings, "link,random,fixed,covariates,chance,conf"},
     TidyFamily{"group", "subject,group,correct,trials: one participant per row",
                "groups: names of the two groups, in order; conf", group_findings, "groups,conf"},
     TidyFamily{"icc",

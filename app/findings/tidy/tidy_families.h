@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/finding.h"
+#include "analysis/numbers/finding.h"
 #include "app/findings/tidy/family_options.h"
 #include "results_schema/tables/tidy_table.h"
 

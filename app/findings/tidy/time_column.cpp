@@ -1,9 +1,11 @@
+// Takes logarithms, and refuses times that are not above 0.
+
 #include "app/findings/tidy/time_column.h"
 
 #include <cmath>
 #include <cstddef>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 
 namespace asperity {
 

@@ -1,3 +1,5 @@
+// One bootstrap serves the slope and the thresholds of all performances, each of which has a list of findings.
+
 #include "app/findings/tidy/unforced_estimates.h"
 
 #include <optional>

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/psychometric_maximum.h"
-#include "analysis/unforced_bootstrap.h"
+#include "analysis/psychometric/psychometric_maximum.h"
+#include "analysis/psychometric/unforced_bootstrap.h"
 #include "app/findings/tidy/finding_list.h"
 
 namespace asperity {

@@ -7,10 +7,10 @@
 #include <QtCore/QDir>
 #include <QtCore/QLocale>
 
-#include "analysis/number_text.h"
-#include "app/findings/reading_number.h"
-#include "app/findings/study/cell_words.h"
-#include "app/findings/study/study_analysis.h"
+#include "analysis/numbers/number_text.h"
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/study_analysis.h"
 #include "app/gui/look/words.h"
 #include "app/tasks/study_overview.h"
 #include "protocols/plan/course.h"

@@ -8,7 +8,7 @@
 
 #include <QtWidgets/QWidget>
 
-#include "app/findings/study/analysis_outcome.h"
+#include "app/findings/outcome/analysis_outcome.h"
 #include "app/gui/look/background_task.h"
 
 class QListWidget;

@@ -4,8 +4,8 @@
 #include <array>
 #include <string_view>
 
-#include "app/findings/study/cell_words.h"
-#include "app/findings/study/exploration.h"
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/shared/exploration.h"
 #include "app/gui/look/words.h"
 
 namespace asperity {

@@ -2,7 +2,7 @@
 
 #include <QtWidgets/QHeaderView>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/gui/base/shown_text.h"
 #include "app/gui/base/study_table.h"
 #include "app/gui/data/attempt_words.h"

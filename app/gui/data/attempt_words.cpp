@@ -1,6 +1,6 @@
 #include "app/gui/data/attempt_words.h"
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/gui/base/shown_text.h"
 #include "app/gui/look/outcome_words.h"
 #include "app/gui/look/words.h"

@@ -7,7 +7,7 @@
 
 #include <QtCore/QObject>
 
-#include "app/findings/figure.h"
+#include "app/findings/outcome/figure.h"
 #include "app/gui/look/background_task.h"
 #include "results_schema/files/atomic_file.h"
 

@@ -4,7 +4,7 @@
 
 #include <QtWidgets/QFrame>
 
-#include "app/findings/figure.h"
+#include "app/findings/outcome/figure.h"
 
 namespace asperity {
 

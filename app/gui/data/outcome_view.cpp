@@ -10,10 +10,10 @@
 #include <QtWidgets/QScrollBar>
 #include <QtWidgets/QTableView>
 
-#include "analysis/number_text.h"
-#include "app/figures/figures_of.h"
-#include "app/findings/reading_number.h"
-#include "app/findings/reading_table.h"
+#include "analysis/numbers/number_text.h"
+#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/reading_table.h"
+#include "app/findings/study/figures_of.h"
 #include "app/findings/study/study_tables.h"
 #include "app/gui/data/analysis_words.h"
 #include "app/gui/data/figure_view.h"

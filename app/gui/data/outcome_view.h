@@ -6,8 +6,8 @@
 
 #include <QtCore/QString>
 
-#include "app/findings/figure.h"
-#include "app/findings/study/analysis_outcome.h"
+#include "app/findings/outcome/analysis_outcome.h"
+#include "app/findings/outcome/figure.h"
 
 class QWidget;
 

@@ -5,7 +5,7 @@
 
 #include <qcustomplot.h>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/gui/base/curve_color.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/plot_ticks.h"

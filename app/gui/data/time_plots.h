@@ -7,7 +7,7 @@
 
 #include <QtWidgets/QFrame>
 
-#include "analysis/compliance.h"
+#include "analysis/signals/compliance.h"
 #include "app/records/recording_curves.h"
 
 namespace asperity {

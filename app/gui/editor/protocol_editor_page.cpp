@@ -8,7 +8,7 @@
 #include <QtWidgets/QSplitter>
 #include <QtWidgets/QStackedWidget>
 
-#include "analysis/look_alikes.h"
+#include "analysis/numbers/look_alikes.h"
 #include "app/gui/base/documents.h"
 #include "app/gui/base/study_table.h"
 #include "app/gui/editor/find_bar.h"

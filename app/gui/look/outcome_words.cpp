@@ -6,7 +6,7 @@
 #include <QtCore/QLocale>
 #include <QtCore/QStringList>
 
-#include "analysis/rounded_text.h"
+#include "analysis/numbers/rounded_text.h"
 #include "app/gui/look/words.h"
 #include "app/words/coded_phrases.h"
 #include "app/words/reason.h"

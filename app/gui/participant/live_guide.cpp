@@ -8,7 +8,7 @@
 #include <QtGui/QPainter>
 #include <QtGui/QPolygonF>
 
-#include "analysis/compliance.h"
+#include "analysis/signals/compliance.h"
 #include "app/gui/participant/pages/guide_rows.h"
 #include "app/gui/participant/pages/participant_brush.h"
 #include "app/gui/participant/pages/participant_font.h"

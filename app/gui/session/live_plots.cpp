@@ -9,7 +9,7 @@
 #include <QtWidgets/QBoxLayout>
 #include <qcustomplot.h>
 
-#include "analysis/compliance.h"
+#include "analysis/signals/compliance.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/plot_ticks.h"
 #include "app/gui/look/words.h"

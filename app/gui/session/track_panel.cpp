@@ -11,7 +11,7 @@
 #include <QtGui/QPainterPath>
 #include <QtWidgets/QToolTip>
 
-#include "app/findings/study/cell_words.h"
+#include "app/findings/outcome/cell_words.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/look/words.h"
 

@@ -13,7 +13,7 @@
 #include <QtWidgets/QGridLayout>
 #include <glm/geometric.hpp>
 
-#include "analysis/spectrum.h"
+#include "analysis/signals/spectrum.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
 #include "app/gui/workbench/parameter_form.h"

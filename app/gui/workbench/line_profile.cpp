@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "analysis/spectrum.h"
+#include "analysis/signals/spectrum.h"
 #include "app/gui/look/theme.h"
 
 namespace asperity {

@@ -17,7 +17,7 @@
 #include <QtWidgets/QSlider>
 #include <QtWidgets/QStyleOptionSlider>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/decimal_field.h"
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/words/text_parts.h"
 #include "results_schema/tables/table.h"
 

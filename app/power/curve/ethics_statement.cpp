@@ -5,9 +5,9 @@
 #include <optional>
 #include <utility>
 
-#include "analysis/number_text.h"
-#include "analysis/rounded_text.h"
-#include "app/findings/study/study_test.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/rounded_text.h"
+#include "app/findings/outcome/study_test.h"
 #include "app/power/curve/result_tables.h"
 #include "app/words/text_parts.h"
 

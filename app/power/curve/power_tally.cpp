@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/findings/study/study_test.h"
+#include "app/findings/outcome/study_test.h"
 
 namespace asperity {
 

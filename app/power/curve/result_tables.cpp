@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/rounded_text.h"
-#include "app/findings/study/test_methods.h"
+#include "analysis/numbers/rounded_text.h"
+#include "app/findings/outcome/test_methods.h"
 
 namespace asperity {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/findings/outcome/study_test.h"
 
 namespace asperity {

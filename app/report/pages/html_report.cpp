@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "app/figures/figure_files.h"
-#include "app/findings/reading_number.h"
+#include "app/findings/outcome/reading_number.h"
 
 namespace asperity {
 

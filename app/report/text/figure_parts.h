@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "app/findings/figure.h"
+#include "app/findings/outcome/figure.h"
 
 namespace asperity {
 

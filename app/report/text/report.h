@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "app/findings/figure.h"
-#include "app/findings/study/gathered_answers.h"
+#include "app/findings/gathering/gathered_answers.h"
+#include "app/findings/outcome/figure.h"
 
 namespace asperity {
 

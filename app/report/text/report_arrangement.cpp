@@ -2,8 +2,8 @@
 
 #include <cctype>
 
-#include "analysis/number_text.h"
-#include "app/findings/reading_number.h"
+#include "analysis/numbers/number_text.h"
+#include "app/findings/outcome/reading_number.h"
 #include "app/words/text_parts.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/block_design.h"

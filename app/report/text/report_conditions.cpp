@@ -2,7 +2,7 @@
 #include <map>
 #include <set>
 
-#include "app/findings/reading_number.h"
+#include "app/findings/outcome/reading_number.h"
 #include "app/report/text/report_sections.h"
 #include "app/words/text_parts.h"
 

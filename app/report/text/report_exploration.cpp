@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "app/findings/reading_number.h"
-#include "app/findings/reading_table.h"
-#include "app/findings/study/cell_words.h"
-#include "app/findings/study/exploration_model.h"
-#include "app/findings/study/test_sentences.h"
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/reading_table.h"
+#include "app/findings/outcome/test_sentences.h"
+#include "app/findings/shared/exploration_model.h"
 #include "app/words/text_parts.h"
 
 namespace asperity {

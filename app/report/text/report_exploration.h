@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "app/findings/study/analysis_outcome.h"
+#include "app/findings/outcome/analysis_outcome.h"
 #include "app/report/text/report_paper.h"
 
 namespace asperity {

@@ -12,7 +12,7 @@
 #include <tuple>
 #include <vector>
 
-#include "app/findings/study/gathered_answers.h"
+#include "app/findings/gathering/gathered_answers.h"
 #include "app/records/presented_matches.h"
 #include "app/records/session_conditions.h"
 #include "app/tasks/protocol_files.h"

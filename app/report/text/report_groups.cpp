@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/findings/reading_number.h"
+#include "app/findings/outcome/reading_number.h"
 #include "app/report/text/report_sections.h"
 #include "protocols/plan/groups.h"
 

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/findings/reading_number.h"
+#include "app/findings/outcome/reading_number.h"
 #include "app/report/text/report_order.h"
 #include "app/report/text/report_sections.h"
 #include "app/tasks/study_overview.h"

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/number_text.h"
-#include "app/findings/reading_number.h"
-#include "app/findings/study/group_equivalence.h"
+#include "analysis/numbers/number_text.h"
+#include "app/findings/outcome/reading_number.h"
+#include "app/findings/shared/group_equivalence.h"
 
 namespace asperity {
 
@@ -44,14 +44,16 @@ const std::map<std::string, NumberWords>& known_numbers() {
       {"H.response", {"response entropy H(R)", number}},
       {"hclust.shepard.average.cophcor", {"cophenetic correlation of the dendrogram", number}},
       {"hedges.g", {"Hedges’ g of the participants’ proportions", number}},
-      {"agreement.mean", {"correlation of a participant with the mean of the others, mean", number}},
+      {"agreement.mean",
+       {"correlation of a participant with the mean of the others, mean", number}},
       {"cv.chosen", {"dimensions chosen by cross-validation", count}},
       {"dimensions", {"dimensions of the configuration", count}},
       {"hclust.average.cophcor", {"cophenetic correlation of the dendrogram", number}},
       {"identical.difference", {"dissimilarity of different minus identical surfaces", number}},
       {"identical.mean", {"mean dissimilarity of identical surfaces", number}},
       {"indscal.fit.mean", {"fit of the INDSCAL model, mean over participants", number}},
-      {"orders.mean", {"correlation of the ratings in both orders, mean over participants", number}},
+      {"orders.mean",
+       {"correlation of the ratings in both orders, mean over participants", number}},
       {"protest.r2", {"Procrustes r² of the configuration and the measured properties", number}},
       {"retest.mean", {"test–retest correlation, mean over participants", number}},
       {"stress.perm.mean", {"stress-1 of permuted ratings, mean", number}},

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "analysis/finding.h"
+#include "analysis/numbers/finding.h"
 #include "app/report/text/report.h"
 #include "app/report/text/report_tests.h"
 

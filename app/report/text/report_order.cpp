@@ -4,9 +4,9 @@
 #include <set>
 #include <vector>
 
-#include "analysis/number_text.h"
-#include "app/findings/reading_number.h"
-#include "app/findings/study/cell_words.h"
+#include "analysis/numbers/number_text.h"
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/reading_number.h"
 #include "app/report/text/report_sections.h"
 #include "app/words/text_parts.h"
 #include "protocols/design/block_factors.h"

@@ -7,13 +7,13 @@
 #include <span>
 #include <utility>
 
-#include "app/findings/reading_number.h"
-#include "app/findings/study/catch_exclusions.h"
-#include "app/findings/study/cell_words.h"
-#include "app/findings/study/estimate_sentences.h"
-#include "app/findings/study/references.h"
-#include "app/findings/study/study_analysis.h"
-#include "app/findings/study/test_methods.h"
+#include "app/findings/methods/discrimination/catch/catch_exclusions.h"
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/estimate_sentences.h"
+#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/references.h"
+#include "app/findings/outcome/study_analysis.h"
+#include "app/findings/outcome/test_methods.h"
 #include "app/report/text/report_exploration.h"
 #include "app/study_files/program.h"
 #include "app/words/text_parts.h"

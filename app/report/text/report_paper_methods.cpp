@@ -7,11 +7,11 @@
 #include <utility>
 #include <variant>
 
-#include "analysis/number_text.h"
-#include "app/findings/reading_number.h"
-#include "app/findings/study/cell_words.h"
-#include "app/findings/study/study_analysis.h"
-#include "app/findings/study/task_words.h"
+#include "analysis/numbers/number_text.h"
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/study_analysis.h"
+#include "app/findings/outcome/task_words.h"
 #include "app/report/text/report_arrangement.h"
 #include "app/report/text/report_paper.h"
 #include "app/report/text/report_paper_trials.h"

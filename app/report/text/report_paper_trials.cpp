@@ -7,10 +7,10 @@
 #include <variant>
 #include <vector>
 
-#include "app/findings/reading_number.h"
-#include "app/findings/study/cell_words.h"
-#include "app/findings/study/level_words.h"
-#include "app/findings/study/task_words.h"
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/level_words.h"
+#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/task_words.h"
 #include "app/report/text/report_arrangement.h"
 #include "app/report/text/report_order.h"
 #include "app/words/text_parts.h"

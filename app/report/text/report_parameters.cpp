@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include "app/findings/reading_number.h"
-#include "app/findings/study/cell_words.h"
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/reading_number.h"
 #include "app/words/text_parts.h"
 
 namespace asperity {

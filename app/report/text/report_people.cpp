@@ -6,9 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/number_text.h"
-#include "analysis/summary.h"
-#include "app/findings/reading_number.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/summary.h"
+#include "app/findings/outcome/reading_number.h"
 #include "app/report/text/report_order.h"
 #include "app/report/text/report_sections.h"
 #include "app/words/coded_phrases.h"

@@ -2,8 +2,8 @@
 #include <set>
 #include <utility>
 
-#include "analysis/summary.h"
-#include "app/findings/reading_number.h"
+#include "analysis/numbers/summary.h"
+#include "app/findings/outcome/reading_number.h"
 #include "app/report/text/report_sections.h"
 #include "app/words/text_parts.h"
 #include "renderers/servo/servo_loop.h"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/words/text_parts.h"
 
 namespace asperity {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/findings/study/analysis_outcome.h"
-#include "app/findings/study/task_words.h"
+#include "app/findings/outcome/analysis_outcome.h"
+#include "app/findings/outcome/task_words.h"
 #include "app/report/text/report.h"
 #include "app/report/text/report_facts.h"
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/findings/reading_table.h"
-#include "app/findings/study/study_tests.h"
+#include "app/findings/outcome/reading_table.h"
+#include "app/findings/outcome/study_tests.h"
 
 namespace asperity {
 

@@ -10,10 +10,10 @@
 #include <tuple>
 #include <utility>
 
-#include "analysis/number_text.h"
-#include "app/findings/found_numbers.h"
-#include "app/findings/reading_number.h"
-#include "app/findings/study/test_methods.h"
+#include "analysis/numbers/number_text.h"
+#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/test_methods.h"
+#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
 

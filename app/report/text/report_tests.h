@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/finding.h"
+#include "analysis/numbers/finding.h"
 
 namespace asperity {
 

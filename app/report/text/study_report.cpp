@@ -6,9 +6,9 @@
 #include <span>
 #include <utility>
 
-#include "app/findings/reading_number.h"
+#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/study_analysis.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/study/study_analysis.h"
 #include "app/report/text/figure_parts.h"
 #include "app/report/text/report_parameters.h"
 #include "app/report/text/report_sections.h"

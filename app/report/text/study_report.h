@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "app/findings/study/analysis_outcome.h"
+#include "app/findings/outcome/analysis_outcome.h"
 #include "app/report/text/report.h"
 #include "results_schema/study.h"
 
 namespace asperity {
 
-/// Makes the figures of an outcome: app/figures/figures_of.h, or none without Qt.
+/// Makes the figures of an outcome: app/findings/study/figures_of.h, or none without Qt.
 using FiguresOfOutcome = std::function<std::vector<Figure>(const AnalysisOutcome&)>;
 
 /// A chapter about the study, then one per protocol, version and group of participants: design,

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/repeated_key.h"
+#include "analysis/numbers/repeated_key.h"
 #include "protocols/design/block_factors.h"
 
 namespace asperity {

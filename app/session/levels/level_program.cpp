@@ -5,8 +5,8 @@
 #include <utility>
 #include <variant>
 
-#include "analysis/number_text.h"
-#include "analysis/overloaded.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/overloaded.h"
 #include "app/session/levels/level_messages.h"
 #include "app/words/phrase.h"
 #include "app/words/shown_text.h"

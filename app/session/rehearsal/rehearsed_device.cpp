@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/words/shell_word.h"
 
 namespace asperity {

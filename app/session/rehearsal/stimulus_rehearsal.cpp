@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/session/attempt_measures.h"
 #include "protocols/design/json_pointer.h"
 #include "renderers/offline/contact_loss.h"

@@ -2,8 +2,8 @@
 
 #pragma once
 
-#include "analysis/force_features.h"
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
+#include "analysis/signals/force_features.h"
 #include "device/virtual_hand.h"
 #include "protocols/design/protocol.h"
 #include "renderers/force/force_model.h"

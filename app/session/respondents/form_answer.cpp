@@ -8,7 +8,7 @@
 #include <sstream>
 #include <utility>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "results_schema/tables/table.h"
 
 namespace asperity {

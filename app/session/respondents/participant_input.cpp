@@ -1,6 +1,6 @@
 #include "app/session/respondents/participant_input.h"
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 
 namespace asperity {
 

@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/force_features.h"
+#include "analysis/signals/force_features.h"
 #include "app/words/phrase.h"
 #include "protocols/design/protocol.h"
 #include "protocols/plan/plan.h"

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/number_text.h"
-#include "analysis/rounded_text.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/rounded_text.h"
 #include "app/session/attempt_measures.h"
 #include "app/session/respondents/felt_surface.h"
 #include "protocols/design/block_factors.h"

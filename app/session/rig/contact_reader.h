@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include "analysis/compliance.h"
+#include "analysis/signals/compliance.h"
 #include "app/session/session_monitor.h"
 #include "app/session/sound/sound.h"
 #include "device/device_capability.h"

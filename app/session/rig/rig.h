@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
 #include "app/session/rig/clock.h"
 #include "device/drivers.h"
 #include "device/simulated_device.h"

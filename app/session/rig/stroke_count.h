@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-#include "analysis/compliance.h"
+#include "analysis/signals/compliance.h"
 #include "app/session/rig/contact_reader.h"
 #include "renderers/servo/tick_record.h"
 

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "analysis/number_text.h"
-#include "analysis/sound_signals.h"
+#include "analysis/numbers/number_text.h"
+#include "analysis/signals/sound_signals.h"
 
 namespace asperity {
 

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/random.h"
-#include "analysis/sound_signals.h"
+#include "analysis/numbers/random.h"
+#include "analysis/signals/sound_signals.h"
 #include "app/session/sound/sound.h"
 
 namespace asperity {

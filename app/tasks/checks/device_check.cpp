@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/device_bench/device_choice.h"
 #include "app/records/session_conditions.h"
 #include "app/session/rig/rig.h"

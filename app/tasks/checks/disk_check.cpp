@@ -5,7 +5,7 @@
 #include <string>
 #include <system_error>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/session/rig/recording_columns.h"
 #include "app/tasks/protocol_files.h"
 #include "protocols/plan/course.h"

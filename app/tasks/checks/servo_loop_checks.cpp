@@ -3,7 +3,7 @@
 #include <exception>
 #include <string>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/device_bench/device_choice.h"
 #include "app/words/reason.h"
 #include "device/pointer_device.h"

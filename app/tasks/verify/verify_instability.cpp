@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/session/attempt_instability.h"
 #include "renderers/force/adjacent_patches.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <set>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/file/json_document.h"
 #include "protocols/plan/plan.h"

@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/session/explored_stimuli.h"
 
 namespace asperity {

@@ -6,7 +6,7 @@
 #include <exception>
 #include <optional>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/session/attempt_measures.h"
 #include "renderers/offline/sliding_drag.h"
 

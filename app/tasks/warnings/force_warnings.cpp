@@ -8,7 +8,7 @@
 #include <optional>
 #include <set>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "device/probe_state.h"
 
 namespace asperity {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <variant>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/session/attempt_measures.h"
 #include "app/session/respondents/felt_surface.h"
 #include "protocols/design/json_pointer.h"

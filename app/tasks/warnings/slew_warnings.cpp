@@ -10,7 +10,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "device/force_limiter.h"
 #include "device/probe_state.h"
 #include "device/virtual_hand.h"

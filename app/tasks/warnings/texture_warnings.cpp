@@ -10,7 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/study_files/height_field_files.h"
 #include "app/words/text_parts.h"
 #include "protocols/design/json_pointer.h"

@@ -14,7 +14,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "renderers/pd_gradient/sampling/found_gradient.h"
 #include "renderers/pd_gradient/sampling/sampled_triangles.h"
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <variant>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 
 namespace asperity {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "stimuli/meshes/repair/mesh_in_repair.h"
 
 namespace asperity::mesh_repair {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/proportion.h"
+#include "analysis/numbers/proportion.h"
 
 namespace asperity {
 namespace {

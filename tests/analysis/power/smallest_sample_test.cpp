@@ -10,8 +10,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/power.h"
-#include "analysis/random.h"
+#include "analysis/numbers/random.h"
+#include "analysis/power/power.h"
 
 namespace asperity {
 namespace {

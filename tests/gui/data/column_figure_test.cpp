@@ -1,12 +1,14 @@
 // Figures of columns of a table.
 
-#include "app/figures/column_figure.h"
+#include "app/findings/shared/figures/column_figure.h"
 
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "app/findings/outcome/figure.h"
 
 namespace asperity {
 namespace {

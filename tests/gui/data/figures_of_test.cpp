@@ -1,6 +1,6 @@
 // Figures show the numbers of findings and tables, each at its place.
 
-#include "app/figures/figures_of.h"
+#include "app/findings/study/figures_of.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +14,20 @@
 
 #include <gtest/gtest.h>
 
-#include "app/figures/figure_kinds.h"
-#include "app/figures/replay_figure.h"
-#include "app/figures/single_participants.h"
-#include "app/figures/sweep_figure.h"
-#include "app/findings/found_numbers.h"
-#include "app/findings/study/anchors.h"
-#include "app/findings/study/cell_words.h"
-#include "app/findings/study/exploration.h"
+#include "app/findings/methods/magnitude/roughness_figure.h"
+#include "app/findings/methods/magnitude/stimulus_estimates_figure.h"
+#include "app/findings/outcome/analysis_outcome.h"
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/figure.h"
+#include "app/findings/outcome/single_participants.h"
+#include "app/findings/shared/anchors.h"
+#include "app/findings/shared/exploration.h"
+#include "app/findings/shared/figures/replay_figure.h"
+#include "app/findings/shared/figures/response_time_figures.h"
+#include "app/findings/shared/figures/similarity_figures.h"
+#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/tidy/tidy_families.h"
+#include "app/sweep/sweep_figure.h"
 #include "renderers/built_in_models.h"
 #include "tests/gui/data/drawn_case.h"
 

@@ -1,5 +1,7 @@
 // Figures of rated dissimilarities show the numbers of the findings.
 
+#include "app/findings/methods/similarity/perceptual_map_figures.h"
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -11,8 +13,9 @@
 
 #include "app/figures/axis_ticks.h"
 #include "app/figures/figure_files.h"
-#include "app/figures/figure_kinds.h"
-#include "app/figures/figures_of.h"
+#include "app/findings/outcome/figure.h"
+#include "app/findings/study/figures_of.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/gui/data/drawn_case.h"
 #include "tests/gui/data/drawn_svg.h"

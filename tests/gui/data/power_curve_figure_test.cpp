@@ -1,6 +1,6 @@
 // The figure of simulated power.
 
-#include "app/figures/power_curve_figure.h"
+#include "app/power/curve/power_curve_figure.h"
 
 #include <cstdint>
 #include <string>
@@ -8,6 +8,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "app/findings/outcome/figure.h"
 
 namespace asperity {
 namespace {

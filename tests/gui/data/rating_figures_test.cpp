@@ -12,9 +12,13 @@
 #include <gtest/gtest.h>
 
 #include "app/figures/figure_files.h"
-#include "app/figures/figure_kinds.h"
-#include "app/figures/figures_of.h"
 #include "app/figures/label_places.h"
+#include "app/findings/methods/rating/biplot_figure.h"
+#include "app/findings/methods/rating/profile_figure.h"
+#include "app/findings/outcome/analysis_outcome.h"
+#include "app/findings/outcome/figure.h"
+#include "app/findings/study/figures_of.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/gui/data/drawn_svg.h"
 

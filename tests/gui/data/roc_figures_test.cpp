@@ -10,13 +10,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/tail_probabilities.h"
+#include "analysis/numbers/tail_probabilities.h"
 #include "app/figures/figure_files.h"
-#include "app/figures/figures_of.h"
-#include "app/findings/found_numbers.h"
-#include "app/findings/reading_number.h"
-#include "app/findings/study/answer_columns.h"
-#include "app/findings/study/confidence_roc.h"
+#include "app/findings/gathering/answer_columns.h"
+#include "app/findings/methods/discrimination/sensitivity/confidence_roc.h"
+#include "app/findings/outcome/analysis_outcome.h"
+#include "app/findings/outcome/figure.h"
+#include "app/findings/outcome/reading_number.h"
+#include "app/findings/study/figures_of.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/gui/data/drawn_svg.h"
 

@@ -10,9 +10,13 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/figures/figure_kinds.h"
-#include "app/figures/figures_of.h"
+#include "app/findings/methods/discrimination/thresholds/psychometric_figures.h"
+#include "app/findings/methods/discrimination/thresholds/track_figure.h"
+#include "app/findings/outcome/analysis_outcome.h"
+#include "app/findings/outcome/figure.h"
 #include "app/findings/study/analyze_study.h"
+#include "app/findings/study/figures_of.h"
+#include "app/findings/tidy/found_numbers.h"
 #include "app/findings/tidy/reference_case.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/app/made_up_study.h"

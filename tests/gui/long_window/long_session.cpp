@@ -15,7 +15,7 @@
 #include <QtTest/QTest>
 #include <nlohmann/json.hpp>
 
-#include "analysis/summary.h"
+#include "analysis/numbers/summary.h"
 #include "app/gui/participant/participant_view.h"
 #include "app/gui/session/session_runner.h"
 #include "app/gui/session/session_window.h"

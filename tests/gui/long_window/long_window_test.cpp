@@ -16,7 +16,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/summary.h"
+#include "analysis/numbers/summary.h"
 #include "app/study_files/program.h"
 #include "tests/gui/long_window/long_session.h"
 #include "tests/gui/study/quiet_home.h"

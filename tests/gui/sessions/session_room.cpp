@@ -12,7 +12,7 @@
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/gui/base/study_table.h"
 #include "app/study_files/height_field_files.h"
 #include "app/tasks/protocol_files.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/gui/participant/pages/page_frame.h"
 #include "app/gui/participant/pages/participant_brush.h"
 #include "app/gui/participant/pages/scale_lines.h"

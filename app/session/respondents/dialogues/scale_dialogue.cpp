@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "analysis/number_text.h"
+#include "analysis/numbers/number_text.h"
 #include "app/session/respondents/form_answer.h"
 #include "results_schema/tables/table.h"
 

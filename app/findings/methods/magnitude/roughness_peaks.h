@@ -1,0 +1,34 @@
+// Reports the spacings of maximum roughness of a magnitude estimation: its tables and its questions.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/findings/outcome/study_findings.h"
+#include "app/findings/tidy/found_numbers.h"
+
+namespace asperity {
+
+/// Whether the test for an interior maximum of the curve of a condition is significant.
+bool has_interior_maximum(const FoundNumbers& found, const std::string& condition);
+
+/// The status of a ratio of peaks of which one is not an interior maximum.
+inline constexpr const char* kNotBothPeaks = "at least one condition has no interior maximum";
+
+/// Adds the peak of each condition, and the ratios of the peaks of two conditions.
+void add_peaks(const std::vector<std::string>& conditions, const std::vector<std::string>& spacings,
+               const FoundNumbers& found, AnalysisOutcome& outcome);
+
+/// Which spacing is judged roughest.
+void ask_peaks(const std::vector<std::string>& conditions, const std::vector<std::string>& spacings,
+               const FoundNumbers& found, AnalysisOutcome& outcome);
+
+/// Whether any two conditions have their peaks at different spacings.
+void ask_peak_ratios(const FoundNumbers& found, const StudyTests& tests, AnalysisOutcome& outcome);
+
+/// Which shapes the participants' own curves have.
+void ask_types(const std::vector<std::string>& conditions, const FoundNumbers& found,
+               AnalysisOutcome& outcome);
+
+}  // namespace asperity

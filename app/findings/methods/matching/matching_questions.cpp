@@ -1,0 +1,147 @@
+// Answers the questions of a matching in sentences.
+
+#include "app/findings/methods/matching/matching_questions.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/findings/outcome/tally.h"
+#include "app/findings/outcome/test_sentences.h"
+
+namespace asperity {
+
+void ask_items(std::size_t fewest, bool equal_size, const FoundNumbers& found,
+               const StudyTests& tests, AnalysisOutcome& outcome) {
+  const Finding* mean = found.find("subj.mean");
+  const StudyTests::Test* test = tests.find("items");
+  if (mean == nullptr || !mean->value || test == nullptr || !test->p) return;
+  const double chance = 1.0 / static_cast<double>(fewest);
+  const auto with_numbers = [&](const Phrase& words) {
+    return words.with(
+        percent(*mean->value), interval_text(*mean),
+        equal_size
+            ? percent(chance)
+            : phrase("Analysis", "1 divided by the number of items, which differs between trials"),
+        p_text(*test));
+  };
+  const bool contains_chance = holds_in_interval(*mean, chance);
+  const Phrase of_one = with_numbers(phrase(
+      "Analysis",
+      "For this participant only: %1 of the items were matched correctly (%2), compared with a "
+      "chance level of %3; permutation test, %4. More participants are needed."));
+  const Phrase plain = with_numbers(
+      phrase("Analysis",
+             "On average %1 of a participant's items were matched correctly (%2), compared with a "
+             "chance level of %3; permutation test over participants, %4."));
+  const Sayings sayings{
+      mean->n == 1 ? of_one
+      : contains_chance
+          ? with_numbers(
+                phrase("Analysis",
+                       "Not established: on average %1 of a participant's items were matched "
+                       "correctly (%2), compared with a chance level of %3; permutation test over "
+                       "participants, %4. The test is significant, but the CI contains the chance "
+                       "level; more participants are needed."))
+          : with_numbers(phrase(
+                "Analysis",
+                "Yes: on average %1 of a participant's items were matched correctly (%2), compared "
+                "with a chance level of %3; permutation test over participants, %4.")),
+      with_numbers(phrase("Analysis",
+                          "Not significantly above chance: on average %1 of a participant's items "
+                          "were matched correctly (%2), compared with a chance level of %3; "
+                          "permutation test over participants, %4.")),
+      mean->n == 1                                ? of_one
+      : test->is_significant() && contains_chance ? with_contradiction(plain)
+                                                  : plain};
+  add_question(
+      outcome, "items", phrase("Analysis", "Are textures matched to their pictures above chance?"),
+      said_of(*test, sayings),
+      phrase(
+          "Analysis",
+          "%1 The total of correctly matched items is compared with its exact permutation null "
+          "distribution: the pictures are relabelled once per participant, in all trials alike, so "
+          "that the test is also valid for participants who guess one assignment and keep it.")
+          .with(averaged(
+              phrase("Analysis", "Each participant's proportion of correctly matched items"),
+              mean)),
+      "items", mean);
+}
+
+void ask_whole(const FoundNumbers& found, const StudyTests& tests, AnalysisOutcome& outcome) {
+  const StudyTests::Test* test = tests.find("whole");
+  const Finding* hits = found.find("perfect.trials");
+  const Finding* mean = found.find("perfect.subj.mean");
+  if (test == nullptr || !test->p || hits == nullptr || mean == nullptr || !mean->value) return;
+  Finding share = *mean;
+  share.quantity = "perfect.share";
+  const Phrase answer =
+      phrase("Analysis",
+             "Trials with all items correct: %1 of %2, on average %3 of a participant's trials "
+             "(%4); permutation test over participants, %5.")
+          .with(std::to_string(static_cast<std::size_t>(*hits->value)), std::to_string(hits->n),
+                percent(*share.value), interval_text(share), p_text(*test));
+  add_question(
+      outcome, "whole", phrase("Analysis", "How often are all items of a trial correct?"),
+      test->contradicts_interval() ? with_contradiction(answer) : answer,
+      phrase("Analysis",
+             "%1 Exact permutation test: the pictures are relabelled once per participant, in all "
+             "trials alike.")
+          .with(averaged(
+              phrase("Analysis", "Each participant's proportion of trials with all items correct"),
+              mean)),
+      "whole_permutations", &share);
+}
+
+void ask_confused_pairs(const AnalysisOutcome& made, std::size_t people, AnalysisOutcome& outcome) {
+  const auto table = std::find_if(made.tables.begin(), made.tables.end(),
+                                  [](const auto& each) { return each.name == "confused_pairs"; });
+  if (table == made.tables.end() || table->table.rows.empty()) return;
+  const std::vector<Cell>& worst = table->table.rows.front();
+  const auto times_of = [](const std::vector<Cell>& pair) {
+    return std::get<std::int64_t>(pair[2]) + std::get<std::int64_t>(pair[3]);
+  };
+  const std::int64_t times = times_of(worst);
+  const auto as_often = std::count_if(table->table.rows.begin(), table->table.rows.end(),
+                                      [&](const auto& pair) { return times_of(pair) == times; });
+  constexpr std::size_t kMostNamed = 6;
+  Phrase names{};
+  for (const auto& pair : table->table.rows) {
+    if (times_of(pair) != times) continue;
+    const Phrase one = phrase("Analysis", "%1 and %2")
+                           .with(std::get<std::string>(pair[0]), std::get<std::string>(pair[1]));
+    names = names.empty() ? one : phrase("Analysis", "%1; %2").with(names, one);
+  }
+  Finding finding{};
+  finding.quantity = "confusions";
+  finding.key = std::get<std::string>(worst[0]) + '|' + std::get<std::string>(worst[1]);
+  finding.value = static_cast<double>(times);
+  finding.unit = "1";
+  finding.method = "items of one texture that were assigned the picture of the other";
+  finding.n = people;
+  add_question(
+      outcome, "confusions", phrase("Analysis", "Which textures are confused with each other?"),
+      times == 0 ? phrase("Analysis", "No texture was confused with another.")
+      : as_often > 1 && static_cast<std::size_t>(as_often) <= kMostNamed
+          ? phrase(
+                "Analysis",
+                "The following pairs are confused equally often, and none more often: %1; number "
+                "of confusions of each, counted in both directions: %2.")
+                .with(names, std::to_string(times))
+      : as_often > 1
+          ? phrase("Analysis",
+                   "%1 pairs are confused equally often, and none more often; number of "
+                   "confusions, counted in both directions: %2.")
+                .with(std::to_string(as_often), std::to_string(times))
+          : phrase("Analysis",
+                   "%1 and %2 are confused most often; number of confusions, counted in both "
+                   "directions: %3.")
+                .with(std::get<std::string>(worst[0]), std::get<std::string>(worst[1]),
+                      std::to_string(times)),
+      phrase("Analysis", "Counts of all responses; a CI would require a model of the confusions."),
+      "confused_pairs", &finding, CountedUnit::participants);
+}
+
+}  // namespace asperity

@@ -1,0 +1,298 @@
+// The analysis of ratings: each scale on its own; scales that accompany another question apart from the others.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/findings/gathering/answer_columns.h"
+#include "app/findings/methods/rating/rating_analysis.h"
+#include "app/findings/methods/rating/rating_components.h"
+#include "app/findings/methods/rating/rating_constructs.h"
+#include "app/findings/methods/rating/rating_models.h"
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/estimate_sentences.h"
+#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/reading_table.h"
+#include "app/findings/outcome/study_findings.h"
+#include "app/findings/outcome/test_sentences.h"
+#include "app/findings/shared/accompanying_scales.h"
+#include "app/findings/shared/intraclass_targets.h"
+#include "app/findings/shared/rated_scales.h"
+#include "app/findings/shared/repetition_reliability.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kRatings = "ratings";
+constexpr const char* kScales = "scales";
+constexpr const char* kAgreement = "agreement";
+
+/// The table of the families `rating` and `icc`, which call its columns by other names.
+TidyInput table_of(const GatheredAnswers& gathered, const RatedScale& scale, const char* rater,
+                   const char* rated) {
+  ScoreRows scores(gathered);
+  for (const auto& [of, mean] : scale.means) scores.add(of.first, of.second, mean);
+  return std::move(scores).take(rater, rated, "the ratings on " + scale.name);
+}
+
+/// The scales as shown to participants.
+NamedTable table_of_scales(const GatheredAnswers& gathered, const std::vector<RatedScale>& scales,
+                           const AccompanyingScales& accompanying) {
+  NamedTable shown{kScales,
+                   phrase("Analysis", "The scales"),
+                   {{"scale", "minimum", "low_label", "maximum", "high_label", "points"}, {}},
+                   phrase("Analysis",
+                          "The ends of each scale as numbers and as labelled for participants; a "
+                          "scale without points is a continuous line.")};
+  // Whole numbers are displayed without decimals.
+  const auto whole_cell = [](const std::optional<double>& number) {
+    return number && std::floor(*number) == *number
+               ? Cell{static_cast<std::int64_t>(std::llround(*number))}
+               : cell_of(number);
+  };
+  const auto label_cell = [](const std::string& label) {
+    return label.empty() ? Cell{} : Cell{label};
+  };
+  for (const StoredProtocol::TrialQuestion& question : gathered.questions) {
+    const bool is_rated = std::any_of(scales.begin(), scales.end(), [&question](const auto& scale) {
+      return scale.name == question.name;
+    });
+    if (!is_rated && !accompanying.has(question.name)) continue;
+    shown.table.rows.push_back({question.name, whole_cell(question.minimum),
+                                label_cell(question.low_label), whole_cell(question.maximum),
+                                label_cell(question.high_label), whole_cell(question.points)});
+  }
+  return shown;
+}
+
+std::string rating_shown(double mean) {
+  constexpr int kDecimals = 2;
+  return reading_signed(mean, kDecimals);
+}
+
+/// "4.25 (95 % CI [3.90, 4.60])"
+Phrase mean_text(const Finding& mean) {
+  constexpr int kDecimals = 2;
+  const std::string value = reading_signed(*mean.value, kDecimals);
+  if (!mean.low || !mean.high) return Phrase(value);
+  return phrase("Analysis", "%1 (95 % CI [%2, %3])")
+      .with(value, reading_signed(*mean.low, kDecimals), reading_signed(*mean.high, kDecimals));
+}
+
+std::vector<RepeatedEstimate> repeated_ratings(const RatedScale& scale) {
+  std::vector<RepeatedEstimate> ratings{};
+  for (const RatedScale::Response& response : scale.responses) {
+    ratings.push_back({.person = response.person,
+                       .surface = response.item,
+                       .repetition = response.repetition,
+                       .value = response.score});
+  }
+  return ratings;
+}
+
+void add_means(const RatedScale& scale, const FoundNumbers& found, Table& table) {
+  for (const std::string& item : scale.items) {
+    const std::string key = scale.name + '|' + item;
+    const Finding* const mean = found.find("mean.score", key);
+    if (mean == nullptr) continue;
+    const auto [low, high] = found.interval("mean.score", key);
+    table.rows.push_back({scale.name, item, static_cast<std::int64_t>(mean->n),
+                          cell_of(mean->value), low, high, found.cell("mean.rank", key)});
+  }
+}
+
+void add_agreement(const RatedScale& scale, const FoundNumbers& found, Table& table) {
+  const Finding* const none = found.find("icc", scale.name);
+  for (const char* const form : {"ICC2", "ICC3", "ICC2k", "ICC3k"}) {
+    const std::string key = scale.name + '|' + form;
+    const Finding* const icc = none == nullptr ? found.find("icc", key) : none;
+    if (icc == nullptr) continue;
+    const auto [low, high] = found.interval("icc", key);
+    table.rows.push_back({scale.name, std::string(form), cell_of(icc->value), low, high,
+                          static_cast<std::int64_t>(icc->n),
+                          none == nullptr ? Cell{} : Cell{none->word}});
+  }
+}
+
+void add_test_of_items(const RatedScale& scale, const FoundNumbers& found, StudyTests& tests) {
+  tests.add("ratings", scale.name, found, "friedman.p", scale.name);
+}
+
+void add_tests(const RatedScale& scale, bool is_only_scale, const FoundNumbers& found,
+               StudyTests& tests) {
+  add_test_of_items(scale, found, tests);
+  for (std::size_t a = 0; a < scale.items.size(); ++a) {
+    for (std::size_t b = a + 1; b < scale.items.size(); ++b) {
+      const std::string pair = scale.items[a] + '|' + scale.items[b];
+      const std::string key = scale.name + '|' + pair;
+      tests.add("rated_pairs", (is_only_scale ? "" : scale.name + ": ") + pair, found,
+                "wilcoxon.exact.p.two", key);
+      const double tested = found.value("wilcoxon.n", key).value_or(0.0);
+      const double complete = found.value("n.complete", scale.name).value_or(tested);
+      tests.drop_ties(static_cast<std::size_t>(complete - tested));
+    }
+  }
+}
+
+/// `parts`: those of the family's findings that are needed.
+std::vector<Finding> findings_of_items(const GatheredAnswers& gathered, const RatedScale& scale,
+                                       const char* parts = "all") {
+  TidyInput input = table_of(gathered, scale, "subject", "item");
+  input.options.set("items", scale.items);
+  input.options.set("parts", std::string(parts));
+  return findings_of(kRatings, "rating", scale, std::move(input));
+}
+
+void add_untested_scale(const RatedScale& scale, StudyTests& tests) {
+  tests.add_untested("ratings", scale.name, "one_item");
+}
+
+void ask_about(const RatedScale& scale, const FoundNumbers& found, const StudyTests& tests,
+               AnalysisOutcome& outcome) {
+  std::vector<std::pair<const Finding*, std::string>> means{};
+  for (const std::string& item : scale.items) {
+    const Finding* const mean = found.find("mean.score", scale.name + '|' + item);
+    if (mean != nullptr && mean->value) means.emplace_back(mean, item);
+  }
+  const StudyTests::Test* const test = tests.find("ratings", scale.name);
+  const std::string name = "ratings_" + scale.name;
+  const Phrase question =
+      phrase("Analysis", "Do the ratings on the scale “%1” differ between the items?")
+          .with(scale.name);
+  const Phrase method = phrase("Analysis",
+                               "Friedman test of the participants' mean ratings of the items; CIs "
+                               "of the means are t-based.");
+  if (means.empty() || test == nullptr || !test->p) {
+    add_question(outcome, name.c_str(), question,
+                 phrase("Analysis", "Not tested: too few participants rated every item."), method,
+                 kRatings, nullptr);
+    return;
+  }
+  const auto by_value = [](const auto& one, const auto& other) {
+    return *one.first->value < *other.first->value;
+  };
+  const auto [low, high] = std::minmax_element(means.begin(), means.end(), by_value);
+  const auto with_numbers = [&](const Phrase& words) {
+    return words.with(words_of_condition(high->second), mean_text(*high->first),
+                      words_of_condition(low->second), mean_text(*low->first), p_text(*test));
+  };
+  const Sayings sayings{
+      with_numbers(phrase("Analysis",
+                          "Yes: the mean rating is highest for %1, %2, and lowest for %3, %4. "
+                          "Friedman test: %5.")),
+      with_numbers(
+          phrase("Analysis",
+                 "Not significantly: the mean rating is highest for %1, %2, and lowest for "
+                 "%3, %4. Friedman test: %5. This does not show that they are equal.")),
+      with_numbers(phrase("Analysis",
+                          "For these participants, the mean rating is highest for %1, %2, and "
+                          "lowest for %3, %4. Friedman test: %5."))};
+  add_question(outcome, name.c_str(), question, said_of(*test, sayings), method, kRatings,
+               high->first);
+}
+
+}  // namespace
+
+std::vector<StudyTest> test_ratings(const GatheredAnswers& gathered) {
+  const std::vector<RatedScale> scales = rated_scales(gathered);
+  StudyTests tests(gathered);
+  for (const RatedScale& scale : scales) {
+    if (scale.items.size() < 2) {
+      add_untested_scale(scale, tests);
+      continue;
+    }
+    if (tests.is_in_family("rated_pairs")) {
+      const std::vector<Finding> findings = findings_of_items(gathered, scale);
+      add_tests(scale, scales.size() == 1, FoundNumbers(findings), tests);
+    } else if (tests.is_in_family("ratings")) {
+      const std::vector<Finding> findings = findings_of_items(gathered, scale, "items");
+      add_test_of_items(scale, FoundNumbers(findings), tests);
+    }
+    if (tests.is_in_family("rating_model")) add_rating_model_test(gathered, scale, tests);
+  }
+  if (tests.is_in_family("accompanying_scales")) AccompanyingScales(gathered).add_tests(tests);
+  return std::move(tests).take_family();
+}
+
+void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
+  const std::vector<RatedScale> scales = rated_scales(gathered);
+  const AccompanyingScales accompanying(gathered);
+  NamedTable ratings{
+      kRatings,
+      phrase("Analysis", "Mean ratings of the items on each scale"),
+      {{"scale", "item", "persons", "mean", "mean_low", "mean_high", "mean_rank"}, {}},
+      phrase("Analysis",
+             "Means of the participants' mean ratings, over the participants who rated every item, "
+             "with t-based 95 % CIs; mean rank: 1 for a participant's lowest rating.")};
+  NamedTable agreement{
+      kAgreement,
+      phrase("Analysis", "Agreement of the participants on each scale"),
+      {{"scale", "measure", "value", "value_low", "value_high", "items", "status"}, {}},
+      phrase("Analysis",
+             "Intraclass correlations with the items as targets and the participants as raters: "
+             "ICC2 measures agreement, ICC3 consistency; k: of the mean of all participants.")};
+  RatingModels models{};
+  StudyTests tests(gathered);
+  std::vector<std::pair<const RatedScale*, std::vector<Finding>>> all{};
+  for (const RatedScale& scale : scales) {
+    if (scale.items.size() < 2) {
+      add_untested_scale(scale, tests);
+      continue;
+    }
+    std::vector<Finding> findings = findings_of_items(gathered, scale);
+    const FoundNumbers found(findings);
+    add_means(scale, found, ratings.table);
+    add_tests(scale, scales.size() == 1, found, tests);
+    keep_findings(findings, outcome);
+    models.add(gathered, scale, tests, outcome);
+    std::vector<Finding> correlations =
+        findings_of(kAgreement, "icc", scale, table_of(gathered, scale, "rater", "target"));
+    withhold_few_targets(correlations,
+                         {.counted = "items that all participants rated", .key = scale.name});
+    add_agreement(scale, FoundNumbers(correlations), agreement.table);
+    // The family's α is ICC3k with the raters as test items; that of a construct is of its scales (add_constructs).
+    keep_findings(correlations, outcome,
+                  [](const Finding& one) { return one.quantity != "cronbach.alpha"; });
+    all.emplace_back(&scale, std::move(findings));
+  }
+  const bool has_ratings = !ratings.table.rows.empty();
+  if (has_ratings) outcome.tables.push_back(std::move(ratings));
+  if (has_ratings || !accompanying.empty()) {
+    outcome.tables.push_back(table_of_scales(gathered, scales, accompanying));
+  }
+  drop_empty_columns(agreement.table, 2);
+  if (!agreement.table.rows.empty()) outcome.tables.push_back(std::move(agreement));
+  std::move(models).report(outcome);
+  add_rating_components(gathered, scales, outcome);
+  accompanying.add_tests(tests);
+  tests.finish(outcome);
+  for (const auto& [scale, findings] : all) {
+    state_means_of_items(outcome, {.analysis = kRatings,
+                                   .quantity = "mean.score",
+                                   .scale = scale->name,
+                                   .items = scale->items,
+                                   .tests = {"ratings", "rating_model"},
+                                   .tests_of_pairs = {"rated_pairs"},
+                                   .shown = rating_shown});
+    ask_about(*scale, FoundNumbers(findings), tests, outcome);
+    ask_reliability_of_ratings(gathered, scale->name, repeated_ratings(*scale), outcome);
+  }
+  add_constructs(gathered, scales, outcome);
+  accompanying.report(tests, outcome);
+  if (!accompanying.empty()) {
+    outcome.transformation =
+        (scales.empty() ? std::string()
+                        : "Each participant's ratings of an item were averaged before they were "
+                          "analysed. ") +
+        "Ratings that accompanied another response were averaged for each participant over " +
+        accompanying.groups_text() + " before they were analysed.";
+  }
+}
+
+}  // namespace asperity

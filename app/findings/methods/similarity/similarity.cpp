@@ -1,0 +1,368 @@
+// The analysis of rated dissimilarities.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/findings/gathering/answer_columns.h"
+#include "app/findings/methods/similarity/similarity_analysis.h"
+#include "app/findings/methods/similarity/similarity_configuration.h"
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/study_findings.h"
+#include "app/findings/outcome/test_sentences.h"
+#include "app/findings/shared/similarity_properties.h"
+#include "protocols/answers/scale_form.h"
+#include "results_schema/tables/table.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kDissimilarities = "dissimilarities";
+constexpr const char* kIdenticalPairs = "identical_pairs";
+
+/// The distance of a rating from the end of the scale for identical surfaces.
+std::optional<double> dissimilarity_of(const GatheredAnswers& gathered,
+                                       const GatheredAnswer& answer) {
+  const std::optional<double>& number = gathered.reply_of(answer).number;
+  if (!number) return std::nullopt;
+  for (const StoredProtocol::TrialQuestion& question : gathered.questions) {
+    if (question.name != gathered.word(answer.question)) continue;
+    const ScaleForm unstated{};
+    if (question.rates == "similarity") {
+      return question.maximum.value_or(unstated.maximum) - *number;
+    }
+    return *number - question.minimum.value_or(unstated.minimum);
+  }
+  return std::nullopt;
+}
+
+/// The names of the items, by value where they are numbers.
+std::vector<std::string> rated_items(const GatheredAnswers& gathered) {
+  std::set<std::string> items{};
+  for (const GatheredAnswer& answer : gathered.answers) {
+    for (const FeltSurface& surface : gathered.surfaces_of(answer))
+      items.insert(gathered.word(surface.item));
+  }
+  std::vector<std::string> names(items.begin(), items.end());
+  std::sort(names.begin(), names.end(), precedes_by_value);
+  return names;
+}
+
+TidyTable table_of_judgements(const GatheredAnswers& gathered) {
+  LabelColumn people = labels_of_people(gathered);
+  LabelRows first{};
+  LabelRows second{};
+  NumberColumn dissimilarities{};
+  for (const GatheredAnswer& answer : gathered.answers) {
+    const auto surfaces = gathered.surfaces_of(answer);
+    const std::optional<double> dissimilarity = dissimilarity_of(gathered, answer);
+    if (surfaces.size() != 2 || !dissimilarity) continue;
+    people.codes.push_back(answer.person);
+    first.add(gathered.word(surfaces[0].item));
+    second.add(gathered.word(surfaces[1].item));
+    dissimilarities.push_back(*dissimilarity);
+  }
+  return {{{"subject", std::move(people)},
+           {"first", std::move(first).take()},
+           {"second", std::move(second).take()},
+           {"dissimilarity", std::move(dissimilarities)}},
+          "the ratings"};
+}
+
+std::string dimension_column(std::size_t dimension) {
+  return "dimension_" + std::to_string(dimension);
+}
+
+void add_pairs_table(const std::vector<std::string>& items, const FoundNumbers& found,
+                     AnalysisOutcome& outcome) {
+  NamedTable pairs{
+      kDissimilarities,
+      phrase("Analysis", "Mean dissimilarities of the pairs"),
+      {{"item", "other", "persons", "mean", "mean_low", "mean_high", "distance", "disparity"}, {}},
+      phrase(
+          "Analysis",
+          "Dissimilarity: the distance of the rating from the end of the scale for identical "
+          "surfaces, mean over participants with a t-based 95 % CI; both orders together. "
+          "Distance: in the configuration. Disparity: the regression of the distances on the mean "
+          "dissimilarities, isotonic for non-metric and proportional for metric scaling.")};
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    for (std::size_t j = i + 1; j < items.size(); ++j) {
+      const std::string key = items[i] + '|' + items[j];
+      const Finding* const mean = found.find("dissimilarity", key);
+      if (mean == nullptr) continue;
+      const auto [low, high] = found.interval("dissimilarity", key);
+      pairs.table.rows.push_back({items[i], items[j], static_cast<std::int64_t>(mean->n),
+                                  cell_of(mean->value), low, high, found.cell("distance", key),
+                                  found.cell("disparity", key)});
+    }
+  }
+  if (!pairs.table.rows.empty()) outcome.tables.push_back(std::move(pairs));
+}
+
+void add_identical_table(const FoundNumbers& found, AnalysisOutcome& outcome) {
+  const Finding* const mean = found.find("identical.mean");
+  if (mean == nullptr || !mean->value) return;
+  const auto [low, high] = found.interval("identical.mean");
+  const auto [difference_low, difference_high] = found.interval("identical.difference");
+  outcome.tables.push_back(
+      {kIdenticalPairs,
+       phrase("Analysis", "Dissimilarity of identical pairs"),
+       {{"persons", "mean", "mean_low", "mean_high", "difference", "difference_low",
+         "difference_high"},
+        {{static_cast<std::int64_t>(mean->n), cell_of(mean->value), low, high,
+          found.cell("identical.difference"), difference_low, difference_high}}},
+       phrase("Analysis",
+              "Mean dissimilarity of a surface and itself; 0 is the end of the scale for identical "
+              "surfaces. Difference: mean dissimilarity of different surfaces minus that of "
+              "identical ones. Means over participants with t-based 95 % CIs.")});
+}
+
+void add_configuration_table(const std::vector<std::string>& items, const FoundNumbers& found,
+                             AnalysisOutcome& outcome) {
+  const std::size_t dimensions = dimensions_in(found);
+  if (dimensions == 0) return;
+  NamedTable map{
+      kConfiguration,
+      phrase("Analysis", "Configuration of the items"),
+      {{"item"}, {}},
+      phrase("Analysis",
+             "%1 Only distances can be interpreted. Half axes and angle: the 95 % ellipse of the "
+             "position in the first two dimensions, from a bootstrap over participants.")
+          .with(is_metric(found)
+                    ? phrase("Analysis",
+                             "Metric (ratio) multidimensional scaling, along the principal axes, "
+                             "because the non-metric configuration is degenerate; distances have "
+                             "the unit of the scale.")
+                    : phrase("Analysis",
+                             "Non-metric multidimensional scaling, along the principal axes; the "
+                             "mean square distance of two items is 1."))};
+  for (std::size_t d = 1; d <= dimensions; ++d) map.table.columns.push_back(dimension_column(d));
+  for (const char* const column : {"half_axis_major", "half_axis_minor", "angle_deg"})
+    map.table.columns.emplace_back(column);
+  for (const std::string& item : items) {
+    std::vector<Cell>& row = map.table.rows.emplace_back();
+    row.emplace_back(item);
+    for (std::size_t d = 1; d <= dimensions; ++d)
+      row.push_back(found.cell("position", item + '|' + std::to_string(d)));
+    row.push_back(found.cell("region.major", item));
+    row.push_back(found.cell("region.minor", item));
+    const std::optional<double> angle_rad = found.value("region.angle", item);
+    row.push_back(angle_rad ? Cell{*angle_rad * 180.0 / std::numbers::pi} : Cell{});
+  }
+  outcome.tables.push_back(std::move(map));
+}
+
+void add_stress_table(const FoundNumbers& found, AnalysisOutcome& outcome) {
+  NamedTable stress{
+      "stress",
+      phrase("Analysis", "Stress by the number of dimensions"),
+      {{"dimensions", "stress_1", "metric_stress_1", "prediction_error", "above_smallest",
+        "above_smallest_se"},
+       {}},
+      phrase("Analysis",
+             "Kruskal’s stress-1 of non-metric and of metric (ratio) scaling; 0 is a perfect fit. "
+             "Prediction error: root mean square error of the prediction of each participant’s "
+             "ratings from those of the others (cross-validation), in the unit of the scale; next "
+             "to it, its square minus that of the best number of dimensions, with the standard "
+             "error over participants.")};
+  for (const Finding* const one : found.all("stress.ordinal")) {
+    if (!one->value) return;
+    const std::string& key = one->key;
+    stress.table.rows.push_back({static_cast<std::int64_t>(stress.table.rows.size() + 1),
+                                 cell_of(one->value), found.cell("stress.ratio", key),
+                                 found.cell("cv.error", key), found.cell("cv.above", key),
+                                 found.cell("cv.above.se", key)});
+  }
+  if (!stress.table.rows.empty()) outcome.tables.push_back(std::move(stress));
+}
+
+void add_raters_table(const GatheredAnswers& gathered, const FoundNumbers& found,
+                      AnalysisOutcome& outcome) {
+  const std::size_t dimensions = dimensions_in(found);
+  NamedTable raters{
+      "weights",
+      phrase("Analysis", "Participants: reliability, agreement, and weights of the dimensions"),
+      {{"participant", "repeated_r", "orders_r", "agreement_r", "fit"}, {}},
+      phrase("Analysis",
+             "Correlations of the first and the last rating of a pair, of the ratings in its two "
+             "orders, and of the participant’s mean ratings with those of the others. Fit: the "
+             "proportion of the participant’s scalar products that the INDSCAL model explains; "
+             "the weights are those of its dimensions, which differ from the axes of the "
+             "configuration.")};
+  for (std::size_t d = 1; d <= dimensions; ++d)
+    raters.table.columns.push_back("weight_" + std::to_string(d));
+  for (const AnsweringPerson& person : gathered.people) {
+    if (found.find("agreement.r", person.label) == nullptr &&
+        found.find("retest.r", person.label) == nullptr)
+      continue;
+    std::vector<Cell>& row = raters.table.rows.emplace_back();
+    row.emplace_back(person.label);
+    for (const char* const quantity : {"retest.r", "orders.r", "agreement.r", "indscal.fit"})
+      row.push_back(found.cell(quantity, person.label));
+    for (std::size_t d = 1; d <= dimensions; ++d)
+      row.push_back(found.cell("indscal.weight", person.label + '|' + std::to_string(d)));
+  }
+  if (!raters.table.rows.empty()) outcome.tables.push_back(std::move(raters));
+}
+
+void add_tree_table(const FoundNumbers& found, AnalysisOutcome& outcome) {
+  NamedTable tree{"tree",
+                  phrase("Analysis", "Dendrogram of the items"),
+                  {{"join", "first", "second", "height"}, {}},
+                  phrase("Analysis",
+                         "Average linkage of the mean dissimilarities. Each row joins the cluster "
+                         "of the first item with that of the second.")};
+  for (std::size_t join = 1;; ++join) {
+    const std::string key = std::to_string(join);
+    const Finding* const first = found.find("hclust.average.first", key);
+    const Finding* const second = found.find("hclust.average.second", key);
+    if (first == nullptr || second == nullptr) break;
+    tree.table.rows.push_back({static_cast<std::int64_t>(join), first->word, second->word,
+                               found.cell("hclust.average.height", key)});
+  }
+  if (!tree.table.rows.empty()) outcome.tables.push_back(std::move(tree));
+}
+
+void add_properties_table(const FoundNumbers& found, AnalysisOutcome& outcome) {
+  const std::size_t dimensions = dimensions_in(found);
+  NamedTable properties{
+      "properties",
+      phrase("Analysis", "Measured properties of the items in the configuration"),
+      {{"property", "r_squared"}, {}},
+      phrase("Analysis",
+             "R² of the regression of the property on the positions, and the direction in which it "
+             "increases (of length 1). Forces and speeds are means over the participants’ contacts "
+             "with the item: they depend on how it was explored. Texture force: the RMS along the "
+             "participants’ paths.")};
+  for (std::size_t d = 1; d <= dimensions; ++d)
+    properties.table.columns.push_back(dimension_column(d));
+  for (const Finding* const one : found.all("property.r2")) {
+    if (!one->value) continue;
+    std::vector<Cell>& row = properties.table.rows.emplace_back();
+    row.emplace_back(one->key);
+    row.push_back(cell_of(one->value));
+    for (std::size_t d = 1; d <= dimensions; ++d)
+      row.push_back(found.cell("property.direction", one->key + '|' + std::to_string(d)));
+  }
+  if (properties.table.rows.empty()) return;
+  if (const std::optional<double> together = found.value("protest.r2")) {
+    properties.note = phrase("Analysis",
+                             "%1 All properties together, as a configuration of their standardised "
+                             "values: Procrustes r² = %2, permutation test (PROTEST) %3.")
+                          .with(properties.note, reading_bounded(*together),
+                                reading_p(found.value("protest.p").value_or(1.0)));
+  }
+  outcome.tables.push_back(std::move(properties));
+}
+
+void ask_about_configuration(const FoundNumbers& found, const StudyTests& tests,
+                             AnalysisOutcome& outcome) {
+  const Phrase question =
+      phrase("Analysis", "Do the ratings have a structure, and in how many dimensions?");
+  const Phrase method =
+      phrase("Analysis",
+             "Non-metric multidimensional scaling of the mean dissimilarities, or metric (ratio) "
+             "scaling if the non-metric configuration is degenerate. Permutation test of "
+             "its stress-1: ratings are permuted over the pairs within participants. The number of "
+             "dimensions is chosen by cross-validation over participants.");
+  const StudyTests::Test* const test = tests.find(kConfiguration);
+  const Finding* const stress = found.find(is_metric(found) ? "stress.ratio" : "stress.ordinal",
+                                           std::to_string(dimensions_in(found)));
+  if (test == nullptr || !test->p || stress == nullptr || !stress->value) {
+    const std::string reason = test == nullptr ? "no_responses" : test->status;
+    add_question(outcome, kConfiguration, question,
+                 phrase("Analysis", "Not tested: %1.").with(words_of_cell("status", reason)),
+                 method, kDissimilarities, nullptr);
+    return;
+  }
+  const auto with_numbers = [&](const Phrase& words) {
+    const Phrase said =
+        words.with(std::to_string(dimensions_in(found)), stress_text(*stress->value),
+                   stress_text(found.value("stress.perm.mean").value_or(0.0)), p_text(*test));
+    const Phrase qualified = qualification_of_stress(found);
+    return qualified.empty() ? said : phrase("Analysis", "%1 %2").with(said, qualified);
+  };
+  const Sayings sayings{
+      with_numbers(phrase("Analysis",
+                          "Yes: the configuration in %1 dimensions has a stress-1 of %2, lower "
+                          "than that of permuted ratings (mean %3). Permutation test: %4.")),
+      with_numbers(phrase("Analysis",
+                          "Not significantly: the configuration in %1 dimensions has a stress-1 of "
+                          "%2, and that of permuted ratings is %3 on average. Permutation test: "
+                          "%4.")),
+      with_numbers(phrase("Analysis",
+                          "For these participants, the configuration in %1 dimensions has a "
+                          "stress-1 of %2, and that of permuted ratings is %3 on average. "
+                          "Permutation test: %4."))};
+  add_question(outcome, kConfiguration, question, said_of(*test, sayings), method, kConfiguration,
+               stress);
+}
+
+/// `parts`: those of the family's findings that are needed.
+std::vector<Finding> findings_of_judgements(const GatheredAnswers& gathered,
+                                            const std::vector<std::string>& items,
+                                            const char* parts) {
+  TidyInput input{};
+  input.tables.push_back(table_of_judgements(gathered));
+  TidyTable properties = properties_of_items(gathered, items);
+  if (properties.rows() > 0) input.tables.push_back(std::move(properties));
+  input.options.set("items", items);
+  input.options.set("parts", std::string(parts));
+  return analysis_of(kConfiguration, "similarity", std::move(input));
+}
+
+void add_similarity_tests(const FoundNumbers& found, StudyTests& tests) {
+  const Finding* const unscaled = found.find("stress.ordinal");
+  if (unscaled != nullptr && !unscaled->word.empty()) {
+    tests.add_untested(kConfiguration, "", unscaled->word);
+  } else {
+    tests.add(kConfiguration, "", found, "stress.perm.p");
+  }
+  if (found.find("t.p.two", "identical") != nullptr)
+    tests.add("identical", "", found, "t.p.two", "identical");
+  for (const Finding* const property : found.all("property.r2")) {
+    if (property->value)
+      tests.add("properties", property->key, found, "property.perm.p", property->key);
+  }
+}
+
+}  // namespace
+
+std::vector<StudyTest> test_similarity(const GatheredAnswers& gathered) {
+  StudyTests tests(gathered);
+  const std::vector<Finding> findings =
+      findings_of_judgements(gathered, rated_items(gathered), "tests");
+  add_similarity_tests(FoundNumbers(findings), tests);
+  return std::move(tests).take_family();
+}
+
+void analyze_similarity(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
+  const std::vector<std::string> items = rated_items(gathered);
+  const std::vector<Finding> findings = findings_of_judgements(gathered, items, "all");
+  const FoundNumbers found(findings);
+  keep_findings(findings, outcome);
+  add_pairs_table(items, found, outcome);
+  add_identical_table(found, outcome);
+  add_configuration_table(items, found, outcome);
+  add_stress_table(found, outcome);
+  add_tree_table(found, outcome);
+  add_raters_table(gathered, found, outcome);
+  add_properties_table(found, outcome);
+  StudyTests tests(gathered);
+  add_similarity_tests(found, tests);
+  tests.finish(outcome);
+  for (Phrase& remark : remarks_on_configuration(found)) {
+    outcome.remarks.push_back(std::move(remark));
+  }
+  ask_about_configuration(found, tests, outcome);
+}
+
+}  // namespace asperity

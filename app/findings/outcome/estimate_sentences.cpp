@@ -1,0 +1,211 @@
+// Finds means among the findings by analysis and quantity, and lists them with their intervals and N.
+
+#include "app/findings/outcome/estimate_sentences.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
+#include <variant>
+
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/reading_table.h"
+#include "app/findings/outcome/study_analysis.h"
+#include "app/findings/outcome/test_sentences.h"
+#include "app/words/text_parts.h"
+
+namespace asperity {
+
+namespace {
+
+using EstimateText = std::function<std::string(double)>;
+
+/// "83 % (95 % CI [49 %, 96 %]) for height_map"
+std::string one_estimate(const Finding& estimate, const std::string& about,
+                         const EstimateText& shown) {
+  std::string text = shown(*estimate.value);
+  if (estimate.low && estimate.high) {
+    text += " (95 % CI [" + shown(*estimate.low) + ", " + shown(*estimate.high) + "])";
+  }
+  return about.empty() ? text : text + " for " + about;
+}
+
+std::vector<const Finding*> estimates_among(const AnalysisOutcome& outcome,
+                                            std::string_view analysis, std::string_view quantity) {
+  std::vector<const Finding*> found = numbers_among(outcome, analysis, quantity);
+  // The key of a pair consists of both names.
+  std::erase_if(found, [](const Finding* one) { return one->key.find('|') != std::string::npos; });
+  return found;
+}
+
+/// "a, b and c, N = 6"
+std::string all_estimates(const std::vector<const Finding*>& estimates, const std::string& only_key,
+                          const EstimateText& shown) {
+  std::string text{};
+  for (std::size_t i = 0; i < estimates.size(); ++i) {
+    if (i > 0) text += i + 1 == estimates.size() ? " and " : ", ";
+    const std::string& key = estimates[i]->key;
+    text += one_estimate(*estimates[i], key == only_key ? "" : key, shown);
+  }
+  return text + ", N = " + reading_count(estimates.front()->n);
+}
+
+/// Of the conditions with a reported peak: "1.23 mm, 95 % CI [1.17 mm, 1.29 mm], p < .001".
+std::map<std::string, std::string> reported_peaks(const AnalysisOutcome& outcome) {
+  std::map<std::string, std::string> peaks{};
+  const auto found = std::find_if(outcome.tables.begin(), outcome.tables.end(),
+                                  [](const NamedTable& table) { return table.name == "peaks"; });
+  if (found == outcome.tables.end()) return peaks;
+  const Table& table = found->table;
+  for (const std::vector<Cell>& row : table.rows) {
+    const auto number = [&](const char* column) -> std::optional<double> {
+      const auto at = column_of(table, column);
+      return at ? number_of(row[*at]) : std::nullopt;
+    };
+    const auto peak = number("peak_m");
+    const auto* const condition = std::get_if<std::string>(&row.front());
+    if (condition == nullptr || !peak) continue;
+    std::string text = reading_quantity(*peak, "m");
+    const auto low = number("peak_m_low");
+    const auto high = number("peak_m_high");
+    if (low && high) {
+      text +=
+          ", 95 % CI [" + reading_quantity(*low, "m") + ", " + reading_quantity(*high, "m") + ']';
+    }
+    if (const auto p = number("p_interior")) text += ", " + reading_p(*p);
+    peaks[*condition] = text;
+  }
+  return peaks;
+}
+
+/// "Estimates had a significant interior maximum at 1.23 mm (…) for small and at … for large; no power function is stated for
+/// these conditions."
+std::string peaks_text(const std::map<std::string, std::string>& peaks) {
+  std::vector<std::string> parts{};
+  for (const auto& [condition, text] : peaks) {
+    parts.push_back("at " + text +
+                    (condition == "all" ? "" : " (" + words_of_condition(condition) + ")"));
+  }
+  if (parts.empty()) return {};
+  return "The spacings of maximum roughness (significant interior maxima, test of Lind and Mehlum) "
+         "were " +
+         listed(parts) + "; " +
+         (parts.size() == 1 ? "this curve is not a power function."
+                            : "these curves are not power functions.");
+}
+
+}  // namespace
+
+std::vector<const Finding*> numbers_among(const AnalysisOutcome& outcome, std::string_view analysis,
+                                          std::string_view quantity) {
+  std::vector<const Finding*> found{};
+  for (const Finding& finding : outcome.findings) {
+    if (finding.analysis == analysis && finding.quantity == quantity && finding.value) {
+      found.push_back(&finding);
+    }
+  }
+  return found;
+}
+
+EstimateSentence choices_sentence(const AnalysisOutcome& outcome) {
+  const std::vector<const Finding*> means = estimates_among(outcome, "choice", "subj.mean");
+  if (means.size() < 2) return {};
+  const double chance = 1.0 / static_cast<double>(means.size());
+  return {.text = "Mean proportions of choices were " + all_estimates(means, "", reading_percent) +
+                  "; the chance level was " + reading_percent(chance) + '.',
+          .has_mean_interval = std::any_of(means.begin(), means.end(), [](const Finding* mean) {
+            return mean->low.has_value();
+          })};
+}
+
+EstimateSentence exponents_sentence(const AnalysisOutcome& outcome) {
+  std::vector<const Finding*> means = estimates_among(outcome, kRoughness, "exponent.mean");
+  const bool is_of_spacings = !means.empty();
+  if (!is_of_spacings) means = estimates_among(outcome, kStimulusEstimates, "exponent.mean");
+  // A curve with a maximum among the tested spacings is not a power function.
+  const std::map<std::string, std::string> peaks = reported_peaks(outcome);
+  std::erase_if(means, [&peaks](const Finding* one) { return peaks.contains(one->key); });
+  std::string text = peaks_text(peaks);
+  if (means.empty()) return {.text = text};
+  if (!text.empty()) text += ' ';
+  constexpr int kDecimals = 2;
+  return {.text = text +
+                  (means.size() == 1 ? std::string("The mean slope") : std::string("Mean slopes")) +
+                  " of log estimate on " + (is_of_spacings ? "log spacing" : "log predictor") +
+                  " (exponent of a power function) " + (means.size() == 1 ? "was " : "were ") +
+                  all_estimates(means, "all",
+                                [](double value) { return reading_signed(value, kDecimals); }) +
+                  '.'};
+}
+
+EstimateSentence pairs_sentence(const AnalysisOutcome& outcome) {
+  constexpr int kDecimals = 2;
+  std::vector<std::string> sentences{};
+  const auto state = [&](const char* start, std::string_view analysis, std::string_view quantity,
+                         const EstimateText& shown) {
+    const std::vector<const Finding*> found = estimates_among(outcome, analysis, quantity);
+    if (!found.empty()) sentences.push_back(start + all_estimates(found, "", shown) + '.');
+  };
+  state("Log-worths of the Bradley–Terry model (mean 0) were ", "scale",
+        "bt.ability.sumzero.cluster",
+        [](double value) { return reading_signed(value, kDecimals); });
+  state("Mean proportions of comparisons in which an item was chosen were ", "scores", "mean.score",
+        reading_percent);
+  const std::vector<const Finding*> zetas = numbers_among(outcome, "consistency", "mean.zeta");
+  if (!zetas.empty()) {
+    sentences.push_back(
+        "The mean coefficient of consistence was ζ = " +
+        one_estimate(*zetas.front(), "", [](double value) { return reading_bounded(value); }) +
+        ", N = " + reading_count(zetas.front()->n) + '.');
+  }
+  std::string text{};
+  for (const std::string& sentence : sentences) text += (text.empty() ? "" : " ") + sentence;
+  return {.text = text};
+}
+
+void state_means_of_items(AnalysisOutcome& outcome, const MeansOfItems& means) {
+  const auto text_of = [&](const std::vector<std::string>& items, bool is_pair) {
+    std::vector<std::string> parts{};
+    for (const std::string& item : items) {
+      std::string key = means.scale.empty() ? item : means.scale + '|' + item;
+      if (is_pair && means.within_pairs) {
+        key += '|' + (item == items.front() ? items.back() : items.front());
+      }
+      const auto found = std::find_if(
+          outcome.findings.begin(), outcome.findings.end(), [&](const Finding& finding) {
+            return finding.analysis == means.analysis && finding.quantity == means.quantity &&
+                   finding.key == key && finding.value;
+          });
+      if (found == outcome.findings.end()) return std::string();
+      parts.push_back(one_estimate(*found, words_of_condition(item), means.shown));
+    }
+    return "means: " + listed(parts);
+  };
+  const auto state = [&](const std::string& test, const std::string& about,
+                         const std::vector<std::string>& items, bool is_pair) {
+    const std::string text = text_of(items, is_pair);
+    if (!text.empty()) state_means(outcome, test, text, about);
+  };
+  for (const std::string& test : means.tests) state(test, means.scale, means.items, false);
+  for (const std::string& test : means.tests_of_pairs) {
+    for (std::size_t a = 0; a < means.items.size(); ++a) {
+      for (std::size_t b = 0; b < means.items.size(); ++b) {
+        if (a == b) continue;
+        const std::string pair = means.items[a] + '|' + means.items[b];
+        state(test, pair, {means.items[a], means.items[b]}, true);
+        if (!means.scale.empty()) {
+          state(test, means.scale + ": " + pair, {means.items[a], means.items[b]}, true);
+        }
+      }
+    }
+  }
+}
+
+EstimateSentence estimate_sentence(const AnalysisOutcome& outcome) {
+  const StudyAnalysis* const analysis = find_analysis(outcome.kind);
+  if (analysis == nullptr || analysis->estimates == nullptr) return {};
+  return analysis->estimates(outcome);
+}
+
+}  // namespace asperity

@@ -1,0 +1,97 @@
+// Collects the tests of a study, applies Holm's correction over its family, and makes the table
+// that reports them.
+
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/findings/outcome/analysis_outcome.h"
+#include "app/findings/outcome/study_test.h"
+#include "app/findings/tidy/found_numbers.h"
+
+namespace asperity {
+
+/// The tests of a study, with Holm's correction over those of its family.
+class StudyTests final {
+ public:
+  /// The table of all tests, and the analysis that its findings belong to.
+  static constexpr const char* kTable = "tests";
+  /// The status of a permutation test of one participant, whose p could only be 1.
+  static constexpr const char* kOneParticipantAlone = "cannot be tested with one participant";
+
+  /// The status of a signed-rank test of several participants of whom only one has a difference other than zero: its p could
+  /// only be 1. A code of cell_words.h.
+  static constexpr const char* kOneDifference = "one_difference";
+  /// The status where all their differences are zero. A code of cell_words.h.
+  static constexpr const char* kNoDifference = "no_difference";
+
+  /// The family that the protocol declares, or the first test of its kind. Without a declaration,
+  /// scales that only accompany other questions have no family.
+  explicit StudyTests(const GatheredAnswers& gathered);
+  /// Of a study in which the first test of the kind cannot be asked. Keeps a declared family.
+  void set_default_family(std::vector<std::string> names);
+
+  using Test = StudyTest;
+
+  /// Adds the test whose p is the quantity `p` with this key. A p that is not a number is the
+  /// reason that there is no test; within the study's family such a test counts as p = 1.
+  void add(const std::string& name, const std::string& about, const FoundNumbers& found,
+           std::string_view p, std::string_view key = {});
+  /// A test that cannot be made. `reason`: a code of cell_words.h, or a sentence.
+  void add_untested(const std::string& name, const std::string& about, const std::string& reason);
+  /// Sets the number of participants left out of the test that was added last. `why`: a sentence without its end, which
+  /// the number follows in the note below the table; may be empty.
+  void leave_out(std::size_t participants, const Phrase& why);
+  /// Of the last test: participants that it drops because their two values are equal. The note below the table lists them.
+  void drop_ties(std::size_t participants) { tests_.back().ties = participants; }
+  /// Sets the proportion expected under guessing for the same test.
+  void state_chance(double chance);
+  /// Of the same test: the effect in the unit of the responses, with its interval. Null: there is none.
+  void state_effect(const Finding* effect);
+  /// Adjusts, and appends the table `kTable` with its findings. A test that the protocol declares
+  /// and that was not added is a row without a p. Without a test no table is appended.
+  void finish(AnalysisOutcome& outcome);
+  /// Adjusts, and returns the tests of the family alone, in the order in which they were added: what `finish` reports of
+  /// them, without tables and sentences.
+  std::vector<Test> take_family() &&;
+
+  const Test* find(std::string_view name, std::string_view about = {}) const;
+  std::span<const Test> tests() const noexcept { return tests_; }
+  bool is_in_family(std::string_view name) const;
+  const std::string& family() const noexcept { return name_; }
+  bool is_declared() const noexcept { return is_declared_; }
+
+ private:
+  /// Sets the name of the family from its tests.
+  void name_family();
+  /// Adds the tests of the family that were not added, with the reason why there are none.
+  void add_missing();
+  /// Applies Holm's correction to the p of the family, and to the smallest attainable ones.
+  void adjust();
+  /// The smallest number of participants with a difference other than zero with which a test that permutes signs can be
+  /// significant.
+  std::optional<std::size_t> required_participants(const Test& test) const;
+  std::size_t tests_in_family() const;
+  /// The note below the table: the number of tests in the family, and the contents of the columns,
+  /// without the symbols of the tests that are called `left_out`.
+  Phrase note_on_family(std::size_t tests, std::string_view left_out = {}) const;
+  Phrase note_on_columns(std::string_view left_out) const;
+  /// The tests with participants whose difference is zero, and how many they are; empty without such a test. Signed-rank
+  /// tests first, which do not count them in n, then sign-flip tests.
+  Phrase note_on_zero_differences() const;
+
+  std::string kind_{};
+  std::size_t people_ = 0;
+  std::vector<std::string> family_{};
+  std::string name_{};
+  bool is_declared_ = false;
+  bool is_of_other_kinds_ = false;  ///< the declared family, which has no test of this kind
+  std::vector<Test> tests_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,69 @@
+// Reports the tests of a study in sentences for a paper.
+
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "app/findings/outcome/analysis_outcome.h"
+#include "app/findings/outcome/study_test.h"
+
+namespace asperity {
+
+/// "exact", or how many permutations were drawn; empty for a test that permutes nothing.
+std::string permutations_text(const StudyTest& test);
+
+/// "F(2, 38) = 5.17"; with an ε that corrects the degrees of freedom "F(1.54, 29.18) = 5.17, ε = .77".
+std::string statistic_text(std::string_view symbol, std::span<const double> degrees, double value,
+                           std::optional<double> epsilon = {});
+
+/// "d = 2.74 [1.75, 3.71]"; without an interval where a limit is absent.
+struct EffectInterval {
+  std::optional<double> low{};
+  std::optional<double> high{};
+  std::string_view before = " ";  ///< between the value and the bracket
+};
+std::string effect_text(std::string_view symbol, double value, const EffectInterval& interval);
+
+/// The result of a test of this kind of protocol, with its numbers: "The mean proportion correct
+/// was significantly above the chance level: mean proportion correct = 89 %, 95 % CI [54 %, 97 %],
+/// N = 6; one-sample t test, t(5) = 10.28, p < .001, Holm-corrected; Cohen’s d = 4.20, 95 % CI
+/// [1.56, 6.83]." One that is not confirmatory claims no significance: "In an exploratory test, the
+/// mean proportion correct was above the chance level: …". For a test that could not be made, that
+/// fact and the reason. Where the interval of the tested proportion contains the chance level: "It was not established that the
+/// mean proportion correct was above the chance level: …".
+TestSentence sentence_of_test(const StudyTest& test, std::string_view kind);
+
+/// Adds a clause before the full stop of the sentences of a test; with `about`, only of that
+/// comparison.
+void qualify_test_sentence(AnalysisOutcome& outcome, std::string_view test, std::string_view clause,
+                           std::string_view about = {});
+
+/// The same for a confirmatory test: the means that show the direction of its effect.
+void state_means(AnalysisOutcome& outcome, std::string_view test, const std::string& means,
+                 std::string_view about);
+
+/// "p = .031, uncorrected"; for the family "p = .062, Holm-corrected", or "p = .062, the only
+/// confirmatory test". Where no p of 5 % could be attained, with the smallest attainable one and, where it is known, the
+/// number of participants with which it is below 5 %.
+/// Without a declaration no test is confirmatory.
+Phrase p_text(const StudyTest& test);
+/// An answer, and after it the participants with a difference of zero: a signed-rank test leaves them out, so that its n is
+/// smaller than the number of participants; they do not affect the p of a sign-flip test.
+Phrase with_zero_differences(const Phrase& answer, const StudyTest& test);
+/// An answer about a mean proportion, and after it that its test is significant and its interval contains the chance level.
+Phrase with_contradiction(const Phrase& answer);
+/// The answers that a test that was made may give: `claim` if it is confirmatory and significant, `nothing` if it belongs
+/// to a family and is not significant, and `told` for a test from which nothing is concluded, because it is exploratory, as the
+/// sentence that is added to it states. `with_zero_differences` holds for all
+/// of a signed-rank test.
+struct Sayings {
+  Phrase claim{};
+  Phrase nothing{};
+  Phrase told{};
+};
+Phrase said_of(const StudyTest& test, const Sayings& sayings);
+
+}  // namespace asperity

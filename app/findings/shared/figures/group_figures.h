@@ -1,0 +1,25 @@
+// Makes the figures of two groups and their difference.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/findings/outcome/figure.h"
+#include "app/findings/tidy/found_numbers.h"
+#include "app/words/phrase.h"
+
+namespace asperity {
+
+/// The means of two groups and their difference, a figure each. `axis`: contains a placeholder for
+/// the confidence, in percent.
+struct GroupChoice {
+  std::string means{};  ///< the findings, by quantity
+  std::string difference{};
+  std::string pooled_difference{};  ///< empty: none
+  Phrase axis{};
+  bool are_shares = false;  ///< from 0 to 1
+};
+std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers& found);
+
+}  // namespace asperity

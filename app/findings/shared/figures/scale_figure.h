@@ -1,0 +1,24 @@
+// Makes figures of items along a scale.
+
+#pragma once
+
+#include <string>
+
+#include "app/findings/outcome/figure.h"
+#include "app/findings/tidy/found_numbers.h"
+#include "app/words/phrase.h"
+
+namespace asperity {
+
+/// Items along a scale with intervals over participants, in descending order from the top.
+struct ScaleChoice {
+  std::string quantity{};
+  /// Used where there is no finding of `quantity`, without its intervals, which treat all
+  /// judgements as independent; may be empty.
+  std::string otherwise{};
+  std::string status{};  ///< of the fit
+  Phrase title{};
+};
+Figure scale_figure(const std::string& name, const ScaleChoice& choice, const FoundNumbers& found);
+
+}  // namespace asperity

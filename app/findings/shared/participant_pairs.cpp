@@ -1,0 +1,258 @@
+// Calls the family `group` for each pair of groups in which both have responses.
+
+#include "app/findings/shared/participant_pairs.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "analysis/tests/two_samples.h"
+#include "app/findings/gathering/answer_columns.h"
+#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/study_findings.h"
+#include "app/findings/outcome/test_sentences.h"
+#include "app/findings/shared/group_equivalence.h"
+
+namespace asperity {
+
+namespace {
+
+/// Whether there are participants of both levels.
+bool has_both(const ParticipantPair& pair, std::span<const HitCount> own) {
+  const auto has = [&](const std::string& level) {
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      if (own[i].trials > 0 && pair.levels[i] == level) return true;
+    }
+    return false;
+  };
+  return has(pair.first) && has(pair.second);
+}
+
+/// For the family `group`: a row per participant of either level.
+TidyInput table_of_pair(const GatheredAnswers& gathered, const ParticipantPair& pair,
+                        std::span<const HitCount> own) {
+  LabelRows subjects{};
+  LabelRows groups{};
+  NumberColumn correct{};
+  NumberColumn trials{};
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    if (pair.levels[i].empty() || own[i].trials == 0) continue;
+    subjects.add(gathered.people[i].label);
+    groups.add(pair.levels[i]);
+    correct.push_back(static_cast<double>(own[i].hits));
+    trials.push_back(static_cast<double>(own[i].trials));
+  }
+  TidyInput input{};
+  input.tables.emplace_back(std::vector<TidyTable::Column>{{"subject", std::move(subjects).take()},
+                                                           {"group", std::move(groups).take()},
+                                                           {"correct", std::move(correct)},
+                                                           {"trials", std::move(trials)}},
+                            "the participants");
+  input.options.set("groups", std::vector<std::string>{pair.first, pair.second});
+  return input;
+}
+
+/// "95 % CI [2.10, 2.90]" for an estimate other than a proportion.
+Phrase plain_interval(const Finding& finding, int digits) {
+  if (finding.low && finding.high) {
+    return phrase("Analysis", "95 % CI [%1, %2]")
+        .with(reading_signed(*finding.low, digits), reading_signed(*finding.high, digits));
+  }
+  return phrase("Analysis", "without a CI");
+}
+
+/// The same for a difference, whose p comes from a different method than its interval.
+Phrase interval_of_difference(const Finding& finding, int digits) {
+  if (finding.low && finding.high) {
+    return phrase("Analysis", "Welch 95 % CI [%1, %2]")
+        .with(reading_signed(*finding.low, digits), reading_signed(*finding.high, digits));
+  }
+  return phrase("Analysis", "without a CI");
+}
+
+Phrase method_of_pair(const PairMeans& means) {
+  const Phrase own = phrase("Analysis", "Means of the participants' own results.");
+  const Phrase intervals =
+      means.difference->low
+          ? phrase(
+                "Analysis",
+                "%1 The CIs of the means are t-based, for proportions on the logit scale; that "
+                "of the difference is Welch's CI. p is computed by a different method: in "
+                "borderline cases p may be below .05 although the CI contains 0, or the reverse.")
+                .with(own)
+          : own;
+  return means.first->n + means.second->n <= kMostPermuted
+             ? phrase("Analysis",
+                      "%1 The permutation test uses all permutations of the group labels.")
+                   .with(intervals)
+             : phrase("Analysis",
+                      "%1 The permutation test uses %2 permutations of the group labels drawn at "
+                      "random, because there are too many to enumerate.")
+                   .with(intervals, std::to_string(kRandomSplits));
+}
+
+Phrase means_text(const ParticipantPair& pair, const PairMeans& means, const Phrase& first,
+                  const Phrase& second) {
+  switch (means.scale) {
+    case PairScale::shares_of_answers:
+      return phrase("Analysis", "the mean proportion correct is %1 for %3 and %2 for %4")
+          .with(first, second, pair.first_name, pair.second_name);
+    case PairScale::shares_of_items:
+      return phrase("Analysis",
+                    "the mean proportion of correctly matched items is %1 for %3 and %2 for %4")
+          .with(first, second, pair.first_name, pair.second_name);
+    case PairScale::items:
+      return phrase("Analysis",
+                    "the mean number of correctly matched items per trial is %1 for %3 and %2 for "
+                    "%4")
+          .with(first, second, pair.first_name, pair.second_name);
+    case PairScale::shares_of_target:
+      break;
+  }
+  return phrase("Analysis", "the mean proportion of choices of %5 is %1 for %3 and %2 for %4")
+      .with(first, second, pair.first_name, pair.second_name, means.target);
+}
+
+}  // namespace
+
+ParticipantPair women_and_men(const GatheredAnswers& gathered) {
+  ParticipantPair pair{.test = kSexesTest,
+                       .analysis = kSexesTest,
+                       .equivalence = kSexesEquivalence,
+                       .first = "F",
+                       .second = "M",
+                       .first_name = phrase("Analysis", "women"),
+                       .second_name = phrase("Analysis", "men"),
+                       .question = phrase("Analysis", "Do women and men differ?"),
+                       .equivalence_question = phrase("Analysis", "Are women and men equivalent?")};
+  for (const AnsweringPerson& person : gathered.people) {
+    const std::string sex = person.sex.value_or("");
+    pair.levels.push_back(sex == "F" || sex == "M" ? sex : "");
+  }
+  return pair;
+}
+
+std::vector<ParticipantPair> pairs_of_groups(const GatheredAnswers& gathered) {
+  std::vector<ParticipantPair> pairs{};
+  const std::vector<std::string>& groups = gathered.groups;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    for (std::size_t j = i + 1; j < groups.size(); ++j) {
+      ParticipantPair pair{
+          .test = kGroupsTest,
+          .analysis = kGroupsTest,
+          .equivalence = kGroupsEquivalence,
+          .first = groups[i],
+          .second = groups[j],
+          .first_name = groups[i],
+          .second_name = groups[j],
+          .question =
+              phrase("Analysis", "Do the groups %1 and %2 differ?").with(groups[i], groups[j]),
+          .equivalence_question = phrase("Analysis", "Are the groups %1 and %2 equivalent?")
+                                      .with(groups[i], groups[j])};
+      if (groups.size() > 2) {  // every pair has findings of the same names
+        for (std::string* name : {&pair.analysis, &pair.equivalence}) *name += ':' + pair.about();
+      }
+      for (const AnsweringPerson& person : gathered.people) {
+        const std::string group = person.group.value_or("");
+        pair.levels.push_back(group == pair.first || group == pair.second ? group : "");
+      }
+      pairs.push_back(std::move(pair));
+    }
+  }
+  return pairs;
+}
+
+void ask_pair(const ParticipantPair& pair, const PairMeans& means, const StudyTests& tests,
+              AnalysisOutcome& outcome) {
+  const StudyTests::Test* test = tests.find(pair.test, pair.about());
+  const auto has_value = [](const std::optional<Finding>& one) { return one && one->value; };
+  if (!has_value(means.first) || !has_value(means.second) || !has_value(means.difference) ||
+      test == nullptr) {
+    return;
+  }
+  const bool are_shares = means.scale != PairScale::items;
+  const auto mean = [are_shares](const Finding& of) {
+    return phrase("Analysis", "%1 (%2, n = %3)")
+        .with(are_shares ? percent(*of.value) : Phrase(reading_signed(*of.value, 2)),
+              are_shares ? interval_text(of) : plain_interval(of, 2), std::to_string(of.n));
+  };
+  const Phrase of_both = means_text(pair, means, mean(*means.first), mean(*means.second));
+  Finding shown = *means.difference;
+  for (std::optional<double>* number : {&shown.value, &shown.low, &shown.high}) {
+    if (*number && are_shares) **number *= 100.0;
+  }
+  const int digits = are_shares ? 1 : 2;
+  const Phrase difference =
+      (are_shares ? phrase("Analysis", "%1 percentage points (%2)")
+                  : phrase("Analysis", "%1 items (%2)"))
+          .with(reading_signed(*shown.value, digits), interval_of_difference(shown, digits));
+  const auto with_numbers = [&](const Phrase& words) {
+    return words.with(of_both, difference, p_text(*test), pair.first_name, pair.second_name);
+  };
+  state_means(outcome, test->name, of_both.english() + "; difference " + difference.english(),
+              test->about);
+  if (test->is_significant() && holds_in_interval(*means.difference, 0.0)) {
+    qualify_test_sentence(outcome, test->name, "; the 95 % CI of the difference contains 0",
+                          test->about);
+  }
+  const Sayings sayings{
+      holds_in_interval(*means.difference, 0.0)
+          ? with_numbers(phrase("Analysis",
+                                "Not established: %1; difference (%4 − %5) %2. Permutation "
+                                "test of group labels: %3. The test is significant, but the CI of "
+                                "the difference contains 0; more participants are needed."))
+          : with_numbers(phrase("Analysis",
+                                "Yes: %1; difference (%4 − %5) %2. Permutation test of group "
+                                "labels: %3.")),
+      with_numbers(phrase("Analysis",
+                          "Not significantly: %1; difference (%4 − %5) %2. Permutation test of "
+                          "group labels: %3. This does not show that they are equal.")),
+      with_numbers(phrase("Analysis",
+                          "For these participants, %1; difference (%4 − %5) %2. Permutation "
+                          "test of group labels: %3."))};
+  add_question(outcome, pair.analysis.c_str(), pair.question, said_of(*test, sayings),
+               method_of_pair(means), "tests", &*means.difference);
+}
+
+PairComparisons::PairComparisons(const GatheredAnswers& gathered,
+                                 const std::vector<ParticipantPair>& pairs,
+                                 std::span<const HitCount> own)
+    : gathered_(gathered) {
+  for (const HitCount& count : own) {
+    proportions_.push_back(count.trials > 0 ? std::optional(proportion(count)) : std::nullopt);
+  }
+  for (const ParticipantPair& pair : pairs) {
+    if (!has_both(pair, own)) continue;
+    compared_.push_back(
+        {pair, analysis_of(pair.analysis.c_str(), "group", table_of_pair(gathered, pair, own))});
+  }
+}
+
+void PairComparisons::add_tests(StudyTests& tests, AnalysisOutcome& outcome) const {
+  for (const Compared& one : compared_) {
+    keep_findings(one.findings, outcome);
+    tests.add(one.pair.test, one.pair.about(), FoundNumbers(one.findings), "perm.p.two");
+  }
+}
+
+void PairComparisons::ask(PairScale scale, const std::string& target, const StudyTests& tests,
+                          AnalysisOutcome& outcome) const {
+  for (const Compared& one : compared_) {
+    const FoundNumbers found(one.findings);
+    const auto of = [&found](const char* quantity, const std::string& key) {
+      const Finding* finding = found.find(quantity, key);
+      return finding == nullptr ? std::nullopt : std::optional(*finding);
+    };
+    ask_pair(one.pair,
+             {.first = of("subj.mean", one.pair.first),
+              .second = of("subj.mean", one.pair.second),
+              .difference = of("subj.diff", ""),
+              .scale = scale,
+              .target = target},
+             tests, outcome);
+    if (scale != PairScale::shares_of_target) {
+      ask_equivalence(one.pair, gathered_, proportions_, outcome);
+    }
+  }
+}
+
+}  // namespace asperity

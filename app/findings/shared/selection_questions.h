@@ -1,0 +1,39 @@
+// Answers the questions of a selection in sentences, from its tests and scales.
+
+#pragma once
+
+#include "app/findings/outcome/study_findings.h"
+#include "app/findings/shared/selection_choices.h"
+#include "app/findings/tidy/found_numbers.h"
+
+namespace asperity {
+
+/// Which rendering is the most realistic: by the participants' proportions where every trial offers
+/// every item, otherwise by the scale.
+void ask_preference(const Selection& selection, const FoundNumbers& choice,
+                    const FoundNumbers& scale, const StudyTests& tests, AnalysisOutcome& outcome);
+
+/// The words in which pairs are reported, and the name of their tests.
+struct PairWords {
+  Phrase question{};
+  Phrase method{};
+  Phrase nothing_chosen{};  ///< the answer without any choice between two items
+  std::string test{};
+};
+/// Of a selection: whether one rendering is preferred to another.
+PairWords words_of_pairs(const Selection& selection, const std::string& test);
+/// Which item of a pair is chosen more often; `found` has the differences, and the proportions of
+/// single pairs where trials offer different items.
+void ask_pairs(const PairWords& words, const StudyTests& tests, const FoundNumbers& found,
+               AnalysisOutcome& outcome);
+
+/// Whether the position of a surface in its trial matters. `method`: the test.
+void ask_position(std::size_t positions, const Phrase& method, const FoundNumbers& found,
+                  const StudyTests& tests, AnalysisOutcome& outcome);
+
+/// Whether the preference for the target depends on the texture.
+void ask_textures(const Selection& selection, const StudyTests& tests, AnalysisOutcome& outcome);
+/// Whether that question applies: there is a target, offered in every trial, and several textures.
+bool asks_about_textures(const Selection& selection);
+
+}  // namespace asperity

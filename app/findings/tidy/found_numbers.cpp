@@ -1,0 +1,53 @@
+// Indexes findings by quantity and key; of equal names, the first is found.
+
+#include "app/findings/tidy/found_numbers.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace asperity {
+
+Cell cell_of(const std::optional<double>& number) { return number ? Cell{*number} : Cell{}; }
+
+FoundNumbers::FoundNumbers(std::span<const Finding> findings) : in_order_(findings) {
+  for (const Finding& finding : findings) {
+    findings_.emplace(std::pair<std::string_view, std::string_view>(finding.quantity, finding.key),
+                      &finding);
+  }
+}
+
+const Finding* FoundNumbers::find(std::string_view quantity, std::string_view key) const {
+  const auto found = findings_.find({quantity, key});
+  return found == findings_.end() ? nullptr : found->second;
+}
+
+std::optional<double> FoundNumbers::value(std::string_view quantity, std::string_view key) const {
+  const Finding* finding = find(quantity, key);
+  return finding == nullptr ? std::nullopt : finding->value;
+}
+
+std::vector<const Finding*> FoundNumbers::all(std::string_view quantity) const {
+  std::vector<const Finding*> found{};
+  for (const Finding& finding : in_order_) {
+    if (finding.quantity == quantity) found.push_back(&finding);
+  }
+  return found;
+}
+
+Cell FoundNumbers::cell(std::string_view quantity, std::string_view key) const {
+  return cell_of(value(quantity, key));
+}
+
+Cell FoundNumbers::count(std::string_view quantity, std::string_view key) const {
+  const std::optional<double> number = value(quantity, key);
+  return number ? Cell{static_cast<std::int64_t>(std::llround(*number))} : Cell{};
+}
+
+std::pair<Cell, Cell> FoundNumbers::interval(std::string_view quantity,
+                                             std::string_view key) const {
+  const Finding* finding = find(quantity, key);
+  if (finding == nullptr) return {};
+  return {cell_of(finding->low), cell_of(finding->high)};
+}
+
+}  // namespace asperity
