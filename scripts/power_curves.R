@@ -1,4 +1,4 @@
-# Power of three protocols of the library without the program: exactly, by a closed form, and by an independent simulation.
+# Power of two protocols of the library without the program: exactly, and by an independent simulation.
 # Arguments: the number of simulated studies (0 leaves out what is simulated), and the seed. Writes a table: protocol, test, participants, power, se.
 # The models are those of docs/response-tables.md. scripts/power-figures states the same values to the program.
 options(warn = 2)
@@ -48,18 +48,6 @@ recognition <- function(sensitivity, sensitivity_sd, test = "right", pictures = 
   }
 }
 
-# roughness_diameter: F test of the main effect of 7 spacings with 3 tips and 3 repetitions. Without variation of the effect over
-# the participants, without lapses and for unrounded estimates, F is noncentral F.
-magnitude <- function(exponent, noise_sd) {
-  x <- log10(c(0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 3.5))
-  effects <- exponent * (x - mean(x))
-  for (n in participants) {
-    noncentrality <- n * sum(effects^2) / (noise_sd^2 / 9)
-    critical <- qf(1 - alpha, 6, 6 * (n - 1))
-    write_row("roughness_diameter", "spacing", n, pf(critical, 6, 6 * (n - 1), noncentrality, lower.tail = FALSE))
-  }
-}
-
 # roughness_of_photographs: Friedman test of the means of 6 ratings of 4 items on a line of 1001 points from 0 to 100.
 rating <- function(difference, difference_sd, level = 50, level_sd = 10, noise_sd = 15, items = 4, repetitions = 6) {
   place <- (seq_len(items) - 1) / (items - 1) - 0.5
@@ -83,5 +71,4 @@ rating <- function(difference, difference_sd, level = 50, level_sd = 10, noise_s
 
 recognition(sensitivity = 0.5, sensitivity_sd = 0.5)
 recognition(sensitivity = 0, sensitivity_sd = 0, test = "right, without an effect")
-magnitude(exponent = 0.035, noise_sd = 0.1)
 if (studies > 0) rating(difference = 12, difference_sd = 15)
