@@ -27,7 +27,7 @@ using ::testing::HasSubstr;
 
 const std::vector<std::string> kSweep{"sweep", "--model", "bump_map", "--out", "diameter.tsv"};
 
-Submission submission_of_four() { return new_submission("/home/a/sub", "/home/a/work", kSweep, 4); }
+Submission submission_of_four() { return new_submission("/home/a/sub", "/home/a/results", kSweep, 4); }
 
 TEST(Submission, NamesItsShardsByAnOptionOfEitherForm) {
   const std::filesystem::path expected = "a b.tsv";
@@ -75,7 +75,7 @@ TEST(Submission, NamesItsJobsAfterTheResultAndAllThatItIs) {
   const Submission submission = submission_of_four();
   EXPECT_THAT(submission.job_name, ::testing::MatchesRegex("diameter\\.tsv-[0-9a-f]{12}"));
   const auto name_with = [](const std::string& folder, std::vector<std::string> words, int shards) {
-    return new_submission(folder, "/home/a/work", std::move(words), shards).job_name;
+    return new_submission(folder, "/home/a/results", std::move(words), shards).job_name;
   };
   EXPECT_EQ(name_with("/home/a/sub/", kSweep, 4), submission.job_name);
   EXPECT_NE(name_with("/home/a/sub2", kSweep, 4), submission.job_name);
@@ -136,7 +136,7 @@ TEST(Submission, WritesABatchScriptOfTheArray) {
                 "#SBATCH --account=lab\n"
                 "\n"
                 "set -eu\n"
-                "cd /home/a/work\n"
+                "cd /home/a/results\n"
                 "exec \"/opt/my tools/asperity\" sweep --shard \"$SLURM_ARRAY_TASK_ID/4\" --jobs "
                 "\"$SLURM_CPUS_PER_TASK\" --model bump_map --out diameter.tsv\n");
 }
@@ -155,7 +155,7 @@ TEST(Submission, WritesABatchScriptThatNamesEveryShardToJoin) {
           "#SBATCH --output=\"/home/a/sub/logs/gather-%j.log\"\n"
           "\n"
           "set -eu\n"
-          "cd /home/a/work\n"
+          "cd /home/a/results\n"
           "exec /usr/bin/asperity gather diameter.tsv.shard-{1..4}-of-4 --out diameter.tsv\n");
   const Submission studies =
       new_submission("/f", "/w", {"simulate", "p.json", "--study", "my study/"}, 12);

@@ -33,7 +33,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 Submission four_shards() {
-  return new_submission("/home/a/sub", "/home/a/work",
+  return new_submission("/home/a/sub", "/home/a/results",
                         {"sweep", "--model", "bump_map", "--out", "diameter.tsv"}, 4);
 }
 
@@ -176,7 +176,7 @@ TEST(SubmissionState, IsStatedInLines) {
   EXPECT_EQ(
       text({task(2, "RUNNING"), task(3, "OUT_OF_MEMORY"), gather_job("PENDING", "Dependency")},
            {true, false, false, false}),
-      "/home/a/work/diameter.tsv: 1 of 4 shards complete\n"
+      "/home/a/results/diameter.tsv: 1 of 4 shards complete\n"
       "running: shard 2\n"
       "missing: shard 3, task out of memory; its log ends with \"asperity: out of memory\" (" +
           (folder / "logs/shard-3-11.log").string() +

@@ -33,7 +33,7 @@ TEST(ParticipantView, TakesSeveralOptionsOfAMultipleChoice) {
   seat.key(Qt::Key_1);
   seat.key(Qt::Key_4);
   seat.key(Qt::Key_4);
-  EXPECT_TRUE(seat.inputs.empty()) << "nothing is told before it is confirmed";
+  EXPECT_TRUE(seat.inputs.empty()) << "nothing is reported before it is confirmed";
   seat.key(Qt::Key_Return);
   ASSERT_EQ(seat.inputs.size(), 1U);
   EXPECT_EQ(seat.last().kind, Kind::text);
