@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "renderers/pd_gradient/sampling/newest_within.h"
+
 namespace asperity {
 
 TexturedBody PreparedBodies::body(const std::shared_ptr<const TexturedMesh>& mesh, double gain) {
@@ -43,12 +45,8 @@ void PreparedBodies::keep(const std::shared_ptr<Slot>& slot, std::size_t bytes) 
   for (Kept& each : kept_) {
     if (each.slot == slot) each.bytes = bytes;
   }
-  std::size_t needed = 0;
-  auto first = kept_.end();
-  while (first != kept_.begin() && needed + std::prev(first)->bytes <= most_bytes_) {
-    needed += (--first)->bytes;
-  }
-  kept_.erase(kept_.begin(), first);
+  kept_.erase(kept_.begin(),
+              newest_within(kept_, most_bytes_, [](const Kept& each) { return each.bytes; }));
 }
 
 void PreparedBodies::discard(const std::shared_ptr<Slot>& slot) {

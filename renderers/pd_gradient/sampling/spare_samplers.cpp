@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "renderers/pd_gradient/sampling/newest_within.h"
+
 namespace asperity {
 namespace {
 
@@ -49,11 +51,8 @@ class SpareSamplers::Shelf final {
     std::vector<Spare> released{};  // after the lock
     const std::lock_guard lock(mutex_);
     spare_.push_back({.order = order, .samplers = std::move(samplers)});
-    std::size_t needed = 0;
-    auto first = spare_.end();
-    while (first != spare_.begin() && needed + std::prev(first)->samplers->bytes() <= most_bytes_) {
-      needed += (--first)->samplers->bytes();
-    }
+    const auto first = newest_within(spare_, most_bytes_,
+                                     [](const Spare& each) { return each.samplers->bytes(); });
     released.assign(std::make_move_iterator(spare_.begin()), std::make_move_iterator(first));
     spare_.erase(spare_.begin(), first);
   }
