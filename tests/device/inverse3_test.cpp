@@ -532,6 +532,27 @@ TEST_F(Inverse3, IsShutDownByAFrameOfAnyLength) {
   EXPECT_THROW(Inverse3Shutdown::over(-1, std::string(600, ' ')), std::length_error);
 }
 
+// An end at once, with answers of the service on their way, would take the message along.
+TEST(Inverse3Shutdown, HearsTheServiceOutBeforeTheConnectionEnds) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()), 0);
+  const Inverse3Shutdown zero = Inverse3Shutdown::over(ends[0], "{}");
+  std::atomic<bool> has_ended{false};
+  std::thread process([&] {
+    shut_down_inverse3(WatchdogProcess::Cause::ended, &zero);
+    has_ended = true;
+  });
+  std::array<char, 64> heard{};
+  EXPECT_EQ(recv(ends[1], heard.data(), heard.size(), 0), static_cast<ssize_t>(zero.length));
+  EXPECT_EQ(recv(ends[1], heard.data(), heard.size(), 0), 0) << "the last word";
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_FALSE(has_ended) << "the service has not answered yet";
+  close(ends[1]);
+  EXPECT_TRUE(eventually([&] { return has_ended.load(); }));
+  process.join();
+  close(ends[0]);
+}
+
 TEST_F(Inverse3, GetsNoForceOnceTheProcessThatWouldTakeItAwayIsGone) {
   const auto device = open();
   ReadAndPush servo{device.get(), {.force_N = {0.0, 0.0, 1.0}}};

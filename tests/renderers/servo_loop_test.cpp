@@ -116,6 +116,17 @@ TEST_F(ServoLoopTest, PushesNothingInFreeSpace) {
   EXPECT_EQ(device.last_sent.force_N, glm::dvec3(0.0));
 }
 
+// Between two ticks nothing hangs, whatever time passes.
+TEST_F(ServoLoopTest, IsInNoTickBetweenTwo) {
+  for (std::uint64_t ended = 1; ended <= 3; ++ended) {
+    tick();
+    const TickProgress seen = loop.progress();
+    EXPECT_EQ(seen.begun, ended);
+    EXPECT_EQ(seen.ended, ended);
+    EXPECT_FALSE(seen.hangs_since(seen));
+  }
+}
+
 TEST_F(ServoLoopTest, RaisesASurfaceOverFiftyMilliseconds) {
   present();
   lift();
@@ -576,7 +587,10 @@ TEST(ServoLoop, RefusesSettingsThatAreNotPositive) {
   EXPECT_THROW(ServoLoop(device, records, {.rate_Hz = 0.0}), std::invalid_argument);
   EXPECT_THROW(ServoLoop(device, records, {.ramp_s = -1.0}), std::invalid_argument);
   EXPECT_THROW(ServoLoop(device, records, {.heartbeat_timeout_s = kNan}), std::invalid_argument);
+  EXPECT_THROW(ServoLoop(device, records, {.heartbeat_fade_s = 0.0}), std::invalid_argument);
   EXPECT_THROW(ServoLoop(device, records, {.misses_to_fault = 0}), std::invalid_argument);
+  EXPECT_THROW(ServoLoop(device, records, {.workspace_margin_m = -0.1}), std::invalid_argument);
+  EXPECT_THROW(ServoLoop(device, records, {.silence_to_fault_s = 0.0}), std::invalid_argument);
   EXPECT_THROW(ServoLoop(device, records, {.standstill_to_fault_s = 0.0}), std::invalid_argument);
 }
 

@@ -16,6 +16,7 @@
 
 #include "results_schema/hashes/sha256.h"
 #include "results_schema/study.h"
+#include "tests/results_schema/rename_watch.h"
 #include "tests/results_schema/sync_watch.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
@@ -68,6 +69,15 @@ TEST(AtomicFile, RefusesToOverwriteUnlessTold) {
   EXPECT_EQ(read_file(folder / "file"), "old");
   write_file(folder / "file", "new", Overwrite::allow);
   EXPECT_EQ(read_file(folder / "file"), "new");
+  EXPECT_EQ(files_in(folder), 1);
+}
+
+TEST(AtomicFile, RefusesToOverwriteOnAFileSystemThatCannotRenameToAFreeNameOnly) {
+  const RenameWithoutFlags without;
+  const TemporaryFolder folder;
+  write_file(folder / "file", "old", Overwrite::refuse);
+  EXPECT_THROW(write_file(folder / "file", "new", Overwrite::refuse), ResultsError);
+  EXPECT_EQ(read_file(folder / "file"), "old");
   EXPECT_EQ(files_in(folder), 1);
 }
 

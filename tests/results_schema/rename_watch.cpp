@@ -16,6 +16,7 @@ std::mutex rename_mutex;
 std::string watched_name;  // empty: none
 int noted_renamings = 0;
 int noted_missing = 0;
+bool flags_are_unknown = false;
 
 }  // namespace
 
@@ -41,10 +42,27 @@ int RenameWatch::times_missing() const {
   return noted_missing;
 }
 
+RenameWithoutFlags::RenameWithoutFlags() {
+  const std::lock_guard lock(rename_mutex);
+  flags_are_unknown = true;
+}
+
+RenameWithoutFlags::~RenameWithoutFlags() {
+  const std::lock_guard lock(rename_mutex);
+  flags_are_unknown = false;
+}
+
 }  // namespace asperity
 
 extern "C" int renameat2(int from_folder, const char* from, int to_folder, const char* to,
                          unsigned int flags) {
+  {
+    const std::lock_guard lock(asperity::rename_mutex);
+    if (flags != 0 && asperity::flags_are_unknown) {
+      errno = EINVAL;
+      return -1;
+    }
+  }
   const auto result =
       static_cast<int>(::syscall(SYS_renameat2, from_folder, from, to_folder, to, flags));
   const int error_number = errno;

@@ -1,4 +1,4 @@
-// Looks after every renaming whether a path is still there.
+// Looks after every renaming whether a path is still there, and takes flags away from renamings.
 
 #pragma once
 
@@ -17,6 +17,15 @@ class RenameWatch final {
 
   int renamings() const;
   int times_missing() const;
+};
+
+/// While it lives, renameat2(2) with flags fails as on a file system without them (FAT on a stick): EINVAL. One at a time.
+class RenameWithoutFlags final {
+ public:
+  RenameWithoutFlags();
+  ~RenameWithoutFlags();
+  RenameWithoutFlags(const RenameWithoutFlags&) = delete;
+  RenameWithoutFlags& operator=(const RenameWithoutFlags&) = delete;
 };
 
 }  // namespace asperity

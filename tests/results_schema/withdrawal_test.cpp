@@ -1,5 +1,6 @@
 // A participant who withdraws: nothing of them is used, or nothing of them is left.
 
+#include <cerrno>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -8,6 +9,8 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
+#include "results_schema/deletion/study_deletion.h"
+#include "results_schema/files/atomic_file.h"
 #include "tests/results_schema/removal_fault.h"
 #include "tests/results_schema/study_of_two.h"
 #include "tests/support/refusal.h"
@@ -392,6 +395,18 @@ TEST_F(WithdrawalFromAStudy, LeavesTheRulesInForce) {
   EXPECT_EQ(sqlite3_exec(database, "DELETE FROM event", nullptr, nullptr, nullptr),
             SQLITE_CONSTRAINT);
   sqlite3_close(database);
+}
+
+// A call that succeeds leaves the error of an earlier one.
+TEST(RemoveTree, RemovesAFileWhateverErrorWasBefore) {
+  const TemporaryFolder folder;
+  for (const int before : {0, ENOENT, EACCES}) {
+    write_file(folder / "file", "content", Overwrite::allow);
+    errno = before;
+    EXPECT_NO_THROW(remove_tree(folder / "file")) << before;
+    EXPECT_FALSE(std::filesystem::exists(folder / "file"));
+    EXPECT_NO_THROW(remove_tree(folder / "file")) << "what is gone is removed";
+  }
 }
 
 TEST(StudyRecord, KeepsMetadataAndOutputs) {
