@@ -1,8 +1,10 @@
 // A participant who withdraws: nothing of them is used, or nothing of them is left.
 
 #include <cerrno>
+#include <chrono>
 #include <filesystem>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -303,6 +305,26 @@ TEST_F(WithdrawalFromAStudy, BlanksThePathsOfOutputsThatNameTheParticipant) {
   for (const OutputRow& output : study.outputs()) left.push_back(output.path);
   EXPECT_THAT(left,
               testing::ElementsAre("", "", "/out/Wanda71", "/out/LWanda7", "", "/out/tables"));
+}
+
+TEST_F(WithdrawalFromAStudy, WaitsWhileAProgramReads) {
+  Study study = open();
+  sqlite3* reader = nullptr;
+  ASSERT_EQ(sqlite3_open((path_ / "study.sqlite").c_str(), &reader), SQLITE_OK);
+  ASSERT_EQ(
+      sqlite3_exec(reader, "BEGIN; SELECT count(*) FROM participant", nullptr, nullptr, nullptr),
+      SQLITE_OK);
+  std::thread program;
+  EXPECT_NO_THROW(study.withdraw("Wanda7", kDeletion, [&] {
+    program = std::thread([reader] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(250));
+      sqlite3_exec(reader, "COMMIT", nullptr, nullptr, nullptr);
+    });
+  }));
+  ASSERT_TRUE(program.joinable());
+  program.join();
+  sqlite3_close(reader);
+  EXPECT_THAT(files_with("Wanda7"), testing::IsEmpty());
 }
 
 TEST_F(WithdrawalFromAStudy, ReportsOnceThatItWaitsForAProgramThatReads) {
