@@ -30,7 +30,9 @@
 namespace asperity {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::SizeIs;
 
@@ -244,6 +246,8 @@ TEST(SimulatePower, CountsStudiesWithoutAPAsNotSignificant) {
   EXPECT_EQ(power.curves[1].sizes[0].without_p, 100U);
   EXPECT_EQ(power.curves[2].sizes[0].power.power, 0.25);
   EXPECT_EQ(power.curves[2].sizes[0].without_p, 75U);
+  EXPECT_THAT(power.curves[1].statuses, ElementsAre("no_maximum"));
+  EXPECT_THAT(power.curves[2].statuses, IsEmpty());
 }
 
 // Also of studies that are read again; a study in which no test was made has none.

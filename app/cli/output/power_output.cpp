@@ -68,6 +68,15 @@ std::string heading_of(const PowerCurve& curve) {
          (methods.empty() ? "" : ": " + methods);
 }
 
+/// Why studies have no p, for a line below their number; empty where all have one.
+std::string reasons_text(const PowerCurve& curve) {
+  std::string reasons{};
+  for (const std::string& status : curve.statuses) {
+    reasons += (reasons.empty() ? "without_p: " : "; ") + status;
+  }
+  return reasons;
+}
+
 /// The columns of `power_table`, without those that the heading states.
 Table shown_power(const PowerCurve& curve) {
   Table table{.columns = {"participants", "significant", "power", "95 % CI", "fitted", "without_p",
@@ -114,7 +123,11 @@ void print_curves(const PowerReport& report) {
     previous = &curve;
     std::cout << '\n'
               << wrapped_text(heading_of(curve), kColumns) << '\n'
-              << aligned(shown_power(curve)) << aligned(shown_sample(curve, report.rules));
+              << aligned(shown_power(curve));
+    if (const std::string reasons = reasons_text(curve); !reasons.empty()) {
+      std::cout << wrapped_text(reasons, kColumns) << '\n';
+    }
+    std::cout << aligned(shown_sample(curve, report.rules));
   }
 }
 

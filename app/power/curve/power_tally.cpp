@@ -32,7 +32,11 @@ void PowerTally::add(const StudyPlace& place, std::span<const SimulatedOutcome> 
     const std::size_t test = test_of(outcome);
     if (!outcome.method.empty()) methods_[test].insert(outcome.method);
     Counts& counts = counts_[test][cell];
-    if (outcome.p || outcome.corrected_p) ++counts.with_p;
+    if (outcome.p || outcome.corrected_p) {
+      ++counts.with_p;
+    } else if (!outcome.status.empty()) {
+      statuses_[{test, place.effect}].insert(outcome.status);
+    }
     if (is_significant(outcome)) ++counts.significant;
     if (!outcome.lower || !outcome.upper) continue;
     // Not of NaN, nor of two equal infinite limits.
@@ -62,6 +66,9 @@ std::vector<PowerCurve> PowerTally::curves() const {
                        .family = tests_[test].first,
                        .test = tests_[test].second,
                        .methods = {methods_[test].begin(), methods_[test].end()}};
+      if (const auto known = statuses_.find({test, effect}); known != statuses_.end()) {
+        curve.statuses.assign(known->second.begin(), known->second.end());
+      }
       std::vector<StudiesOfSize> of_sizes{};
       for (std::size_t size = 0; size < sizes; ++size) {
         const std::size_t cell = effect * sizes + size;

@@ -38,6 +38,8 @@ struct PowerCurve {
   /// Codes of the statistical tests that the analyses made (TestMethod::code), sorted: one, unless the analysis depends on the
   /// responses; none of a family, and where no analysis made one.
   std::vector<std::string> methods{};
+  /// Why analyses gave no p (SimulatedOutcome::status), sorted; empty where all gave one.
+  std::vector<std::string> statuses{};
   std::vector<TestAtSize> sizes{};
 };
 
@@ -76,6 +78,8 @@ class PowerTally final {
   std::vector<std::uint64_t> studies_{};          ///< by effect and size
   std::vector<std::vector<Counts>> counts_{};     ///< by test; by effect and size
   std::vector<std::set<std::string>> methods_{};  ///< by test
+  std::map<std::pair<std::size_t, std::size_t>, std::set<std::string>>
+      statuses_{};  ///< by test and effect, of studies without a p
 };
 
 }  // namespace asperity
