@@ -116,7 +116,9 @@ void add_curve(const TabulatedQuestion& asked, ParameterList& list) {
   list.assumed({.name = kPeak,
                 .range = ParameterRange::positive,
                 .unit = "m",
-                .meaning = "spacing of maximum roughness of the median participant",
+                .meaning = "spacing of maximum roughness of the median participant if the "
+                           "exponent is 0; otherwise it is multiplied by 10^(exponent / (2 · "
+                           "curvature))",
                 .value = std::pow(10.0, mean_of_logarithms(asked))});
   list.assumed({.name = "peak_sd",
                 .range = ParameterRange::not_negative,
@@ -148,7 +150,8 @@ void add_conditions(const TabulatedQuestion& asked, ParameterList& list) {
   list.effect({.effect = {.name = "condition.peak_ratio",
                           .range = ParameterRange::positive,
                           .unit = "ratio",
-                          .meaning = "spacing of maximum roughness" + relative,
+                          .meaning = "spacing of maximum roughness" + relative +
+                                     ", if the exponents in both are equal",
                           .null_value = 1.0},
                .tests = {"peaks", "interaction"},
                .sd_meaning = "SD over participants of the natural logarithm of this ratio",

@@ -18,6 +18,7 @@ namespace asperity {
 /// a predictor have the place p from −½ to ½ in the order of the protocol in place of x, the logarithm of `ratio` in place of n,
 /// and the participant's own u ~ N(0, s²/2) of each stimulus, so that differences between any two have the standard deviation
 /// s. All standard deviations of ratios are those of natural logarithms.
+/// The curve has its maximum at x₀ + n/(2k): an exponent moves it.
 ///
 /// With a standard, m + b is the logarithm of its number, and the part of L that depends on the stimulus is relative to that of the
 /// standard. Numbers have two significant digits; a line is in proportion to the longest one, which limits it. A lapse is an

@@ -447,6 +447,33 @@ TEST(ResponseTable, EstimatesFollowThePowerFunction) {
               0.5 * std::log10(7.0), 0.045);
 }
 
+// The parabola has its maximum at 0.7 mm; an exponent of 2·k·log₁₀ 2 moves it to twice this spacing, so that the surfaces of 0.7
+// and 2.8 mm, equally far from it, are equally rough.
+TEST(ResponseTable, AnExponentMovesTheSpacingOfMaximumRoughness) {
+  EXPECT_THAT(meaning_of("roughness_force", "peak"),
+              HasSubstr("multiplied by 10^(exponent / (2 · curvature))"));
+  const Tabulated roughness(protocol_of(test::library_file("roughness_force")), "main",
+                            "roughness");
+  const Values values{{"exponent", 2.0 * std::log10(2.0)},
+                      {"curvature", 1.0},
+                      {"peak", 0.0007},
+                      {"peak_sd", 0.0},
+                      {"noise_sd", 0.0},
+                      {"condition.ratio_sd", 0.0},
+                      {"condition.peak_ratio", 1.0},
+                      {"lapse", 0.0}};
+  std::map<std::string, double> estimates{};
+  for (const Trial& trial : roughness.trials()) {
+    if (text_of(trial.factors.at("force")) != "medium" || trial.anchor) continue;
+    estimates[text_of(trial.factors.at("texture"))] =
+        roughness.respond(trial, values, 1).front().number.value();
+  }
+  EXPECT_DOUBLE_EQ(estimates.at("spacing_07"), estimates.at("spacing_28"));
+  for (const auto& [surface, estimate] : estimates) {
+    EXPECT_LE(estimate, estimates.at("spacing_14")) << surface;
+  }
+}
+
 // The standard of 1.4 mm is the number 10 in every condition; the estimates of all surfaces with the firmest touch are 4 times
 // those with the lightest.
 TEST(ResponseTable, EstimatesRelativeToAStandardHaveTheRatioOfTheConditions) {
