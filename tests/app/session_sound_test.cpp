@@ -58,6 +58,13 @@ TEST_F(WatchedSession, TellsTheHandByTonesUntilItHasEnoughOfTheSurface) {
   EXPECT_EQ(std::count(guides.begin(), guides.end(), GuideTone::none), 7);
 }
 
+TEST_F(WatchedSession, TellsTheHandNothingByTonesWhereTheProtocolDoesNot) {
+  play_sound();
+  begin(small_protocol("", R"(, "normal_force_N": {"minimum": 3})"));
+  run();
+  EXPECT_THAT(sound_.guides(), testing::Each(GuideTone::none));
+}
+
 /// A hand that is told to press more from its first touch on, until whatever `act` does.
 class TonedSession : public WatchedSession {
  protected:
