@@ -126,8 +126,8 @@ std::vector<AnalysisOutcome> with_only_table(std::vector<AnalysisOutcome> outcom
                                              const std::string& name) {
   std::set<std::string> names{};
   for (AnalysisOutcome& outcome : outcomes) {
-    for (const NamedTable& table : outcome.tables) names.insert(table.name);
-    std::erase_if(outcome.tables, [&](const NamedTable& table) { return table.name != name; });
+    for (const ResultTable& table : outcome.tables) names.insert(table.name);
+    std::erase_if(outcome.tables, [&](const ResultTable& table) { return table.name != name; });
     outcome.questions.clear();
   }
   if (names.empty()) {

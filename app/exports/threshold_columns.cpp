@@ -6,7 +6,7 @@
 #include <set>
 
 #include "app/findings/outcome/cell_words.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 
 namespace asperity {
 
@@ -185,7 +185,9 @@ std::vector<ThresholdColumns::Column> ThresholdColumns::make_task(const OfTask& 
                          "no such response, or the threshold cannot be estimated within the "
                          "presented levels"};
       for (const auto& [person, hits] : people) {
-        made.cells[person] = found.cell(threshold.quantity, key_of_person(person));
+        const std::optional<double> number =
+            found.value(threshold.quantity, key_of_person(person));
+        made.cells[person] = number ? Cell{*number} : Cell{};
       }
       columns.push_back(std::move(made));
     }

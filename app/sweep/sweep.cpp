@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/numbers/number_text.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/parameter_json.h"
 #include "renderers/offline/drop_point.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <deque>
 #include <iterator>
 #include <map>
 #include <stdexcept>
@@ -54,14 +55,22 @@ const AnalysisOutcome& outcome_once(const std::string& key,
   return known != kOutcomes.end() ? known->second : kOutcomes.emplace(key, make()).first->second;
 }
 
-const NamedTable* find_table(const AnalysisOutcome& outcome, const std::string& name) {
-  return find_named(outcome.tables, name);
+const StoredTable* find_table(const AnalysisOutcome& outcome, const std::string& name) {
+  static std::deque<StoredTable> kRead{};
+  const ResultTable* const found = find_named(outcome.tables, name);
+  return found == nullptr ? nullptr : &kRead.emplace_back(stored(*found));
 }
 
-const NamedTable& table_of(const AnalysisOutcome& outcome, const std::string& name) {
-  const NamedTable* const found = find_table(outcome, name);
+const StoredTable& table_of(const AnalysisOutcome& outcome, const std::string& name) {
+  const StoredTable* const found = find_table(outcome, name);
   if (found == nullptr) throw std::runtime_error("there is no table " + name);
   return *found;
+}
+
+Table shown_table(const AnalysisOutcome& outcome, const std::string& name) {
+  const ResultTable* const found = find_named(outcome.tables, name);
+  if (found == nullptr) throw std::runtime_error("there is no table " + name);
+  return shown_table(*found);
 }
 
 const AnsweredQuestion* find_question(const AnalysisOutcome& outcome, const std::string& name) {

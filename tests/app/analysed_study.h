@@ -10,6 +10,8 @@
 
 #include "app/findings/study/analyze_study.h"
 #include "tests/app/made_up_study.h"
+#include "tests/app/stored_tables.h"
+#include "tests/app/stored_tables.h"
 
 namespace asperity {
 
@@ -49,9 +51,12 @@ std::string outcome_key(const Parts&... parts) {
   return key.str();
 }
 
-/// Null where there is none.
-const NamedTable* find_table(const AnalysisOutcome& outcome, const std::string& name);
-const NamedTable& table_of(const AnalysisOutcome& outcome, const std::string& name);
+/// A table as programs read it, which exists until the process ends; null where there is none.
+const StoredTable* find_table(const AnalysisOutcome& outcome, const std::string& name);
+const StoredTable& table_of(const AnalysisOutcome& outcome, const std::string& name);
+
+/// The same as a terminal shows it.
+Table shown_table(const AnalysisOutcome& outcome, const std::string& name);
 
 const AnsweredQuestion* find_question(const AnalysisOutcome& outcome, const std::string& name);
 const AnsweredQuestion& question_of(const AnalysisOutcome& outcome, const std::string& name);

@@ -14,7 +14,6 @@
 #include "analysis/numbers/random.h"
 #include "app/exports/export_study.h"
 #include "app/findings/outcome/cell_words.h"
-#include "app/findings/outcome/reading_table.h"
 #include "tests/app/analysed_study.h"
 #include "tests/app/exported_study.h"
 
@@ -251,7 +250,7 @@ TEST(AnchorTables, HaveNoIntervalOfProportionsCorrect) {
        judged_at("b", AnchorPlace::start, true), judged_at("b", AnchorPlace::end, false),
        judged_at("c", AnchorPlace::start, false), judged_at("c", AnchorPlace::end, false),
        judged_at("d", AnchorPlace::start, true), judged_at("d", AnchorPlace::end, true)});
-  const NamedTable& trend = table_of(outcome, kAnchorTrend);
+  const StoredTable& trend = table_of(outcome, kAnchorTrend);
   EXPECT_EQ(cell_of(trend.table, 0, "measure"), Cell{kAnchorCorrect});
   EXPECT_NEAR(number_in_row(trend.table, 0, "start"), 0.75, 1e-12);
   EXPECT_NEAR(number_in_row(trend.table, 0, "end"), 0.5, 1e-12);

@@ -12,12 +12,12 @@
 
 #include "app/findings/methods/discrimination/threshold_sentences.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_results.h"
-#include "app/findings/outcome/reading_table.h"
 #include "app/findings/outcome/study_analysis.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/report/text/study_report.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/made_up_study.h"
+#include "tests/app/stored_tables.h"
 
 namespace asperity {
 namespace {
@@ -188,7 +188,7 @@ TEST(CatchTrialsByType, CountAChoiceWithoutASignalAsAnError) {
   made.add_person("p1", "");
   made.add_session("p1", id, trials);
   const AnalysisOutcome outcome = outcome_of_discrimination(made);
-  const NamedTable& table = table_of(outcome, "catch_trials");
+  const StoredTable& table = table_of(outcome, "catch_trials");
   const std::vector<std::vector<Cell>> expected{
       {std::string("p1"), std::string("only"), std::string("no_signal"), std::int64_t{2},
        std::int64_t{3}, 2.0 / 3.0},

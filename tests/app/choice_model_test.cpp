@@ -14,8 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/numbers/number_text.h"
-#include "app/findings/outcome/reading_table.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/app/analysed_study.h"
 
@@ -66,7 +65,7 @@ struct Chosen {
   std::vector<ChosenTrial> trials{};
   AnalysisOutcome outcome{};
 
-  const NamedTable* table() const { return find_table(outcome, kChoiceModel); }
+  const StoredTable* table() const { return find_table(outcome, kChoiceModel); }
   std::optional<double> number(const std::string& quantity, const std::string& key) const {
     return finding_of(outcome, kChoiceModel, quantity, key).value;
   }

@@ -14,8 +14,7 @@
 
 #include "analysis/numbers/random.h"
 #include "analysis/numbers/tail_probabilities.h"
-#include "app/findings/outcome/reading_table.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "protocols/design/discrimination_design.h"
 #include "tests/app/coverage_counts.h"
 #include "tests/app/made_up_choices.h"

@@ -9,6 +9,7 @@
 
 #include "app/findings/study/analyze_study.h"
 #include "tests/app/chapter_studies.h"
+#include "tests/app/stored_tables.h"
 
 namespace asperity {
 namespace {
@@ -18,7 +19,7 @@ using testing::HasSubstr;
 TEST(StudyTests, AdjustTheFamilyThatTheProtocolDeclares) {
   const AnalysisOutcome outcome =
       analyze_pairs(R"({"analysis": {"target": "new", "family": ["target_pairs", "position"]}})");
-  const NamedTable& tests = table_of(outcome, "tests");
+  const StoredTable& tests = table_of(outcome, "tests");
   EXPECT_THAT(tests.note,
               says("over the 2 confirmatory tests, the family that the protocol declares"));
   const double pair = number(tests.table, {"target_pairs", "new|old"}, "p");
@@ -35,7 +36,7 @@ TEST(StudyTests, AdjustTheFamilyThatTheProtocolDeclares) {
 TEST(StudyTests, SayThatAFamilyOfOneTestLeavesItsPAsItIs) {
   const AnalysisOutcome outcome =
       analyze_pairs(R"({"analysis": {"target": "new", "family": ["preference"]}})");
-  const NamedTable& tests = table_of(outcome, "tests");
+  const StoredTable& tests = table_of(outcome, "tests");
   EXPECT_THAT(tests.note, says("The family that the protocol declares has one test (preference)"));
   EXPECT_DOUBLE_EQ(number(tests.table, {"preference"}, "p_holm"),
                    number(tests.table, {"preference"}, "p"));
@@ -63,7 +64,7 @@ AnalysisOutcome analyze_twenty_six_matchings() {
 
 TEST(StudyTests, SplitTheSexesAtRandomWhereThereAreTooManyWays) {
   const AnalysisOutcome outcome = analyze_twenty_six_matchings();
-  const NamedTable& tests = table_of(outcome, "tests");
+  const StoredTable& tests = table_of(outcome, "tests");
   EXPECT_THAT(tests.note, says("over the 2 confirmatory tests"));
   const double items = number(tests.table, {"items"}, "p");
   EXPECT_DOUBLE_EQ(number(tests.table, {"items"}, "p_holm"), 2.0 * items);
@@ -86,7 +87,7 @@ TEST(StudyTests, SplitTheSexesAtRandomWhereThereAreTooManyWays) {
 // Four and two of four items: the statistic counts items, the answer percentage points.
 TEST(StudyTests, StateTheUnitOfADifferenceOfMatchedItems) {
   const AnalysisOutcome outcome = analyze_twenty_six_matchings();
-  const NamedTable& tests = table_of(outcome, "tests");
+  const StoredTable& tests = table_of(outcome, "tests");
   EXPECT_EQ(number(tests.table, {"sexes", "F|M"}, "value"), 2.0);
   EXPECT_THAT(tests.note,
               says("ΔM: difference of the mean numbers of correctly matched items per trial"));

@@ -11,11 +11,11 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/psychometric/detection_function.h"
-#include "app/findings/outcome/reading_table.h"
 #include "app/findings/outcome/study_analysis.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "protocols/design/discrimination_design.h"
 #include "tests/app/made_up_choices.h"
+#include "tests/app/stored_tables.h"
 
 namespace asperity {
 namespace {
@@ -148,14 +148,14 @@ TEST(DetectionAnalysis, RecoversTheDifferenceAtUnitSensitivity) {
 
 TEST(DetectionAnalysis, StatesHitsAndFalseAlarmsOfEveryLevelAndPair) {
   const AnalysisOutcome& outcome = outcome_of_detections({.design = same_different_task()});
-  const NamedTable& sensitivity = table_of(outcome, "sensitivity");
+  const StoredTable& sensitivity = table_of(outcome, "sensitivity");
   EXPECT_EQ(sensitivity.table.rows.size(), 12U * kDifferences_m.size());
   const auto signal = column_of(sensitivity.table, "signal_trials");
   const auto noise = column_of(sensitivity.table, "noise_trials");
   ASSERT_TRUE(signal && noise);
   EXPECT_EQ(sensitivity.table.rows[0][*signal], Cell{std::int64_t{60}});
   EXPECT_EQ(sensitivity.table.rows[0][*noise], Cell{std::int64_t{300}});
-  const NamedTable& pairs = table_of(outcome, "responses_by_pair");
+  const StoredTable& pairs = table_of(outcome, "responses_by_pair");
   // Made-up trials present every different pair in the listed order.
   EXPECT_EQ(pairs.table.rows.size(), 12U * 3U);
   EXPECT_EQ(find_table(outcome_of_detections({.design = yes_no_task()}), "responses_by_pair"),
@@ -183,7 +183,7 @@ TEST(DetectionAnalysis, StatesThatSensitivityWithoutAnyYesFollowsFromTheNumbersO
        {std::pair<YesAt, double>{as_never, 0.643}, {as_always, -0.643}}) {
     const AnalysisOutcome& outcome = outcome_of_detections(
         {.design = yes_no_task(), .yes_at = yes_at, .people = 1, .rounds = 10});
-    const NamedTable& sensitivity = table_of(outcome, "sensitivity");
+    const StoredTable& sensitivity = table_of(outcome, "sensitivity");
     const auto dprime = column_of(sensitivity.table, "d_prime");
     EXPECT_NEAR(number_of(sensitivity.table.rows[0][*dprime]).value(), expected, 1e-3);
     EXPECT_THAT(sensitivity.note.english(), HasSubstr("with and without a signal: 5. Their d′"));

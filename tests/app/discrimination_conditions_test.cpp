@@ -16,7 +16,7 @@
 #include "analysis/psychometric/psychometric_function.h"
 #include "app/findings/outcome/study_analysis.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/made_up_study.h"
 

@@ -15,7 +15,7 @@
 #include "app/findings/outcome/estimate_sentences.h"
 #include "app/findings/outcome/references.h"
 #include "app/findings/outcome/study_analysis.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "renderers/built_in_models.h"

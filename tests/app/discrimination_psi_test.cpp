@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/psychometric/psychometric_function.h"
-#include "app/findings/outcome/reading_table.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/made_up_study.h"
+#include "tests/app/stored_tables.h"
 
 namespace asperity {
 namespace {
@@ -45,7 +45,7 @@ TEST(Discrimination, ReportsThePosteriorThresholdOfPsiNextToTheFittedOne) {
   EXPECT_FALSE(fitted->low);
   EXPECT_EQ(found.find("without", "p10|all"), nullptr) << "the procedure is not run again";
   EXPECT_GE(holding, 6) << "of 95 % intervals";
-  const NamedTable& table = table_of(outcome, "thresholds");
+  const StoredTable& table = table_of(outcome, "thresholds");
   EXPECT_TRUE(column_of(table.table, "jnd_posterior_low"));
   EXPECT_THAT(table.note.english(), HasSubstr("Posterior JND: mean of the posterior"));
   const std::vector<Finding> means = part_of(outcome, "mean_thresholds");

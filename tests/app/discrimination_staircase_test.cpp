@@ -17,15 +17,14 @@
 #include "app/findings/methods/discrimination/thresholds/discrimination_tasks.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_thresholds.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_tracks.h"
-#include "app/findings/outcome/reading_table.h"
 #include "app/findings/outcome/study_analysis.h"
 #include "app/findings/outcome/study_tests.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/study/study_tables.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "protocols/file/stored_protocol.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/made_up_study.h"
+#include "tests/app/stored_tables.h"
 
 namespace asperity {
 namespace {
@@ -178,11 +177,11 @@ TEST(Discrimination, RepeatsTheProcedureForTheIntervalsOfItsThresholds) {
     EXPECT_GE(*beta->value, 1.0);
     EXPECT_LE(*beta->value, 8.0);
   }
-  const NamedTable& table = table_of(outcome, "thresholds");
+  const StoredTable& table = table_of(outcome, "thresholds");
   const auto without = column_of(table.table, "without_threshold");
   ASSERT_TRUE(without);
   EXPECT_EQ(table.table.rows[0][*column_of(table.table, "repetitions")], Cell(std::int64_t{500}));
-  const Table shown = reading_table(table);
+  const Table shown = shown_table(outcome, "thresholds");
   EXPECT_FALSE(column_of(shown, "repetitions"));
   const Cell of_all = shown.rows[0][*column_of(shown, "without_threshold")];
   EXPECT_THAT(std::get<std::string>(of_all), testing::EndsWith("/500"));
@@ -240,7 +239,7 @@ TEST(Discrimination, MarksParticipantsWithAnUnfinishedTrack) {
   MadeUpStudy made;
   study_of(made, SessionState::stopped);
   const AnalysisOutcome outcome = outcome_of_discrimination(made);
-  const NamedTable& table = table_of(outcome, "thresholds");
+  const StoredTable& table = table_of(outcome, "thresholds");
   const auto unfinished = column_of(table.table, "unfinished_tracks");
   ASSERT_TRUE(unfinished);
   EXPECT_EQ(table.table.rows[0][*unfinished], Cell{});

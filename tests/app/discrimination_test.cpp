@@ -18,18 +18,17 @@
 #include "app/findings/methods/discrimination/thresholds/discrimination_tasks.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/estimate_sentences.h"
-#include "app/findings/outcome/reading_table.h"
 #include "app/findings/outcome/study_analysis.h"
 #include "app/findings/outcome/study_tests.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/study/study_tables.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "renderers/built_in_models.h"
 #include "tests/app/coverage_counts.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/made_up_study.h"
+#include "tests/app/stored_tables.h"
 
 namespace asperity {
 namespace {
@@ -93,7 +92,7 @@ TEST(Discrimination, HasGeometricMeansWithoutNegativeLimits) {
   EXPECT_NEAR(*found.value("geomean.weber", "all"), *geometric->value / kStandard_m, 1e-12);
   EXPECT_EQ(found.find("geomean.pse", "all"), nullptr);
   EXPECT_THAT(answer_to(outcome, "threshold"), Not(HasSubstr("[−")));
-  const NamedTable& table = table_of(outcome, "mean_thresholds");
+  const StoredTable& table = table_of(outcome, "mean_thresholds");
   for (const char* const column : {"mean", "geometric_mean", "geometric_mean_low"}) {
     EXPECT_TRUE(column_of(table.table, column)) << column;
   }
@@ -222,10 +221,11 @@ TEST(Discrimination, ReportsAThresholdOutsideTheLevelsAsAStatus) {
   }
   EXPECT_TRUE(part_of(outcome, "mean_thresholds").empty());
   EXPECT_THAT(answer_to(outcome, "threshold"), HasSubstr("could not be estimated"));
-  const NamedTable& table = table_of(outcome, "thresholds");
-  const Table shown = reading_table(table);
-  EXPECT_EQ(shown.rows[0].back(), Cell(std::string("jnd, jnd_dprime1, weber: below_levels")));
-  EXPECT_EQ(words_of_cell("status", "jnd, jnd_dprime1: below_levels; weber: not_defined").english(),
+  const StoredTable& table = table_of(outcome, "thresholds");
+  const Table shown = shown_table(outcome, "thresholds");
+  EXPECT_EQ(shown.rows[0].back(),
+            Cell(words_of_status("jnd, jnd_dprime1, weber: below_levels").english()));
+  EXPECT_EQ(words_of_status("jnd, jnd_dprime1: below_levels; weber: not_defined").english(),
             "just-noticeable difference (JND), JND at d′ = 1: below the presented levels; Weber "
             "fraction: not defined");
   // The same remedies as in the list of the report, which has the statuses of the findings.
@@ -275,7 +275,7 @@ TEST(Discrimination, TakesLevelsWithUnequalNumbersOfTrials) {
   EXPECT_EQ(mean->n, 8U);
   EXPECT_LE(*mean->low, kPerformer.inverse(0.75));
   EXPECT_GE(*mean->high, kPerformer.inverse(0.75));
-  const NamedTable& levels = table_of(outcome, "psychometric");
+  const StoredTable& levels = table_of(outcome, "psychometric");
   EXPECT_EQ(levels.table.rows.size(), 8U * 30U) << "none at the level without a response";
 }
 
@@ -433,7 +433,7 @@ TEST(Discrimination, HasNoIntervalOfAMeanThatLeavesOutThresholds) {
 TEST(Discrimination, ShowsThresholdsWithTheirUnits) {
   const AnalysisOutcome& outcome = outcome_of_performers();
   for (const char* const name : {"thresholds", "mean_thresholds", "psychometric"}) {
-    const Table shown = reading_table(table_of(outcome, name));
+    const Table shown = shown_table(outcome, name);
     EXPECT_FALSE(column_of(shown, "unit")) << name;
     const bool has_unit =
         std::any_of(shown.rows.front().begin(), shown.rows.front().end(), [](const Cell& cell) {

@@ -18,6 +18,7 @@
 #include "tests/app/exported_study.h"
 #include "tests/app/scripted_session.h"
 #include "tests/support/refusal.h"
+#include "tests/app/stored_tables.h"
 
 namespace asperity {
 namespace {
@@ -195,7 +196,8 @@ TEST_F(EqualRoughnessSession, HasATableOfItsMatchesInTheAnalysis) {
   int tables = 0;
   for (const AnalysisOutcome& outcome : outcomes) {
     EXPECT_NE(outcome.kind, "discrimination") << "the matches have their own table";
-    for (const NamedTable& table : outcome.tables) {
+    for (const ResultTable& each : outcome.tables) {
+    const StoredTable table = stored(each);
       if (table.name != kEqualRoughness) continue;
       ++tables;
       EXPECT_EQ(outcome.kind, "paired_comparison");
@@ -210,7 +212,8 @@ TEST_F(EqualRoughnessSession, HasATableOfItsMatchesInTheAnalysis) {
 std::pair<std::size_t, std::size_t> reported_matches(const Study& study) {
   std::pair<std::size_t, std::size_t> matches{};
   for (const AnalysisOutcome& outcome : analyze_study(study, {}, {})) {
-    for (const NamedTable& table : outcome.tables) {
+    for (const ResultTable& each : outcome.tables) {
+    const StoredTable table = stored(each);
       if (table.name == kEqualRoughness) matches.first += table.table.rows.size();
     }
   }
@@ -271,7 +274,8 @@ std::vector<Cell> labels_of(const std::vector<PresentedMatch>& matches) {
   AnalysisOutcome outcome{};
   add_equal_roughness(gathered, outcome);
   std::vector<Cell> labels{};
-  for (const NamedTable& table : outcome.tables) {
+  for (const ResultTable& each : outcome.tables) {
+    const StoredTable table = stored(each);
     if (table.name != kMeanAmplitudes) continue;
     for (const auto& row : table.table.rows) labels.push_back(row.front());
   }

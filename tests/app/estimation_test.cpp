@@ -10,11 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "app/findings/outcome/cell_words.h"
-#include "app/findings/outcome/reading_table.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/study_tests.h"
-#include "app/findings/study/study_tables.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/app/analysed_study.h"
 #include "tests/app/scripted_session.h"
@@ -92,7 +90,7 @@ TEST(StimulusEstimates, FindTheExponentOverStatedValues) {
   EXPECT_THAT(question_of(outcome, "exponent").answer.english(),
               HasSubstr("exponent 0.50 (95 % CI [0.25, 0.75]), t(2) = 8.66"));
   EXPECT_THAT(question_of(outcome, "exponent").question.english(), HasSubstr("surface (µm)"));
-  const NamedTable& tests = table_of(outcome, StudyTests::kTable);
+  const StoredTable& tests = table_of(outcome, StudyTests::kTable);
   EXPECT_EQ(tests.table.rows.at(0).at(0), Cell{std::string("stimuli")});
   EXPECT_EQ(tests.table.rows.at(1).at(0), Cell{std::string("exponent")});
 }
@@ -106,7 +104,7 @@ TEST(StimulusEstimates, KeepTheUnitOfThePredictorApartFromItsName) {
   EXPECT_THAT(question_of(outcome, "exponent").question.english(), HasSubstr("(surface (m))"));
   EXPECT_EQ(outcome.name_of_predictor.english(), "surface");
   EXPECT_EQ(outcome.unit_of_predictor, "m");
-  const Table shown = reading_table(table_of(outcome, "stimulus_estimates"));
+  const Table shown = shown_table(outcome, "stimulus_estimates");
   EXPECT_EQ(shown.rows.back().at(*column_of(shown, "predictor")), Cell{std::string("20 µm")});
   EXPECT_FALSE(column_of(shown, "predictor_unit"));
 }
@@ -126,8 +124,8 @@ TEST(StimulusEstimates, NameThePredictorInASentenceByWords) {
   std::string sentences{};
   for (const TestSentence& each : outcome.test_sentences) sentences += each.text + ' ';
   EXPECT_THAT(sentences, HasSubstr("xponent for RMS of the texture force was"));
-  EXPECT_EQ(words_of_cell("about", "amplitude_m").english(), "amplitude");
-  EXPECT_EQ(words_of_cell("factor", "amplitude_m").english(), "amplitude");
+  EXPECT_EQ(words_of_about("amplitude_m").english(), "amplitude");
+  EXPECT_EQ(words_of_factor("amplitude_m").english(), "amplitude");
 }
 
 TEST(StimulusEstimates, StateThatAPropertyWasNotMeasured) {
@@ -155,7 +153,7 @@ TEST(StimulusEstimates, HaveMeansByStimulusWithoutAPredictor) {
   const AnalysisOutcome outcome =
       outcome_of(protocol_with(R"({"factor": "surface"})"), kFreeScales);
   EXPECT_EQ(find_table(outcome, "exponents"), nullptr);
-  const NamedTable& means = table_of(outcome, kStimulusEstimates);
+  const StoredTable& means = table_of(outcome, kStimulusEstimates);
   ASSERT_EQ(means.table.rows.size(), 4U);
   EXPECT_EQ(means.table.rows.front().at(1), Cell{std::string("oak")});  // the protocol's order
   // The geometric mean of 3·8^0.4, 40·8^0.5 and 500·8^0.6.

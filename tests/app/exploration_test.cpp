@@ -13,11 +13,9 @@
 #include <gtest/gtest.h>
 
 #include "analysis/numbers/random.h"
-#include "app/findings/outcome/reading_table.h"
 #include "app/findings/outcome/study_tests.h"
 #include "app/findings/shared/exploration_model.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/study/study_tables.h"
 #include "tests/app/analysed_study.h"
 
 namespace asperity {
@@ -103,7 +101,7 @@ class ExploredCells final {
 
 bool has_row(const AnalysisOutcome& outcome, const std::string& table, const std::string& measure,
              const std::string& factor) {
-  const NamedTable* const named = find_table(outcome, table);
+  const StoredTable* const named = find_table(outcome, table);
   return named != nullptr &&
          std::any_of(named->table.rows.begin(), named->table.rows.end(), [&](const auto& row) {
            return row[0] == Cell{measure} && row[1] == Cell{factor};
@@ -228,18 +226,18 @@ TEST(Exploration, IsAbsentWhereNoneIsStored) {
 
 TEST(Exploration, IsDisplayedWithARowPerCondition) {
   const AnalysisOutcome outcome = analyze_explored(kTwoParticipants);
-  const Table times = reading_table(table_of(outcome, kExploration));
-  EXPECT_THAT(times.columns,
-              ElementsAre("factor", "level", "persons", "measurements", "contact_s", "visits",
-                          "path_m", "strokes", "stroke_length_m", "response_s"));
+  const Table times = shown_table(outcome, kExploration);
+  EXPECT_THAT(times.columns, ElementsAre("factor", "level", "persons", "measurements", "contact_s",
+                                         "strokes", "stroke_length_m", "response_s"))
+      << "without what no session stored";
   ASSERT_EQ(times.rows.size(), 3U);
   EXPECT_EQ(times.rows[2][1], Cell{"wood"});
   EXPECT_EQ(times.rows[2][4], Cell{"2.50 [2.25, 2.75]"});
-  const Table forces = reading_table(table_of(outcome, kExplorationForces));
+  const Table forces = shown_table(outcome, kExplorationForces);
   // Means 1.05 and 1.75, SD 0.7/√2.
   EXPECT_EQ(forces.rows[0][4], Cell{"1.400 (0.495)"});
   EXPECT_EQ(forces.rows[0][6], Cell{"0.0500 (0.0000)"});
-  const Table models = reading_table(table_of(outcome, kExplorationModel));
+  const Table models = shown_table(outcome, kExplorationModel);
   EXPECT_FALSE(column_of(models, "df1").has_value());
   EXPECT_TRUE(column_of(models, "statistic").has_value());
 }

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "protocols/design/discrimination_design.h"
 #include "tests/app/exported_study.h"

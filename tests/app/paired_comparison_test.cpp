@@ -12,7 +12,7 @@
 #include "analysis/tests/pooled_share.h"
 #include "app/findings/outcome/estimate_sentences.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "tests/app/analysed_study.h"
 
 namespace asperity {
@@ -131,7 +131,7 @@ TEST_F(Pairs, HaveAScaleOnlyWhereEveryItemAlsoLoses) {
   const Table& model = table_of(outcome, "paired_model").table;
   ASSERT_EQ(model.rows.size(), 3U) << "without ties";
   EXPECT_EQ(model.rows[0][0], Cell(std::string("order_effect")));
-  EXPECT_EQ(model.rows[0][1], cell_of(found.value("model.order")));
+  EXPECT_EQ(model.rows[0][1], cell_with(found.value("model.order")));
   const Finding& order = *found.find("model.order");
   EXPECT_NEAR(*order.high - *order.value, *order.value - *order.low, 1e-12);
   EXPECT_GT(*order.high, *order.value);

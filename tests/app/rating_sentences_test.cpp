@@ -10,7 +10,7 @@
 
 #include "app/findings/outcome/reading_number.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {

@@ -9,9 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "app/findings/outcome/cell_words.h"
-#include "app/findings/outcome/reading_table.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/tidy/found_numbers.h"
 #include "tests/app/analysed_study.h"
 #include "tests/app/coverage_counts.h"
 
@@ -94,20 +93,13 @@ TEST_F(Ratings, AreTestedOnEveryScale) {
 
 TEST_F(Ratings, HaveTablesAndAQuestionForEachScale) {
   const AnalysisOutcome& ratings = outcome("rating");
-  const auto table = [&ratings](const std::string& name) {
-    return std::find_if(ratings.tables.begin(), ratings.tables.end(),
-                        [&name](const NamedTable& each) { return each.name == name; });
-  };
-  ASSERT_NE(table("ratings"), ratings.tables.end());
-  EXPECT_EQ(table("ratings")->table.rows.size(), 6U);
+  EXPECT_EQ(table_of(ratings, "ratings").table.rows.size(), 6U);
   // Both from 1 to 7 in 7 points, without labels.
-  ASSERT_NE(table("scales"), ratings.tables.end());
-  const std::vector<std::vector<Cell>>& scales = table("scales")->table.rows;
+  const std::vector<std::vector<Cell>>& scales = table_of(ratings, "scales").table.rows;
   ASSERT_EQ(scales.size(), 2U);
   EXPECT_EQ(scales[1], (std::vector<Cell>{std::string("hard"), std::int64_t{1}, Cell{},
                                           std::int64_t{7}, Cell{}, std::int64_t{7}}));
-  ASSERT_NE(table("agreement"), ratings.tables.end());
-  EXPECT_EQ(table("agreement")->table.rows.size(), 8U);  // two scales, four correlations
+  EXPECT_EQ(table_of(ratings, "agreement").table.rows.size(), 8U);  // two scales, four correlations
   ASSERT_EQ(ratings.questions.size(), 2U);
   EXPECT_THAT(ratings.questions[0].question.english(), HasSubstr("rough"));
   EXPECT_THAT(ratings.questions[1].answer.english(), HasSubstr("highest for metal, 5.50"));
@@ -157,7 +149,7 @@ TEST(RatedLevels, AreTheItemsWhereAllSurfacesCountAsOne) {
                    4.5);
   ASSERT_EQ(outcome.tables.front().name, "ratings");
   std::vector<std::string> items{};
-  for (const auto& row : outcome.tables.front().table.rows) {
+  for (const auto& row : table_of(outcome, "ratings").table.rows) {
     items.push_back(std::get<std::string>(row[1]));
   }
   EXPECT_THAT(items, testing::ElementsAre("amplitude_m 5e-05, wavelength_m 0.0025",
@@ -277,11 +269,9 @@ TEST(DeclaredFamily, IsThatOfTheKindWhoseTestsItNames) {
   const AnalysisOutcome& recognition = outcome_of_kind(outcomes, "recognition");
   EXPECT_EQ(recognition.family, FamilyDeclaration::declared);
   EXPECT_EQ(ratings.family, FamilyDeclaration::of_other_kinds);
-  const auto tests = std::find_if(ratings.tables.begin(), ratings.tables.end(),
-                                  [](const NamedTable& each) { return each.name == "tests"; });
-  ASSERT_NE(tests, ratings.tables.end());
-  EXPECT_THAT(tests->note.english(), HasSubstr("only tests of its other tasks"));
-  EXPECT_THAT(tests->note.english(), testing::Not(HasSubstr("declares no family")));
+  const StoredTable& tests = table_of(ratings, "tests");
+  EXPECT_THAT(tests.note.english(), HasSubstr("only tests of its other tasks"));
+  EXPECT_THAT(tests.note.english(), testing::Not(HasSubstr("declares no family")));
 }
 
 /// A recognition with a rating of confidence, and ratings of roughness in a separate block.
@@ -351,10 +341,10 @@ TEST(AccompanyingScale, IsReportedByTheCorrectnessOfTheResponse) {
   EXPECT_DOUBLE_EQ(found.value("diff", "sure|which").value(), 30.0);
   EXPECT_NEAR(found.find("diff", "sure|which")->low.value(),
               30.0 - 4.302653 * 10.0 / std::sqrt(3.0), 1e-5);
-  const NamedTable* const table = find_table(ratings, "accompanying");
+  const StoredTable* const table = find_table(ratings, "accompanying");
   ASSERT_NE(table, nullptr);
   EXPECT_EQ(table->table.rows.size(), 6U);  // all, correct, incorrect, difference, a, b
-  const NamedTable* const tests = find_table(ratings, "tests");
+  const StoredTable* const tests = find_table(ratings, "tests");
   ASSERT_NE(tests, nullptr);
   ASSERT_EQ(tests->table.rows.size(), 1U);
   ASSERT_EQ(ratings.test_sentences.size(), 1U);
@@ -373,10 +363,10 @@ TEST(AccompanyingScale, IsReportedByTheCorrectnessOfTheResponse) {
 TEST(AccompanyingScale, IsNotAnalysedAsAnAttributeOfItems) {
   const AnalysisOutcome ratings =
       ratings_with_confidence(kWithConfidence, R"({"family": ["ratings", "right"]})");
-  const NamedTable* const means = find_table(ratings, "ratings");
+  const StoredTable* const means = find_table(ratings, "ratings");
   ASSERT_NE(means, nullptr);
   for (const char* const name : {"ratings", "agreement", "components", "tests"}) {
-    const NamedTable* const table = find_table(ratings, name);
+    const StoredTable* const table = find_table(ratings, name);
     ASSERT_NE(table, nullptr) << name;
     for (const auto& row : table->table.rows) {
       for (const Cell& cell : row) EXPECT_NE(cell, Cell(std::string("sure"))) << name;
@@ -477,7 +467,7 @@ TEST(Construct, HasTheAlphaOfItsScalesAfterReflection) {
       people);
   const FoundNumbers found(outcome.findings);
   EXPECT_NEAR(found.value("cronbach.alpha", "roughness").value(), 16.0 / 17.0, 1e-12);
-  const NamedTable* const table = find_table(outcome, "constructs");
+  const StoredTable* const table = find_table(outcome, "constructs");
   ASSERT_NE(table, nullptr);
   EXPECT_EQ(table->table.rows.at(0).at(2), Cell(std::string("smooth")));
   EXPECT_EQ(table->table.rows.at(0).at(4), Cell(std::int64_t{4}));
@@ -509,7 +499,7 @@ TEST(Agreement, HasAStatusWithTwoItems) {
   const Finding* const none = found.find("icc", "rough");
   ASSERT_NE(none, nullptr);
   EXPECT_THAT(none->status, HasSubstr("at least 3 items that all participants rated"));
-  const NamedTable* const table = find_table(outcome, "agreement");
+  const StoredTable* const table = find_table(outcome, "agreement");
   ASSERT_NE(table, nullptr);
   ASSERT_EQ(table->table.columns.back(), "status");
   EXPECT_EQ(table->table.rows.front().back(), Cell(std::string("too_few_items")));
@@ -523,7 +513,7 @@ TEST(RatingsOfOneItem, HaveAReasonWhyTheyAreNotTested) {
   const Table& tests = table_of(outcome, "tests").table;
   const Cell status = tests.rows.front().back();
   EXPECT_EQ(status, Cell{"one_item"});
-  EXPECT_EQ(words_of_cell("status", "one_item").english(), "only one item was rated on this scale");
+  EXPECT_EQ(words_of_status("one_item").english(), "only one item was rated on this scale");
 }
 
 std::string one_scale(const std::string& scale) {
@@ -546,7 +536,7 @@ TEST(RatingModel, IsTheAnalysisOfVarianceOfTheParticipantsMeans) {
   const AnalysisOutcome outcome =
       analysed_ratings(one_scale(R"({"minimum": 0, "maximum": 100})"), four_on_a_line());
   EXPECT_EQ(find_table(outcome, "ordinal"), nullptr);
-  const NamedTable* const table = find_table(outcome, "rated_differences");
+  const StoredTable* const table = find_table(outcome, "rated_differences");
   ASSERT_NE(table, nullptr);
   ASSERT_EQ(table->table.rows.size(), 1U);  // the reference is the first item, stone
   const auto cell = [table](const char* column) {

@@ -23,6 +23,7 @@
 #include "tests/app/made_up_study.h"
 #include "tests/app/report_words.h"
 #include "tests/app/small_study.h"
+#include "tests/app/stored_tables.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -216,7 +217,8 @@ TEST(ReportResults, ListsATestThatNoTableHasWhateverItsP) {
   AnalysisOutcome outcome{};
   outcome.findings = {found("signflip.p.two", "a|b", 0.25, "sign flips"),
                       found("signflip.p.two", "a|c", 0.25, "other sign flips")};
-  outcome.tables.push_back({.name = "tests", .table = {{"test", "p"}, {{std::string("x"), 0.25}}}});
+  outcome.tables.push_back(
+      result_of({.name = "tests", .table = {{"test", "p"}, {{std::string("x"), 0.25}}}}));
   outcome.tests_in_tables.insert(name_of(outcome.findings[0]));
   const std::string words = words_of(numbers_section(outcome));
   EXPECT_THAT(words, HasSubstr("other sign flips | a, c"));
@@ -300,8 +302,8 @@ TEST(ReportResults, PutsAFigureBesideItsQuestion) {
 
 TEST(ReportResults, PutsTheOtherFiguresBesideTheirTablesBehind) {
   AnalysisOutcome outcome{};
-  outcome.tables = {{"one", Phrase("One"), {{"a"}, {}}, {}},
-                    {"two", Phrase("Two"), {{"a"}, {}}, {}}};
+  outcome.tables = results_of(
+      {{"one", Phrase("One"), {{"a"}, {}}, {}}, {"two", Phrase("Two"), {{"a"}, {}}, {}}});
   Figure of_two{};
   of_two.name = "of_two";
   of_two.table = "two";

@@ -40,7 +40,7 @@ AnalysisOutcome analyze_recognition_of(
   return analysed("recognition", "{}", {.first = 0, .sex = "F"}, by_participant);
 }
 
-const NamedTable& times_in(const AnalysisOutcome& outcome) {
+const StoredTable& times_in(const AnalysisOutcome& outcome) {
   return table_of(outcome, kResponseTimes);
 }
 

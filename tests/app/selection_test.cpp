@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "app/findings/outcome/cell_words.h"
-#include "app/findings/outcome/reading_table.h"
 #include "tests/app/analysed_study.h"
 
 namespace asperity {
@@ -32,7 +31,7 @@ std::string words_of(const AnalysisOutcome& outcome) {
     words += question.question.english() + ' ' + question.answer.english() + '\n';
   }
   words += remarks_of(outcome);
-  for (const NamedTable& table : outcome.tables) words += table.note.english() + '\n';
+  for (const ResultTable& table : outcome.tables) words += table.note.english() + '\n';
   return words;
 }
 
@@ -156,7 +155,7 @@ TEST(PairedSelection, StatesNothingThatOnlyACompleteDesignCouldLack) {
 TEST(PairedSelection, ExplainsADeclaredTestThatItCannotMake) {
   const AnalysisOutcome outcome =
       analysed_selection(2, R"({"analysis": {"family": ["pairs", "preference"]}})", all_pairs_of);
-  const NamedTable& tests = table_of(outcome, "tests");
+  const StoredTable& tests = table_of(outcome, "tests");
   EXPECT_THAT(tests.note.english(), HasSubstr("over the 7 confirmatory tests"));
   const auto row = std::find_if(tests.table.rows.begin(), tests.table.rows.end(),
                                 [](const auto& each) { return each[0] == Cell{"preference"}; });
@@ -357,9 +356,9 @@ TEST(WordsOfConditions, HaveTheUnitsOfTheirNumbers) {
   EXPECT_EQ(words_of_condition("amplitude (wavelength_m 0.0025)"), "amplitude (wavelength 2.5 mm)");
   EXPECT_EQ(words_of_condition("grit 80"), "grit 80");
   EXPECT_EQ(words_of_condition("in_m of 2"), "in_m of 2");
-  EXPECT_EQ(words_of_cell("about", "wavelength_m 0.001|wavelength_m 0.002").english(),
+  EXPECT_EQ(words_of_about("wavelength_m 0.001|wavelength_m 0.002").english(),
             "wavelength 1 mm / wavelength 2 mm");
-  EXPECT_EQ(words_of_cell("condition", "all").english(), "all trials");
+  EXPECT_EQ(words_of_condition_or_all("all").english(), "all trials");
 }
 
 }  // namespace

@@ -11,8 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "app/findings/outcome/estimate_sentences.h"
-#include "app/findings/outcome/reading_table.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/app/analysed_study.h"
 

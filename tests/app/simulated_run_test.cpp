@@ -15,7 +15,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/findings/outcome/reading_table.h"
 #include "app/findings/outcome/study_analysis.h"
 #include "app/findings/outcome/study_tests.h"
 #include "app/power/power_model.h"
@@ -140,12 +139,12 @@ TEST(SimulatedRun, AnalysesTheFamilyOfEveryLibraryProtocol) {
   }
 }
 
-std::optional<double> cell_number(const NamedTable& table, const std::vector<Cell>& row,
+std::optional<double> cell_number(const StoredTable& table, const std::vector<Cell>& row,
                                   const std::string& column) {
   return number_of(row[column_of(table.table, column).value()]);
 }
 
-std::string cell_text(const NamedTable& table, const std::vector<Cell>& row,
+std::string cell_text(const StoredTable& table, const std::vector<Cell>& row,
                       const std::string& column) {
   const Cell& cell = row[column_of(table.table, column).value()];
   const auto* const text = std::get_if<std::string>(&cell);
@@ -162,7 +161,7 @@ void expect_same_tests(const std::string& name, const StatedValues& stated, int 
     AnalysisOutcome outcome{};
     outcome.kind = gathered.kind;
     analysis.analyze(gathered, outcome);
-    const NamedTable& table = table_of(outcome, StudyTests::kTable);
+    const StoredTable& table = table_of(outcome, StudyTests::kTable);
     const std::vector<StudyTest> tests = analysis.test_family(gathered);
     std::size_t next = 0;
     for (const std::vector<Cell>& row : table.table.rows) {

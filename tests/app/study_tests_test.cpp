@@ -14,9 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "app/findings/outcome/cell_words.h"
-#include "app/findings/outcome/reading_table.h"
 #include "app/findings/outcome/test_methods.h"
-#include "app/findings/study/study_tables.h"
 #include "app/report/text/report_sexes.h"
 #include "tests/app/analysed_study.h"
 
@@ -25,7 +23,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const NamedTable& tests_of(const AnalysisOutcome& outcome) {
+const StoredTable& tests_of(const AnalysisOutcome& outcome) {
   return table_of(outcome, StudyTests::kTable);
 }
 
@@ -46,8 +44,8 @@ struct TestedRow {
 TestedRow row_of(const Table& table, const std::string& test, const std::string& about = {}) {
   for (const std::vector<Cell>& row : table.rows) {
     const TestedRow found{.table = table, .cells = row};
-    if (!column_of(table, "about")) {  // as it is read
-      if (found["test"] == Cell{about.empty() ? test : test + '|' + about}) return found;
+    if (!column_of(table, "about")) {  // as it is shown
+      if (found["test"] == Cell{words_of_test(test, about).english()}) return found;
       continue;
     }
     const Cell wanted = about.empty() ? Cell{} : Cell{about};
@@ -209,6 +207,28 @@ TEST(TestMethods, NameTheirSides) {
   EXPECT_EQ(text_with_sides("rm_anova"), "repeated-measures ANOVA, non-directional");
 }
 
+// A stroke separates items in keys, never in what people read.
+TEST(TablesOfAStudy, ShowNoStrokesAndNoCodesOfReasons) {
+  for (const AnalysisOutcome& outcome :
+       {selection_of_six(), paired_selection_of_four(), recognition_of_three(), matching_of_four(),
+        magnitude_of_five()}) {
+    for (const ResultTable& table : outcome.tables) {
+      const DisplayedTable shown = displayed(table, Reader::window);
+      for (const std::vector<Phrase>& row : shown.rows) {
+        ASSERT_EQ(row.size(), shown.columns.size()) << table.name;
+        for (const Phrase& cell : row) {
+          EXPECT_THAT(cell.english(), testing::Not(HasSubstr("|"))) << table.name;
+          EXPECT_THAT(cell.english(), testing::Not(testing::MatchesRegex("[a-z]+_[a-z_]+")))
+              << table.name;
+        }
+      }
+      for (const DisplayedColumn& column : shown.columns) {
+        EXPECT_FALSE(column.heading.empty()) << table.name;
+      }
+    }
+  }
+}
+
 // What a results section needs, whatever the kind of study: a test with its statistic and its n.
 TEST(TestsOfAStudy, NameTheirTestAndStatisticInEveryKind) {
   for (const AnalysisOutcome& outcome :
@@ -287,21 +307,20 @@ TEST(TestsOfAStudy, ReportBinomialTestsWithTheirCountAndH) {
 
 TEST(TestsOfAStudy, AreReadWithStatisticAndEffectInOneCellEach) {
   const AnalysisOutcome outcome = recognition_of_three();
-  const Table reading = reading_table(tests_of(outcome));
+  const Table reading = shown_table(outcome, StudyTests::kTable);
   const TestedRow right = row_of(reading, "right");
   EXPECT_EQ(right.text("statistic"), "t(2) = 7.00");
   EXPECT_THAT(right.text("effect_size"), HasSubstr("d = 4.04 ["));
-  EXPECT_EQ(words_of_cell("method", right.text("method")).english(), "one-sample t test");
-  EXPECT_EQ(words_of_cell("n", right.text("n")).english(), "3 participants");
+  EXPECT_EQ(right.text("method"), "one-sample t test");
+  EXPECT_EQ(right.text("n"), "3 participants");
   const TestedRow brick = row_of(reading, "textures", "brick");
   EXPECT_EQ(brick.text("statistic"), "k = 3");
-  EXPECT_EQ(words_of_cell("test", brick.text("test")).english(), "textures: brick");
+  EXPECT_EQ(brick.text("test"), "textures: brick");
   EXPECT_FALSE(column_of(reading, "status"));  // every test was made
   const AnalysisOutcome of_pairs = selection_of_six();
-  const Table pairs = reading_table(tests_of(of_pairs));
-  EXPECT_EQ(
-      words_of_cell("method", row_of(pairs, "target_pairs", "new|old").text("method")).english(),
-      "sign-flip (randomisation) test, exact");
+  const Table pairs = shown_table(of_pairs, StudyTests::kTable);
+  EXPECT_EQ(row_of(pairs, "target_pairs", "new|old").text("method"),
+            "sign-flip (randomisation) test, exact");
   EXPECT_THAT(tests_of(of_pairs).note.english(),
               HasSubstr("D: difference in the number of choices; d_z: Cohen’s d of paired"));
 }
@@ -351,7 +370,8 @@ TEST(ReportedSexes, AreLeftOutUnlessTheProtocolDeclaresThem) {
     EXPECT_THAT(finding.key, testing::Not(HasSubstr("Female")));
   }
   std::size_t rows_of_everyone = 0;
-  for (const NamedTable& named : left.tables) {
+  for (const ResultTable& each : left.tables) {
+    const StoredTable named = stored(each);
     const std::optional<std::size_t> person = column_of(named.table, "person");
     if (!person) continue;
     for (const std::vector<Cell>& row : named.table.rows) {
@@ -414,8 +434,7 @@ TEST(TestsOfAStudy, StateThatNobodyChoseTheTarget) {
   EXPECT_EQ(row["p"], Cell{});
   EXPECT_EQ(row.number("n"), 0.0);
   EXPECT_EQ(row.text("status"), "target_never_chosen");
-  EXPECT_EQ(words_of_cell("status", row.text("status")).english(),
-            "no participant ever chose the target");
+  EXPECT_EQ(words_of_status(row.text("status")).english(), "no participant ever chose the target");
 }
 
 }  // namespace

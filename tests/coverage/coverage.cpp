@@ -15,7 +15,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "analysis/numbers/proportion.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 
 namespace asperity {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "analysis/numbers/proportion.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "tests/coverage/coverage_parts.h"
 
 namespace asperity {

@@ -11,7 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "results_schema/files/atomic_file.h"
 #include "tests/app/coverage_counts.h"
 #include "tests/support/temporary_folder.h"

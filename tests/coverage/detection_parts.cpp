@@ -13,7 +13,7 @@
 
 #include "analysis/choices/rating_roc.h"
 #include "analysis/tests/participant_bootstrap.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "tests/coverage/coverage_parts.h"
 
 namespace asperity {

@@ -22,6 +22,7 @@
 #include "renderers/force/force_model.h"
 #include "tests/gates/simulated_study.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/app/stored_tables.h"
 
 namespace asperity {
 namespace {
@@ -70,7 +71,8 @@ Sweep predicted() {
 }
 
 const Table& table_of(const AnalysisOutcome& outcome, const std::string& name) {
-  for (const NamedTable& named : outcome.tables) {
+  for (const ResultTable& each : outcome.tables) {
+    const StoredTable named = stored(each);
     if (named.name == name) return named.table;
   }
   throw std::runtime_error("no table " + name);

@@ -11,6 +11,7 @@
 #include "app/findings/methods/magnitude/magnitude_analysis.h"
 #include "protocols/observer/virtual_observer.h"
 #include "tests/gates/gate_checks.h"
+#include "tests/app/stored_tables.h"
 
 namespace asperity {
 namespace {
@@ -81,7 +82,8 @@ std::map<std::string, double> effects_in_a_study(const ObserverDeclaration& decl
   AnalysisOutcome outcome{};
   analyze_magnitude(gathered, outcome);
   std::map<std::string, double> effects{};
-  for (const NamedTable& named : outcome.tables) {
+  for (const ResultTable& each : outcome.tables) {
+    const StoredTable named = stored(each);
     if (named.name != "anova") continue;
     for (const auto& row : named.table.rows) {
       effects[std::get<std::string>(row.at(0))] = std::get<double>(row.at(5));

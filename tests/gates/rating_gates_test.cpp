@@ -12,7 +12,7 @@
 
 #include "analysis/numbers/tail_probabilities.h"
 #include "app/findings/methods/rating/rating_analysis.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/plan.h"
 #include "tests/gates/gate_checks.h"

@@ -13,7 +13,7 @@
 #include "analysis/dissimilarity/procrustes.h"
 #include "analysis/dissimilarity/rated_dissimilarities.h"
 #include "app/findings/methods/similarity/similarity_analysis.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/plan.h"
 #include "tests/gates/gate_checks.h"

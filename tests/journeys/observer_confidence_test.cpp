@@ -16,7 +16,7 @@
 #include "analysis/numbers/random.h"
 #include "analysis/numbers/tail_probabilities.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/session/rig/recording_columns.h"
 #include "renderers/offline/recorded_force.h"
 #include "results_schema/files/atomic_file.h"

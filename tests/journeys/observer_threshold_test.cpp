@@ -14,7 +14,7 @@
 #include "analysis/psychometric/psychometric_maximum.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_thresholds.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/session/rig/recording_columns.h"
 #include "renderers/offline/recorded_force.h"
 #include "results_schema/analysis_use.h"

@@ -11,7 +11,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_thresholds.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "tests/recovery/recovery.h"
 
 namespace asperity {

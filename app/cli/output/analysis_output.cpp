@@ -4,13 +4,12 @@
 
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "app/cli/output/terminal.h"
-#include "app/findings/outcome/cell_words.h"
-#include "app/findings/outcome/reading_table.h"
-#include "app/findings/study/study_tables.h"
+#include "app/findings/outcome/displayed_table.h"
 #include "app/words/text_parts.h"
 
 namespace asperity {
@@ -26,16 +25,20 @@ std::string paragraph(const std::string& prefix, const std::string& text) {
   return wrapped_text(text, kLineWidth, prefix) + '\n';
 }
 
-/// The table with the program's own words in place of its fixed names.
-Table in_words(Table table) {
-  for (std::vector<Cell>& row : table.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (auto* text = std::get_if<std::string>(&row[i])) {
-        *text = words_of_cell(table.columns[i], *text).english();
-      }
-    }
+/// The table as a terminal prints it: quantities at the right, words at the left.
+std::string terminal_text(const ResultTable& table) {
+  const DisplayedTable shown = displayed(table, Reader::terminal);
+  Table made{};
+  std::vector<bool> numeric{};
+  for (const DisplayedColumn& column : shown.columns) {
+    made.columns.push_back(column.heading.english());
+    numeric.push_back(!column.holds_words);
   }
-  return table;
+  for (const std::vector<Phrase>& row : shown.rows) {
+    std::vector<Cell>& cells = made.rows.emplace_back();
+    for (const Phrase& cell : row) cells.push_back(cell.empty() ? Cell{} : Cell{cell.english()});
+  }
+  return aligned(made, numeric);
 }
 
 Json json_of(const Cell& cell) {
@@ -47,17 +50,18 @@ Json json_of(const Cell& cell) {
 
 Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
-Json json_of(const NamedTable& table) {
+Json json_of(const ResultTable& result) {
+  const Table table = stored_table(result);
   Json rows = Json::array();
-  for (const std::vector<Cell>& cells : table.table.rows) {
+  for (const std::vector<Cell>& cells : table.rows) {
     Json row = Json::object();
-    for (std::size_t i = 0; i < cells.size(); ++i) row[table.table.columns[i]] = json_of(cells[i]);
+    for (std::size_t i = 0; i < cells.size(); ++i) row[table.columns[i]] = json_of(cells[i]);
     rows.push_back(std::move(row));
   }
-  return {{"name", table.name},
-          {"title", table.title.english()},
-          {"note", table.note.english()},
-          {"columns", table.table.columns},
+  return {{"name", result.name},
+          {"title", result.title.english()},
+          {"note", result.note.english()},
+          {"columns", table.columns},
           {"rows", std::move(rows)}};
 }
 
@@ -95,7 +99,7 @@ Json json_of(const AnalysisOutcome& outcome) {
   Json remarks = Json::array();
   for (const Phrase& remark : outcome.remarks) remarks.push_back(remark.english());
   Json tables = Json::array();
-  for (const NamedTable& table : outcome.tables) tables.push_back(json_of(table));
+  for (const ResultTable& table : outcome.tables) tables.push_back(json_of(table));
   Json findings = Json::array();
   for (const Finding& finding : outcome.findings) findings.push_back(json_of_part(finding));
   Json questions = Json::array();
@@ -133,12 +137,12 @@ std::string reading_text_of(const AnalysisOutcome& outcome) {
     text += '\n' + paragraph("", question.question.english());
     text += paragraph("  ", question.answer.english());
   }
-  for (const NamedTable& table : outcome.tables) {
+  for (const ResultTable& table : outcome.tables) {
     // In --json and in the exports.
     if (table.lists_trials && outcome.tables.size() > 1) continue;
     const std::string title = table.title.english();
     text += '\n' + title + '\n' + std::string(title.size(), '-') + '\n';
-    text += aligned(in_words(reading_table(table)));
+    text += terminal_text(table);
     if (!table.note.empty()) text += paragraph("  ", table.note.english());
   }
   return text;

@@ -11,7 +11,7 @@
 #include "app/cli/output/analysis_output.h"
 #include "app/cli/output/terminal.h"
 #include "app/findings/outcome/reading_number.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 
 namespace asperity {
 namespace {

@@ -133,9 +133,18 @@ std::string counted(std::size_t count, const std::string& thing) {
 }
 
 std::string aligned(const Table& table) {
+  std::vector<bool> numeric(table.columns.size(), true);
+  for (const std::vector<Cell>& row : table.rows) {
+    for (std::size_t column = 0; column < row.size(); ++column) {
+      if (std::holds_alternative<std::string>(row[column])) numeric[column] = false;
+    }
+  }
+  return aligned(table, numeric);
+}
+
+std::string aligned(const Table& table, const std::vector<bool>& numeric) {
   const std::size_t columns = table.columns.size();
   std::vector<std::size_t> widths(columns, 0);
-  std::vector<bool> numeric(columns, true);
   std::vector<std::vector<std::string>> texts{};
   for (std::size_t column = 0; column < columns; ++column) {
     widths[column] = width_of(table.columns[column]);
@@ -145,7 +154,6 @@ std::string aligned(const Table& table) {
     for (std::size_t column = 0; column < columns; ++column) {
       cells.push_back(shown_in_a_line(text_of_cell(row.at(column))));
       widths[column] = std::max(widths[column], width_of(cells.back()));
-      if (std::holds_alternative<std::string>(row[column])) numeric[column] = false;
     }
   }
   std::string out{};

@@ -85,5 +85,7 @@ std::string counted(std::size_t count, const std::string& thing);
 /// Aligned columns: text to the left, numbers to the right, two spaces between. Each row is one line: line breaks and other
 /// control characters of a text are shown by their numbers.
 std::string aligned(const Table& table);
+/// The same with the columns at the right that are `numeric`, whatever their cells.
+std::string aligned(const Table& table, const std::vector<bool>& numeric);
 
 }  // namespace asperity

@@ -3,14 +3,16 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "analysis/numbers/finding.h"
 #include "app/findings/gathering/gathered_answers.h"
+#include "app/findings/outcome/result_table.h"
 #include "app/words/phrase.h"
-#include "results_schema/tables/table.h"
 
 namespace asperity {
 
@@ -24,17 +26,6 @@ inline constexpr const char* kStimulusEstimates = "stimulus_estimates";
 /// The table of each participant's estimates in every cell: participant, condition, spacing,
 /// responses, raw and normalised.
 inline constexpr const char* kEstimatesOfPersons = "estimates";
-
-/// A table for users and programs: column names are fixed words with units, numbers have all their
-/// digits, missing cells are missing. `x_low` and `x_high` together are one interval.
-struct NamedTable {
-  std::string name{};  ///< fixed, for programs: "table_1", "shares"
-  Phrase title{};      ///< for users
-  Table table{};
-  Phrase note{};  ///< how to read it, chance level included; may be empty
-  /// A row for each trial, of which a study has hundreds: texts and reports leave the table out.
-  bool lists_trials = false;
-};
 
 /// A question of a kind of protocol, as text, and the answer that the participants' responses give.
 struct AnsweredQuestion {
@@ -112,7 +103,7 @@ struct AnalysisOutcome {
   bool declares_sexes = false;                ///< the protocol's family compares women and men
   std::size_t answers = 0;                    ///< attempts that the tables count
   std::vector<AnsweredQuestion> questions{};  ///< the main question of the study first
-  std::vector<NamedTable> tables{};
+  std::vector<ResultTable> tables{};
   std::vector<Finding> findings{};
   std::set<FindingName> tests_in_tables{};  ///< tests whose p is in a table, and is reported there
   std::vector<TestSentence> test_sentences{};  ///< in the order of the table of tests

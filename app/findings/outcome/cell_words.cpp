@@ -91,7 +91,7 @@ const CellWords& words_of_properties() {
   return kWords;
 }
 
-const CellWords& words_of_tests() {
+const CellWords& words_of_test_names() {
   static const CellWords kWords{
       {"accompanying_scales", phrase("CellWords", "accompanying scales")},
       {"condition", phrase("CellWords", "condition")},
@@ -290,47 +290,6 @@ const CellWords& words_of_reasons() {
   return kWords;
 }
 
-Phrase cell_word_in(const CellWords& words, const std::string& text) {
-  const auto found = words.find(text);
-  return found == words.end() ? Phrase(text) : found->second;
-}
-
-/// "sign_flip", "sign_flip|exact", "sign_flip|9999".
-Phrase words_of_method(const std::string& text) {
-  const std::size_t bar = text.find('|');
-  const Phrase name = test_method_name(text.substr(0, bar));
-  if (name.empty()) return text;
-  if (bar == std::string::npos) return name;
-  const std::string permutations = text.substr(bar + 1);
-  if (permutations == "exact") return phrase("CellWords", "%1, exact").with(name);
-  return phrase("CellWords", "%1, %2 permutations drawn at random").with(name, permutations);
-}
-
-/// Replaces strokes by slashes: "height_map / sinusoid" from "height_map|sinusoid".
-std::string with_strokes(const std::string& text) {
-  std::string shown{};
-  for (const char letter : text)
-    shown += letter == '|' ? std::string(" / ") : std::string(1, letter);
-  return shown;
-}
-
-/// "pairs", "pairs|height_map|sinusoid".
-Phrase words_of_test(const std::string& text) {
-  const std::size_t bar = text.find('|');
-  const Phrase name = cell_word_in(words_of_tests(), text.substr(0, bar));
-  if (bar == std::string::npos) return name;
-  return phrase("CellWords", "%1: %2").with(name, words_of_cell("about", text.substr(bar + 1)));
-}
-
-/// "20|participants"
-Phrase words_of_count(const std::string& text) {
-  const std::size_t bar = text.find('|');
-  if (bar == std::string::npos) return text;
-  const std::string count = text.substr(0, bar);
-  const CellWords& units = count == "1" ? words_of_single_units() : words_of_units();
-  return phrase("CellWords", "%1 %2").with(count, cell_word_in(units, text.substr(bar + 1)));
-}
-
 /// Values as R and other programs write them.
 const CellWords& words_in_any_column() {
   static const CellWords kWords{{"-Inf", phrase("CellWords", "−∞")},
@@ -341,9 +300,23 @@ const CellWords& words_in_any_column() {
   return kWords;
 }
 
+/// The words of a code; of one that is not in the table those of any column.
+Phrase word_in(const CellWords& words, const std::string& code) {
+  const auto found = words.find(code);
+  return found == words.end() ? words_of_name(code) : found->second;
+}
+
+/// Replaces strokes by slashes: "height_map / sinusoid" from "height_map|sinusoid".
+std::string with_strokes(const std::string& text) {
+  std::string shown{};
+  for (const char letter : text)
+    shown += letter == '|' ? std::string(" / ") : std::string(1, letter);
+  return shown;
+}
+
 /// "outside_levels", "jnd, weber: outside_levels; pse: not_increasing".
-Phrase words_of_status(const std::string& text) {
-  if (text.find(": ") == std::string::npos) return cell_word_in(words_of_reasons(), text);
+Phrase words_of_several_reasons(const std::string& text) {
+  if (text.find(": ") == std::string::npos) return word_in(words_of_reasons(), text);
   Phrase all{};
   for (const std::string& part : parts_of(text, ';')) {
     const std::size_t colon = part.find(": ");
@@ -351,12 +324,11 @@ Phrase words_of_status(const std::string& text) {
     Phrase measures{};
     for (std::string measure : parts_of(part.substr(0, colon), ',')) {
       measure.erase(0, measure.find_first_not_of(' '));
-      const Phrase one = cell_word_in(words_of_measures(), measure);
+      const Phrase one = word_in(words_of_measures(), measure);
       measures = measures.empty() ? one : phrase("CellWords", "%1, %2").with(measures, one);
     }
-    const Phrase one =
-        phrase("CellWords", "%1: %2")
-            .with(measures, cell_word_in(words_of_reasons(), part.substr(colon + 2)));
+    const Phrase one = phrase("CellWords", "%1: %2")
+                           .with(measures, word_in(words_of_reasons(), part.substr(colon + 2)));
     all = all.empty() ? one : phrase("CellWords", "%1; %2").with(all, one);
   }
   return all;
@@ -405,6 +377,13 @@ const UnitSuffix* unit_suffix_of(const std::string& key) {
   return found == kSuffixes.end() ? nullptr : found;
 }
 
+const CellWords& words_of_sexes() {
+  static const CellWords kWords{{"Female", phrase("AnalysisWords", "Female")},
+                                {"Male", phrase("AnalysisWords", "Male")},
+                                {"Total", phrase("AnalysisWords", "Total")}};
+  return kWords;
+}
+
 }  // namespace
 
 std::string words_of_parameter(const std::string& key) {
@@ -447,58 +426,101 @@ std::string words_of_condition(const std::string& condition) {
   return words;
 }
 
-Phrase words_of_cell(const std::string& column, const std::string& text) {
-  if (const auto known = words_in_any_column().find(text); known != words_in_any_column().end()) {
-    return known->second;
-  }
-  if (column == "measure") return cell_word_in(words_of_measures(), text);
-  if (column == "test" || column == "effect") return words_of_test(text);
-  if (column == "n") return words_of_count(text);
-  if (column == "condition") {
-    return text == "all" ? phrase("CellWords", "all trials") : Phrase(words_of_condition(text));
-  }
-  if (column == "item" || column == "reference") return words_of_condition(text);
-  if (column == "factor" && !words_of_trial_factors().contains(text) &&
-      !unit_of_parameter(text).empty()) {
-    return words_of_parameter(text);
-  }
-  if (column == "factor") return cell_word_in(words_of_trial_factors(), text);
-  if (column == "unit") return cell_word_in(words_of_units(), text);
-  if (column == "by") return cell_word_in(words_of_trial_groups(), text);
-  if (column == "level") return cell_word_in(words_of_levels(), text);
-  if (column == "status") return words_of_status(text);
-  if (column == "type") return cell_word_in(words_of_catch_types(), text);
-  if (column == "place") return cell_word_in(words_of_anchor_places(), text);
-  if (column == "method") return words_of_method(text);
-  if (column == "role") {
-    return text == "confirmatory" ? phrase("CellWords", "confirmatory")
-                                  : phrase("CellWords", "exploratory");
-  }
-  if (column == "retained") {
-    return text == "yes" ? phrase("CellWords", "yes") : phrase("CellWords", "no");
-  }
-  if (column == "of" && text == "loading") return phrase("CellWords", "loading of the scale");
-  if (column == "of" && text == "score") return phrase("CellWords", "score of the item");
-  if (column == "about" && text == "F|M") return phrase("CellWords", "women, men");
-  if (column == "property") return cell_word_in(words_of_properties(), text);
-  if (column == "about" && words_of_properties().contains(text)) {
-    return words_of_properties().at(text);
-  }
-  if (column == "about" && !unit_of_parameter(text).empty() &&
-      text.find_first_of(" |") == std::string::npos) {
-    return words_of_parameter(text);
-  }
-  if (column == "about") return words_of_condition(with_strokes(text));
-  if (column != "family") return text;
-  // Names of tests, separated by commas.
+Phrase words_of_name(const std::string& stored) {
+  const auto found = words_in_any_column().find(stored);
+  return found == words_in_any_column().end() ? Phrase(stored) : found->second;
+}
+
+Phrase words_of_measure(const std::string& code) { return word_in(words_of_measures(), code); }
+
+Phrase words_of_property(const std::string& code) { return word_in(words_of_properties(), code); }
+
+Phrase words_of_test(const std::string& name) { return word_in(words_of_test_names(), name); }
+
+Phrase words_of_test(const std::string& name, const std::string& about) {
+  if (about.empty()) return words_of_test(name);
+  return phrase("CellWords", "%1: %2").with(words_of_test(name), words_of_about(about));
+}
+
+Phrase words_of_tests(const std::string& names) {
   Phrase all{};
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(", ", begin), text.size());
-    const Phrase one = cell_word_in(words_of_tests(), text.substr(begin, end - begin));
+  for (std::size_t begin = 0; begin <= names.size();) {
+    const std::size_t end = std::min(names.find(", ", begin), names.size());
+    const Phrase one = words_of_test(names.substr(begin, end - begin));
     all = all.empty() ? one : phrase("CellWords", "%1, %2").with(all, one);
     begin = end + 2;
   }
   return all;
+}
+
+Phrase words_of_about(const std::string& about) {
+  if (about == "F|M") return phrase("CellWords", "women, men");
+  if (const auto property = words_of_properties().find(about);
+      property != words_of_properties().end()) {
+    return property->second;
+  }
+  if (!unit_of_parameter(about).empty() && about.find_first_of(" |") == std::string::npos) {
+    return words_of_parameter(about);
+  }
+  return words_of_name(words_of_condition(with_strokes(about)));
+}
+
+Phrase words_of_method(const std::string& code, const std::string& permutations) {
+  const Phrase name = test_method_name(code);
+  if (name.empty()) return code;
+  if (permutations.empty()) return name;
+  if (permutations == "exact") return phrase("CellWords", "%1, exact").with(name);
+  return phrase("CellWords", "%1, %2 permutations drawn at random").with(name, permutations);
+}
+
+Phrase words_of_count(std::size_t count, const std::string& unit) {
+  const CellWords& units = count == 1 ? words_of_single_units() : words_of_units();
+  return phrase("CellWords", "%1 %2").with(std::to_string(count), word_in(units, unit));
+}
+
+Phrase words_of_unit(const std::string& unit) { return word_in(words_of_units(), unit); }
+
+Phrase words_of_status(const std::string& code) {
+  return code.find(": ") == std::string::npos ? word_in(words_of_reasons(), code)
+                                              : words_of_several_reasons(code);
+}
+
+Phrase words_of_factor(const std::string& code) {
+  const bool is_parameter =
+      !words_of_trial_factors().contains(code) && !unit_of_parameter(code).empty();
+  return is_parameter ? Phrase(words_of_parameter(code)) : word_in(words_of_trial_factors(), code);
+}
+
+Phrase words_of_trial_group(const std::string& code) {
+  return word_in(words_of_trial_groups(), code);
+}
+
+Phrase words_of_level(const std::string& code) { return word_in(words_of_levels(), code); }
+
+Phrase words_of_catch_type(const std::string& code) {
+  return word_in(words_of_catch_types(), code);
+}
+
+Phrase words_of_anchor_place(const std::string& code) {
+  return word_in(words_of_anchor_places(), code);
+}
+
+Phrase words_of_role(const std::string& code) {
+  return code == "confirmatory" ? phrase("CellWords", "confirmatory")
+                                : phrase("CellWords", "exploratory");
+}
+
+Phrase words_of_condition_or_all(const std::string& condition) {
+  return condition == "all" ? phrase("CellWords", "all trials")
+                            : words_of_name(words_of_condition(condition));
+}
+
+Phrase words_of_item(const std::string& item) { return words_of_name(words_of_condition(item)); }
+
+Phrase words_of_sex(const std::string& sex) { return word_in(words_of_sexes(), sex); }
+
+Phrase words_of_repetition(const std::string& level) {
+  return level == "all" ? phrase("AnalysisWords", "all") : Phrase(level);
 }
 
 }  // namespace asperity

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "app/words/phrase.h"
@@ -13,10 +14,44 @@ inline constexpr const char* kAnchorEstimate = "anchor_estimate";
 inline constexpr const char* kAnchorRating = "anchor_rating";
 inline constexpr const char* kAnchorCorrect = "anchor_correct";
 
-/// "d′" for `d_prime` in the column `measure`, "pairs: a / b" for `pairs|a|b` in the column `test`,
-/// "20 participants" for `20|participants` in the column `n`. Words without a display text, and all
-/// names from a study, are unchanged.
-Phrase words_of_cell(const std::string& column, const std::string& text);
+// The display text of a stored word, by what it names (WordText of result_table.h). Words without a display text, and all names
+// from a study, are unchanged.
+
+/// "−∞" for "-Inf", "cannot tell" for "cannot_tell": words that have a display text in every column.
+Phrase words_of_name(const std::string& stored);
+/// "d′" for `d_prime`.
+Phrase words_of_measure(const std::string& code);
+Phrase words_of_property(const std::string& code);
+/// "pairs"
+Phrase words_of_test(const std::string& name);
+/// "pairs: a / b", also without a subject.
+Phrase words_of_test(const std::string& name, const std::string& about);
+/// "pairs, preference" for names that are separated by commas.
+Phrase words_of_tests(const std::string& names);
+/// "a / b" for `a|b`, "women, men" for `F|M`: the subject of a test.
+Phrase words_of_about(const std::string& about);
+/// "sign-flip test, exact"; `permutations`: empty, "exact" or their number.
+Phrase words_of_method(const std::string& code, const std::string& permutations);
+/// "20 participants"
+Phrase words_of_count(std::size_t count, const std::string& unit);
+Phrase words_of_unit(const std::string& unit);
+/// A reason in place of a number: "outside the presented levels"; also of several measures,
+/// `jnd, weber: outside_levels; pse: not_increasing`.
+Phrase words_of_status(const std::string& code);
+/// "trial, per 10", "amplitude"
+Phrase words_of_factor(const std::string& code);
+Phrase words_of_trial_group(const std::string& code);
+Phrase words_of_level(const std::string& code);
+Phrase words_of_catch_type(const std::string& code);
+Phrase words_of_anchor_place(const std::string& code);
+Phrase words_of_role(const std::string& code);
+/// `words_of_condition`, "all trials" for `all`.
+Phrase words_of_condition_or_all(const std::string& condition);
+Phrase words_of_item(const std::string& item);
+/// "Female", "Total"
+Phrase words_of_sex(const std::string& sex);
+/// The level of the factor `column`, or "all".
+Phrase words_of_repetition(const std::string& level);
 
 /// "strong, wavelength 2.5 mm" for the condition "strong, wavelength_m 0.0025": numbers after the name of a parameter or
 /// factor with a unit are written with this unit.

@@ -16,9 +16,9 @@ DrawnUnit drawn_unit(const std::string& unit, double greatest) {
   return greatest < 1.0 ? DrawnUnit{"mm", 1e-3} : DrawnUnit{unit, 1.0};
 }
 
-const NamedTable* table_named(const AnalysisOutcome& outcome, const char* name) {
+const ResultTable* table_named(const AnalysisOutcome& outcome, const char* name) {
   const auto found = std::find_if(outcome.tables.begin(), outcome.tables.end(),
-                                  [name](const NamedTable& each) { return each.name == name; });
+                                  [name](const ResultTable& each) { return each.name == name; });
   return found == outcome.tables.end() ? nullptr : &*found;
 }
 

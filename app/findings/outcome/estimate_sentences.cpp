@@ -3,14 +3,9 @@
 #include "app/findings/outcome/estimate_sentences.h"
 
 #include <algorithm>
-#include <functional>
-#include <map>
-#include <optional>
-#include <variant>
 
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/reading_number.h"
-#include "app/findings/outcome/reading_table.h"
 #include "app/findings/outcome/study_analysis.h"
 #include "app/findings/outcome/test_sentences.h"
 #include "app/words/text_parts.h"
@@ -18,8 +13,6 @@
 namespace asperity {
 
 namespace {
-
-using EstimateText = std::function<std::string(double)>;
 
 /// "83 % (95 % CI [49 %, 96 %]) for height_map"
 std::string one_estimate(const Finding& estimate, const std::string& about,
@@ -29,70 +22,6 @@ std::string one_estimate(const Finding& estimate, const std::string& about,
     text += " (95 % CI [" + shown(*estimate.low) + ", " + shown(*estimate.high) + "])";
   }
   return about.empty() ? text : text + " for " + about;
-}
-
-std::vector<const Finding*> estimates_among(const AnalysisOutcome& outcome,
-                                            std::string_view analysis, std::string_view quantity) {
-  std::vector<const Finding*> found = numbers_among(outcome, analysis, quantity);
-  // The key of a pair consists of both names.
-  std::erase_if(found, [](const Finding* one) { return one->key.find('|') != std::string::npos; });
-  return found;
-}
-
-/// "a, b and c, N = 6"
-std::string all_estimates(const std::vector<const Finding*>& estimates, const std::string& only_key,
-                          const EstimateText& shown) {
-  std::string text{};
-  for (std::size_t i = 0; i < estimates.size(); ++i) {
-    if (i > 0) text += i + 1 == estimates.size() ? " and " : ", ";
-    const std::string& key = estimates[i]->key;
-    text += one_estimate(*estimates[i], key == only_key ? "" : key, shown);
-  }
-  return text + ", N = " + reading_count(estimates.front()->n);
-}
-
-/// Of the conditions with a reported peak: "1.23 mm, 95 % CI [1.17 mm, 1.29 mm], p < .001".
-std::map<std::string, std::string> reported_peaks(const AnalysisOutcome& outcome) {
-  std::map<std::string, std::string> peaks{};
-  const auto found = std::find_if(outcome.tables.begin(), outcome.tables.end(),
-                                  [](const NamedTable& table) { return table.name == "peaks"; });
-  if (found == outcome.tables.end()) return peaks;
-  const Table& table = found->table;
-  for (const std::vector<Cell>& row : table.rows) {
-    const auto number = [&](const char* column) -> std::optional<double> {
-      const auto at = column_of(table, column);
-      return at ? number_of(row[*at]) : std::nullopt;
-    };
-    const auto peak = number("peak_m");
-    const auto* const condition = std::get_if<std::string>(&row.front());
-    if (condition == nullptr || !peak) continue;
-    std::string text = reading_quantity(*peak, "m");
-    const auto low = number("peak_m_low");
-    const auto high = number("peak_m_high");
-    if (low && high) {
-      text +=
-          ", 95 % CI [" + reading_quantity(*low, "m") + ", " + reading_quantity(*high, "m") + ']';
-    }
-    if (const auto p = number("p_interior")) text += ", " + reading_p(*p);
-    peaks[*condition] = text;
-  }
-  return peaks;
-}
-
-/// "Estimates had a significant interior maximum at 1.23 mm (…) for small and at … for large; no power function is stated for
-/// these conditions."
-std::string peaks_text(const std::map<std::string, std::string>& peaks) {
-  std::vector<std::string> parts{};
-  for (const auto& [condition, text] : peaks) {
-    parts.push_back("at " + text +
-                    (condition == "all" ? "" : " (" + words_of_condition(condition) + ")"));
-  }
-  if (parts.empty()) return {};
-  return "The spacings of maximum roughness (significant interior maxima, test of Lind and Mehlum) "
-         "were " +
-         listed(parts) + "; " +
-         (parts.size() == 1 ? "this curve is not a power function."
-                            : "these curves are not power functions.");
 }
 
 }  // namespace
@@ -108,6 +37,25 @@ std::vector<const Finding*> numbers_among(const AnalysisOutcome& outcome, std::s
   return found;
 }
 
+std::vector<const Finding*> estimates_among(const AnalysisOutcome& outcome,
+                                            std::string_view analysis, std::string_view quantity) {
+  std::vector<const Finding*> found = numbers_among(outcome, analysis, quantity);
+  // The key of a pair consists of both names.
+  std::erase_if(found, [](const Finding* one) { return one->key.find('|') != std::string::npos; });
+  return found;
+}
+
+std::string all_estimates(const std::vector<const Finding*>& estimates, const std::string& only_key,
+                          const EstimateText& shown) {
+  std::string text{};
+  for (std::size_t i = 0; i < estimates.size(); ++i) {
+    if (i > 0) text += i + 1 == estimates.size() ? " and " : ", ";
+    const std::string& key = estimates[i]->key;
+    text += one_estimate(*estimates[i], key == only_key ? "" : key, shown);
+  }
+  return text + ", N = " + reading_count(estimates.front()->n);
+}
+
 EstimateSentence choices_sentence(const AnalysisOutcome& outcome) {
   const std::vector<const Finding*> means = estimates_among(outcome, "choice", "subj.mean");
   if (means.size() < 2) return {};
@@ -117,26 +65,6 @@ EstimateSentence choices_sentence(const AnalysisOutcome& outcome) {
           .has_mean_interval = std::any_of(means.begin(), means.end(), [](const Finding* mean) {
             return mean->low.has_value();
           })};
-}
-
-EstimateSentence exponents_sentence(const AnalysisOutcome& outcome) {
-  std::vector<const Finding*> means = estimates_among(outcome, kRoughness, "exponent.mean");
-  const bool is_of_spacings = !means.empty();
-  if (!is_of_spacings) means = estimates_among(outcome, kStimulusEstimates, "exponent.mean");
-  // A curve with a maximum among the tested spacings is not a power function.
-  const std::map<std::string, std::string> peaks = reported_peaks(outcome);
-  std::erase_if(means, [&peaks](const Finding* one) { return peaks.contains(one->key); });
-  std::string text = peaks_text(peaks);
-  if (means.empty()) return {.text = text};
-  if (!text.empty()) text += ' ';
-  constexpr int kDecimals = 2;
-  return {.text = text +
-                  (means.size() == 1 ? std::string("The mean slope") : std::string("Mean slopes")) +
-                  " of log estimate on " + (is_of_spacings ? "log spacing" : "log predictor") +
-                  " (exponent of a power function) " + (means.size() == 1 ? "was " : "were ") +
-                  all_estimates(means, "all",
-                                [](double value) { return reading_signed(value, kDecimals); }) +
-                  '.'};
 }
 
 EstimateSentence pairs_sentence(const AnalysisOutcome& outcome) {

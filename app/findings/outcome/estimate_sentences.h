@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,14 @@ namespace asperity {
 /// The findings of an analysis that are numbers of this quantity, in their order. The outcome must outlive them.
 std::vector<const Finding*> numbers_among(const AnalysisOutcome& outcome, std::string_view analysis,
                                           std::string_view quantity);
+/// The same without those of pairs, whose keys are two names.
+std::vector<const Finding*> estimates_among(const AnalysisOutcome& outcome,
+                                            std::string_view analysis, std::string_view quantity);
+
+using EstimateText = std::function<std::string(double)>;
+/// "83 % (95 % CI [49 %, 96 %]) for height_map and 17 % (…) for sinusoid, N = 6"; the estimate of `only_key` without its key.
+std::string all_estimates(const std::vector<const Finding*>& estimates, const std::string& only_key,
+                          const EstimateText& shown);
 
 /// In English; empty for kinds whose tests state their estimates (matching, recognition).
 struct EstimateSentence {
@@ -24,9 +33,6 @@ struct EstimateSentence {
 /// and 17 % (…) for sinusoid, N = 6; the chance level was 50 %.", where every trial presented every
 /// item.
 EstimateSentence choices_sentence(const AnalysisOutcome& outcome);
-/// For a magnitude: the spacings of maximum roughness, and the mean exponents of the conditions without one.
-EstimateSentence exponents_sentence(const AnalysisOutcome& outcome);
-
 /// For a paired comparison: the log-worths of the scale, the mean proportions of comparisons in which an item was chosen, and the
 /// mean coefficient of consistence.
 EstimateSentence pairs_sentence(const AnalysisOutcome& outcome);

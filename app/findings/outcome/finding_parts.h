@@ -9,7 +9,7 @@
 
 #include "analysis/numbers/finding.h"
 #include "app/findings/outcome/figure.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 
 namespace asperity {
 

@@ -11,6 +11,7 @@
 #include "analysis/numbers/number_text.h"
 #include "analysis/tests/multiplicity.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/reading_number.h"
 #include "results_schema/error_text.h"
 
@@ -111,14 +112,13 @@ void add_question(AnalysisOutcome& outcome, const char* name, Phrase question, P
 }
 
 void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
-                 const std::string& key_column, const std::string& quantity,
+                 const ResultColumn& key_column, const std::string& quantity,
                  AnalysisOutcome& outcome, const char* name) {
-  NamedTable made{
+  using namespace columns;
+  ResultTable made{
       name,
       phrase("Analysis", "Participant-level proportions, summarised over the participants"),
-      {{key_column, "persons", "mean", "mean_low", "mean_high", "sd", "minimum", "median",
-        "maximum"},
-       {}},
+      {key_column, kPersons, kMean, interval_of(kMean), kSd, kMinimum, kMedian, kMaximum},
       phrase("Analysis",
              "95 % CI of the mean: Student's t over the participants on the logit scale. In "
              "simulations with 2 to 20 participants, its coverage was at least 91 %.")};
@@ -126,19 +126,17 @@ void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
   for (const PersonsRow& row : rows) {
     const Finding* mean = found.find("subj.mean", row.key);
     if (mean == nullptr || !mean->value) continue;
-    const auto [low, high] = found.interval("subj.mean", row.key);
-    made.table.rows.push_back(
-        {row.name, static_cast<std::int64_t>(mean->n), *mean->value, low, high,
-         found.cell("subj.sd", row.key), found.cell("subj.minimum", row.key),
-         found.cell("subj.median", row.key), found.cell("subj.maximum", row.key)});
+    made.add({row.name, count_cell(mean->n), *mean->value, found.interval("subj.mean", row.key),
+              found.cell("subj.sd", row.key), found.cell("subj.minimum", row.key),
+              found.cell("subj.median", row.key), found.cell("subj.maximum", row.key)});
     has_interval = has_interval || mean->low;
     Finding finding = *mean;
     finding.quantity = "mean_of_persons_" + quantity;
-    finding.key = key_column + '=' + row.name;
+    finding.key = key_column.id + '=' + row.name;
     finding.analysis.clear();
     outcome.findings.push_back(std::move(finding));
   }
-  if (made.table.rows.empty()) return;
+  if (made.rows.empty()) return;
   if (!has_interval) made.note = phrase("Analysis", "With one participant there is no CI.");
   outcome.tables.push_back(std::move(made));
 }
@@ -157,20 +155,20 @@ Phrase averaged(const Phrase& proportion, const Finding* mean) {
 
 void add_measures(const FoundNumbers& found, std::span<const Measure> measures,
                   AnalysisOutcome& outcome) {
-  NamedTable made{"measures",
-                  phrase("Analysis", "Measures of all responses together"),
-                  {{"measure", "value", "value_low", "value_high", "unit"}, {}},
-                  {}};
+  using namespace columns;
+  ResultTable made{"measures",
+                   phrase("Analysis", "Measures of all responses together"),
+                   {kMeasure, kValue, interval_of(kValue), kUnit},
+                   {}};
   for (const Measure& measure : measures) {
     const Finding* finding = found.find(measure.quantity);
     if (finding == nullptr) continue;
-    auto [low, high] = found.interval(measure.quantity);
-    if (!measure.has_interval) low = high = Cell{};
-    Cell value = finding->value ? Cell{*finding->value} : Cell{finding->word};
-    if (finding->value && measure.form == Measure::Form::count) {
-      value = static_cast<std::int64_t>(std::llround(*finding->value));
-    }
-    made.table.rows.push_back({measure.name, value, low, high, finding->unit});
+    const ResultCell value = !finding->value                        ? ResultCell{finding->word}
+                             : measure.form == Measure::Form::count ? found.count(measure.quantity)
+                                                                    : *finding->value;
+    made.add({measure.name, value,
+              measure.has_interval ? found.interval(measure.quantity) : ResultCell{},
+              finding->unit});
   }
   outcome.tables.push_back(std::move(made));
 }

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "app/findings/outcome/analysis_outcome.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/study_tests.h"
-#include "app/findings/tidy/found_numbers.h"
 #include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {
@@ -62,7 +62,7 @@ struct PersonsRow {
   std::string key{};   ///< of the findings
 };
 void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
-                 const std::string& key_column, const std::string& quantity,
+                 const ResultColumn& key_column, const std::string& quantity,
                  AnalysisOutcome& outcome, const char* name = "persons");
 
 /// A row per measure: value and interval, where they are numbers.

@@ -11,8 +11,8 @@
 #include "analysis/numbers/number_text.h"
 #include "analysis/tests/multiplicity.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/reading_number.h"
-#include "app/findings/outcome/reading_table.h"
 #include "app/findings/outcome/test_sentences.h"
 #include "protocols/kinds/experiment_kind.h"
 
@@ -76,44 +76,103 @@ std::string reason_for(const std::string& name) {
   return std::string(known == kReasons.end() ? "no_responses" : known->second);
 }
 
-Cell text_cell(std::string_view text) { return text.empty() ? Cell{} : Cell{std::string(text)}; }
+const ResultColumn kTest{
+    .id = "test", .heading = phrase("AnalysisWords", "test"), .stored_as = {"test", "about"}};
+const ResultColumn kMethod{
+    .id = "method", .heading = phrase("AnalysisWords", "method"), .stored_as = {"method"}};
+const ResultColumn kN{
+    .id = "n", .heading = phrase("AnalysisWords", "n"), .stored_as = {"n", "unit"}};
+const ResultColumn kStatistic{.id = "statistic",
+                              .heading = phrase("AnalysisWords", "statistic"),
+                              .stored_as = {"statistic", "value", "df1", "df2", "epsilon"}};
+const ResultColumn kPermutations{.id = "permutations", .is_for_files = true};
+const ResultColumn kEffectSize{.id = "effect_size",
+                               .heading = phrase("AnalysisWords", "effect size [95 % CI]"),
+                               .stored_as = {"effect_size", "effect", "effect_low", "effect_high"}};
+const ResultColumn kPHolm{
+    .id = "p_holm", .heading = phrase("AnalysisWords", "p, Holm"), .digits = Digits::p};
+const ResultColumn kPSmallest{.id = "p_smallest",
+                              .heading = phrase("AnalysisWords", "smallest attainable p"),
+                              .digits = Digits::p};
+const ResultColumn kFamily{.id = "family", .is_for_files = true};
+const ResultColumn kRole{
+    .id = "role", .heading = phrase("AnalysisWords", "role"), .words = words_of_role};
 
-/// The row of a test, with the names of its columns. `family`: the family of the test; may be
-/// empty.
-std::vector<std::pair<const char*, Cell>> named_cells_of(const StudyTests::Test& test,
-                                                         const std::string& family) {
-  static const TestMethod kNone{};
-  const TestMethod& by = test.p && test.made_by != nullptr ? *test.made_by : kNone;
+Cell stored(std::string_view text) { return text.empty() ? Cell{} : Cell{std::string(text)}; }
+Cell stored(const std::optional<double>& number) { return number ? Cell{*number} : Cell{}; }
+
+/// "pairs: a / b"
+ResultCell test_cell(const StudyTests::Test& test) {
+  return JoinedCell{{stored(test.name), stored(test.about)}, words_of_test(test.name, test.about)};
+}
+
+/// "sign-flip test, exact"
+ResultCell method_cell(const StudyTests::Test& test, const TestMethod& by) {
+  if (by.code.empty()) return {};
+  return JoinedCell{{stored(by.code)},
+                    words_of_method(std::string(by.code), permutations_text(test))};
+}
+
+/// "20 participants"; nothing to read where nothing was tested.
+ResultCell n_cell(const StudyTests::Test& test) {
+  return JoinedCell{{static_cast<std::int64_t>(test.n), stored(test.unit)},
+                    test.n > 0 ? words_of_count(test.n, test.unit) : Phrase{}};
+}
+
+/// "F(2, 38) = 5.17", "F(1.54, 29.18) = 5.17, ε = .77"
+ResultCell statistic_cell(const StudyTests::Test& test, const TestMethod& by) {
+  if (!test.statistic) return {};
   const auto degrees = [&test](std::size_t place) {
     return place < test.degrees.size() ? Cell{test.degrees[place]} : Cell{};
   };
-  const auto of_effect = [&test](const auto& part) {
-    return test.effect ? cell_of(part(*test.effect)) : Cell{};
-  };
-  using Effect = StudyTests::Test::Effect;
-  return {
-      {"test", test.name},
-      {"about", text_cell(test.about)},
-      {"method", text_cell(by.code)},
-      {"statistic", test.statistic ? text_cell(by.symbol) : Cell{}},
-      {"value", cell_of(test.statistic)},
-      {"df1", degrees(0)},
-      {"df2", degrees(1)},
-      {"epsilon", cell_of(test.epsilon)},
-      {"permutations", text_cell(permutations_text(test))},
-      {"effect_size", test.effect ? text_cell(by.effect_symbol) : Cell{}},
-      {"effect", of_effect([](const Effect& e) { return std::optional(e.value); })},
-      {"effect_low", of_effect([](const Effect& e) { return e.low; })},
-      {"effect_high", of_effect([](const Effect& e) { return e.high; })},
-      {"n", static_cast<std::int64_t>(test.n)},
-      {"unit", test.unit},
-      {"left_out", static_cast<std::int64_t>(test.left_out + test.ties)},
-      {"p", cell_of(test.p)},
-      {"p_holm", cell_of(test.adjusted)},
-      {"p_smallest", cell_of(test.unattainable_p())},
-      {"family", text_cell(family)},
-      {"role", std::string(test.role == TestRole::confirmatory ? "confirmatory" : "exploratory")},
-      {"status", test.p ? Cell{} : Cell{test.status}}};
+  return JoinedCell{
+      {stored(by.symbol), *test.statistic, degrees(0), degrees(1), stored(test.epsilon)},
+      statistic_text(by.symbol, test.degrees, *test.statistic, test.epsilon)};
+}
+
+/// "d = 2.74 [1.75, 3.71]"
+ResultCell effect_cell(const StudyTests::Test& test, const TestMethod& by) {
+  if (!test.effect) return {};
+  return JoinedCell{{stored(by.effect_symbol), test.effect->value, stored(test.effect->low),
+                     stored(test.effect->high)},
+                    effect_text(by.effect_symbol, test.effect->value,
+                                {.low = test.effect->low, .high = test.effect->high})};
+}
+
+/// The columns of the table of tests.
+std::vector<ResultColumn> columns_of_tests() {
+  return {kTest,
+          kMethod,
+          kN,
+          kStatistic,
+          kPermutations,
+          kEffectSize,
+          for_files(columns::kLeftOut),
+          columns::kP,
+          kPHolm,
+          kPSmallest,
+          kFamily,
+          kRole,
+          columns::kStatus};
+}
+
+/// The row of a test in these columns. `family`: the family of the test; may be empty.
+ResultRow row_of(const StudyTests::Test& test, const std::string& family) {
+  static const TestMethod kNone{};
+  const TestMethod& by = test.p && test.made_by != nullptr ? *test.made_by : kNone;
+  return {test_cell(test),
+          method_cell(test, by),
+          n_cell(test),
+          statistic_cell(test, by),
+          word_cell(permutations_text(test)),
+          effect_cell(test, by),
+          count_cell(test.left_out + test.ties),
+          cell_of(test.p),
+          cell_of(test.adjusted),
+          cell_of(test.unattainable_p()),
+          word_cell(family),
+          std::string(test.role == TestRole::confirmatory ? "confirmatory" : "exploratory"),
+          test.p ? ResultCell{} : ResultCell{test.status}};
 }
 
 /// Records the smallest attainable p; that of a single participant is 1, which is not a test. `people`: all participants, of
@@ -149,6 +208,8 @@ StudyTests::StudyTests(const GatheredAnswers& gathered)
   }
   name_family();
 }
+
+const ResultColumn& StudyTests::test_column() { return kTest; }
 
 void StudyTests::name_family() {
   name_.clear();
@@ -238,7 +299,7 @@ const StudyTests::Test* StudyTests::find(std::string_view name, std::string_view
 }
 
 Phrase StudyTests::note_on_family(std::size_t tests, std::string_view left_out) const {
-  const Phrase family = words_of_cell("family", name_);
+  const Phrase family = words_of_tests(name_);
   const bool is_any_adjusted =
       std::any_of(tests_.begin(), tests_.end(), [](const Test& test) { return test.adjusted; });
   const Phrase undeclared =
@@ -310,9 +371,8 @@ Phrase StudyTests::note_on_zero_differences() const {
     if (zero == 0) continue;
     Named& named = test.ties > 0 ? left_out : counted;
     ++named.tests;
-    const std::string of = test.about.empty() ? test.name : test.name + '|' + test.about;
     const Phrase one = phrase("Analysis", "%1 (%2 of %3)")
-                           .with(words_of_cell("test", of), std::to_string(zero),
+                           .with(words_of_test(test.name, test.about), std::to_string(zero),
                                  std::to_string(test.n + test.ties));
     named.names = named.names.empty() ? one : phrase("Analysis", "%1; %2").with(named.names, one);
   }
@@ -482,16 +542,12 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
   add_missing();
   adjust();
   const std::size_t in_family = tests_in_family();
-  NamedTable made{StudyTests::kTable, phrase("Analysis", "Tests"), {}, note_on_family(in_family)};
+  ResultTable made{StudyTests::kTable, phrase("Analysis", "Tests"), columns_of_tests(),
+                   note_on_family(in_family)};
   for (const Test& test : tests_) {
-    made.table.columns.clear();
-    std::vector<Cell>& row = made.table.rows.emplace_back();
-    for (auto& [column, cell] : named_cells_of(test, is_in_family(test.name) ? name_ : "")) {
-      made.table.columns.emplace_back(column);
-      row.push_back(std::move(cell));
-    }
+    made.add(row_of(test, is_in_family(test.name) ? name_ : ""));
     Finding finding = finding_of(test);
-    if (!test.p) finding.status = words_of_cell("status", test.status).english();
+    if (!test.p) finding.status = words_of_status(test.status).english();
     outcome.findings.push_back(finding);
     outcome.test_sentences.push_back(sentence_of_test(test, kind_));
     if (test.p) outcome.tests_in_tables.insert({name_of(finding), test.source});

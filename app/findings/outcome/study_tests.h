@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "app/findings/outcome/analysis_outcome.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/study_test.h"
-#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
 
@@ -37,6 +37,8 @@ class StudyTests final {
   void set_default_family(std::vector<std::string> names);
 
   using Test = StudyTest;
+  /// The column of the table that names the test, and the comparison it is about.
+  static const ResultColumn& test_column();
 
   /// Adds the test whose p is the quantity `p` with this key. A p that is not a number is the
   /// reason that there is no test; within the study's family such a test counts as p = 1.

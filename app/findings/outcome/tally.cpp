@@ -8,8 +8,9 @@
 
 #include "analysis/numbers/number_text.h"
 #include "analysis/numbers/summary.h"
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/study_findings.h"
-#include "results_schema/tables/table.h"
 
 namespace asperity {
 
@@ -18,12 +19,31 @@ namespace {
 constexpr double kTallyConfidence = 0.95;
 constexpr const char* kOtherSex = "Other or not told";
 
-Cell count_cell(std::uint64_t count) { return static_cast<std::int64_t>(count); }
+ResultColumn of_force(const char* id, const Phrase& heading) {
+  return {.id = id, .heading = heading, .unit = "N", .digits = Digits::force};
+}
+const ResultColumn kModel{.id = "model", .heading = phrase("AnalysisWords", "model")};
+const ResultColumn kSurfaces{.id = "surfaces", .heading = phrase("AnalysisWords", "surfaces")};
+const ResultColumn kMatchedMean =
+    of_force("matched_mean_N", phrase("AnalysisWords", "intended, mean"));
+const ResultColumn kAchievedMean =
+    of_force("achieved_mean_N", phrase("AnalysisWords", "achieved, mean"));
+const ResultColumn kAchievedSd = of_force("achieved_sd_N", phrase("AnalysisWords", "achieved, SD"));
+const ResultColumn kAchievedMinimum =
+    of_force("achieved_minimum_N", phrase("AnalysisWords", "achieved, minimum"));
+const ResultColumn kAchievedMaximum =
+    of_force("achieved_maximum_N", phrase("AnalysisWords", "achieved, maximum"));
+
+/// The counts of a level of the factor `column`, or of all.
+ResultColumn of_repetition(const std::string& level) {
+  if (level == kAllColumns) return {.id = level, .heading = phrase("AnalysisWords", "all")};
+  return {.id = "column_" + level, .heading = phrase("AnalysisWords", "repetition %1").with(level)};
+}
 
 std::string finding_key(const ShareTable& shares, const ShareRow& row) {
   std::string key{};
   for (std::size_t i = 0; i < shares.key_columns.size(); ++i) {
-    key += (key.empty() ? "" : " ") + shares.key_columns[i] + '=' + row.keys.at(i);
+    key += (key.empty() ? "" : " ") + shares.key_columns[i].id + '=' + row.keys.at(i);
   }
   return key;
 }
@@ -71,21 +91,17 @@ std::optional<std::uint64_t> Tally::outcomes() const {
 }
 
 void add_shares(const ShareTable& shares, AnalysisOutcome& outcome) {
-  NamedTable made{shares.name, shares.title, {}, shares.note};
-  made.table.columns = shares.key_columns;
-  for (const std::string& column :
-       {shares.hits_column, std::string("of"), std::string("persons"), std::string("share"),
-        std::string("wilson_low"), std::string("wilson_high"), std::string("clopper_pearson_low"),
-        std::string("clopper_pearson_high"), std::string("chance"), std::string("p")}) {
-    made.table.columns.push_back(column);
-  }
+  using namespace columns;
+  ResultTable made{shares.name, shares.title, shares.key_columns, shares.note};
+  made.columns.insert(made.columns.end(), {shares.hits_column, kOf, kPersons, kShare, kWilson,
+                                           kClopperPearson, kChance, kP});
   const std::vector<Finding> numbers = numbers_of(shares);
   const FoundNumbers found(numbers);
   for (std::size_t i = 0; i < shares.rows.size(); ++i) {
     const ShareRow& row = shares.rows[i];
     const std::string id = std::to_string(i);
     const HitCount count = row.tally.hits();
-    std::vector<Cell>& cells = made.table.rows.emplace_back(row.keys.begin(), row.keys.end());
+    ResultRow& cells = made.rows.emplace_back(row.keys.begin(), row.keys.end());
     cells.insert(cells.end(), {count_cell(count.hits), count_cell(count.trials),
                                count_cell(row.tally.persons())});
     Finding about{};
@@ -94,7 +110,7 @@ void add_shares(const ShareTable& shares, AnalysisOutcome& outcome) {
     about.unit = "1";
     about.n = row.tally.persons();
     if (count.trials == 0) {
-      cells.resize(made.table.columns.size());
+      cells.resize(made.columns.size());
       about.status = "there are no responses that count";
       outcome.findings.push_back(about);
       continue;
@@ -105,8 +121,9 @@ void add_shares(const ShareTable& shares, AnalysisOutcome& outcome) {
                                                 number("wilson.upper"), "Wilson score interval"));
     outcome.findings.push_back(interval_finding(about, number("cp.lower"), number("cp.upper"),
                                                 "Clopper–Pearson interval"));
-    cells.insert(cells.end(), {*about.value, number("wilson.lower"), number("wilson.upper"),
-                               number("cp.lower"), number("cp.upper")});
+    cells.insert(cells.end(),
+                 {*about.value, interval_cell(number("wilson.lower"), number("wilson.upper")),
+                  interval_cell(number("cp.lower"), number("cp.upper"))});
 
     Finding test = about;
     test.quantity = "p";
@@ -123,7 +140,7 @@ void add_shares(const ShareTable& shares, AnalysisOutcome& outcome) {
       test.status =
           "the chance level differs between the trials, so that one test of all trials is not "
           "valid";
-      cells.resize(made.table.columns.size());
+      cells.resize(made.columns.size());
     }
     outcome.findings.push_back(std::move(test));
   }
@@ -174,7 +191,7 @@ ChapterTally::ChapterTally(const GatheredAnswers& gathered)
     : cells_(gathered),
       by_cell_(cells_.columns().size() * cells_.sexes().size()),
       hits_(count_table(cells_.sexes(), cells_.columns())) {
-  hits_.label_column = "person";
+  hits_.label_column = columns::kSex;
 }
 
 void ChapterTally::count(const ChapterAnswer& answer) {
@@ -213,14 +230,11 @@ CountTable count_table(std::vector<std::string> labels, std::vector<std::string>
 }
 
 void add_counts(const CountTable& counts, AnalysisOutcome& outcome) {
-  NamedTable made{counts.name, counts.title, {}, counts.note};
-  made.table.columns.push_back(counts.label_column);
-  for (const std::string& column : counts.columns) {
-    made.table.columns.push_back(column == kAllColumns ? column : "column_" + column);
-  }
+  ResultTable made{counts.name, counts.title, {counts.label_column}, counts.note};
+  for (const std::string& column : counts.columns) made.columns.push_back(of_repetition(column));
   for (std::size_t label = 0; label < counts.labels.size(); ++label) {
-    std::vector<Cell>& cells = made.table.rows.emplace_back();
-    cells.push_back(counts.labels[label]);
+    ResultRow& cells = made.rows.emplace_back();
+    cells.emplace_back(counts.labels[label]);
     for (std::size_t column = 0; column < counts.columns.size(); ++column) {
       cells.push_back(count_cell(counts.counts[label * counts.columns.size() + column]));
     }
@@ -250,17 +264,18 @@ void ConfusionTally::add_table(const GatheredAnswers& gathered,
   std::vector<std::string> columns(names.begin(), names.end());
   std::stable_sort(columns.begin(), columns.end(),
                    [&rank](const auto& a, const auto& b) { return rank(a) < rank(b); });
-  NamedTable made{kConfusion,
-                  phrase("Analysis", "Confusion matrix: stimulus (rows) and response (columns)"),
-                  {},
-                  {}};
-  made.table.columns.push_back("felt");
-  made.table.columns.insert(made.table.columns.end(), columns.begin(), columns.end());
+  ResultTable made{kConfusion,
+                   phrase("Analysis", "Confusion matrix: stimulus (rows) and response (columns)"),
+                   {asperity::columns::kFelt},
+                   {}};
+  for (const std::string& column : columns) {
+    made.columns.push_back({.id = column, .heading = words_of_item(column)});
+  }
   for (const std::string& felt : columns) {
     const auto word = felt_words.find(felt);
     if (word == felt_words.end()) continue;
-    std::vector<Cell>& cells = made.table.rows.emplace_back();
-    cells.push_back(felt);
+    ResultRow& cells = made.rows.emplace_back();
+    cells.emplace_back(felt);
     for (const std::string& column : columns) {
       const std::optional<std::uint32_t> answer = gathered.words.find(column);
       cells.push_back(count_cell(answer ? at(word->second, *answer) : 0));
@@ -273,29 +288,29 @@ void add_texture_force(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   const bool is_matched =
       std::any_of(gathered.forces.begin(), gathered.forces.end(),
                   [](const auto& of_model) { return !of_model.second.matched_N.empty(); });
-  NamedTable made{
+  ResultTable made{
       "texture_force",
       is_matched ? phrase("Analysis",
                           "Texture force (RMS) per model, as computed: intended on the prescribed "
                           "path, and achieved in the attempts")
                  : phrase("Analysis", "Texture force (RMS) per model, as computed in the attempts"),
-      {{"model", "surfaces", "matched_mean_N", "achieved_mean_N", "achieved_sd_N",
-        "achieved_minimum_N", "achieved_maximum_N"},
-       {}},
+      {kModel, kSurfaces, kMatchedMean, kAchievedMean, kAchievedSd, kAchievedMinimum,
+       kAchievedMaximum},
       phrase("Analysis",
              "Equal RMS does not mean equal perceived intensity, which also depends on frequency. "
              "The force achieved depends on how the participant pressed and moved the handle.")};
   for (const auto& [model, forces] : gathered.forces) {
-    std::vector<Cell>& cells = made.table.rows.emplace_back();
+    ResultRow& cells = made.rows.emplace_back();
     cells.insert(cells.end(), {model, count_cell(forces.surfaces)});
     const std::optional<Summary> matched = summary_of(forces.matched_N);
     const std::optional<Summary> achieved = summary_of(forces.achieved_N);
-    cells.push_back(matched ? Cell{matched->mean} : Cell{});
+    cells.push_back(matched ? ResultCell{matched->mean} : ResultCell{});
     if (achieved) {
-      cells.insert(cells.end(), {achieved->mean, achieved->n > 1 ? Cell{achieved->sd} : Cell{},
-                                 achieved->minimum, achieved->maximum});
+      cells.insert(cells.end(),
+                   {achieved->mean, achieved->n > 1 ? ResultCell{achieved->sd} : ResultCell{},
+                    achieved->minimum, achieved->maximum});
     }
-    cells.resize(made.table.columns.size());
+    cells.resize(made.columns.size());
     Finding finding{};
     finding.quantity = "achieved_texture_force_N";
     finding.key = "model=" + model;

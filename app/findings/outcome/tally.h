@@ -48,11 +48,18 @@ struct ShareTable {
   std::string name{};
   Phrase title{};
   Phrase note{};
-  std::vector<std::string> key_columns{};
-  std::string hits_column{};  ///< "chosen", "correct"
-  std::string quantity{};     ///< of the findings: "share_chosen"
+  std::vector<ResultColumn> key_columns{};
+  ResultColumn hits_column{};  ///< kChosen, kCorrect
+  std::string quantity{};      ///< of the findings: "share_chosen"
   std::vector<ShareRow> rows{};
 };
+
+/// The intervals of a proportion.
+inline const ResultColumn kWilson = interval_of({.id = "wilson", .digits = Digits::bounded},
+                                                phrase("AnalysisWords", "Wilson 95 % CI"));
+inline const ResultColumn kClopperPearson =
+    interval_of({.id = "clopper_pearson", .digits = Digits::bounded},
+                phrase("AnalysisWords", "Clopper–Pearson 95 % CI"));
 
 /// Appends the table (count, proportion, Wilson and Clopper–Pearson 95 % intervals, chance, exact
 /// two-sided binomial test), by the family `proportion`, and the same numbers as findings.
@@ -100,7 +107,7 @@ struct CountTable {
   std::string name{};
   Phrase title{};
   Phrase note{};
-  std::string label_column{};
+  ResultColumn label_column{};
   std::vector<std::string> labels{};
   std::vector<std::string> columns{};
   std::vector<std::size_t> counts{};  ///< label × column

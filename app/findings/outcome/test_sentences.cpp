@@ -66,10 +66,9 @@ std::string claim_of(const StudyTest& test, std::string_view kind) {
   const std::string second(bar == std::string_view::npos ? "" : about.substr(bar + 1));
   const std::string chance = test.chance ? " of " + reading_percent(*test.chance) : "";
   const std::string chosen = qualified_claim(test, std::string(words));
-  std::string named =
-      test.name == "properties" ? words_of_cell("property", first).english() : first;
+  std::string named = test.name == "properties" ? words_of_property(first).english() : first;
   // The predictor: a parameter, or a property, whose unit follows a comma.
-  if (test.name == "exponent") named = words_of_cell("about", first).english();
+  if (test.name == "exponent") named = words_of_about(first).english();
   for (const std::string_view unit : {", N", ", m/s"}) {
     if (test.name == "exponent" && named.ends_with(unit)) named.erase(named.size() - unit.size());
   }
@@ -86,7 +85,7 @@ std::string size_text(const StudyTest& test) {
     }
     return "N = " + n + (without.empty() ? "" : " (" + listed(without) + ')');
   }
-  return "n = " + words_of_cell("n", n + '|' + test.unit).english();
+  return "n = " + words_of_count(test.n, test.unit).english();
 }
 
 std::string estimate_text(const StudyTest& test) {
@@ -101,9 +100,7 @@ std::string estimate_text(const StudyTest& test) {
 }
 
 std::string method_text(const StudyTest& test) {
-  std::string code(test.made_by->code);
-  if (const std::string made = permutations_text(test); !made.empty()) code += '|' + made;
-  return words_of_cell("method", code).english();
+  return words_of_method(std::string(test.made_by->code), permutations_text(test)).english();
 }
 
 }  // namespace
@@ -140,11 +137,9 @@ TestSentence sentence_of_test(const StudyTest& test, std::string_view kind) {
   TestSentence sentence{.test = test.name, .about = test.about, .role = test.role};
   if (!test.p || test.made_by == nullptr) {
     sentence.is_untested = true;
-    const std::string about =
-        words_of_cell("test", test.about.empty() ? test.name : test.name + '|' + test.about)
-            .english();
+    const std::string about = words_of_test(test.name, test.about).english();
     sentence.text = Phrase("The test of %1 could not be computed: %2")
-                        .with(about, words_of_cell("status", test.status))
+                        .with(about, words_of_status(test.status))
                         .as_sentence()
                         .english();
     return sentence;

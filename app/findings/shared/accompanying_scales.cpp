@@ -11,11 +11,13 @@
 #include <utility>
 
 #include "app/findings/gathering/answer_columns.h"
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/test_sentences.h"
 #include "app/findings/tidy/finding_list.h"
-#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
 
@@ -25,8 +27,13 @@ constexpr const char* kAccompanying = "accompanying";
 constexpr const char* kAccompanyingTest = "accompanying_scales";
 constexpr const char* kMeanOfScale = "mean.score";
 constexpr const char* kComparedMean = "mean.score.compared";
-constexpr const char* kCorrect = "correct";
-constexpr const char* kIncorrect = "incorrect";
+constexpr const char* kCorrectLevel = "correct";
+constexpr const char* kIncorrectLevel = "incorrect";
+
+/// The property of trials by which the rows of a scale are grouped.
+const ResultColumn kTrialGroup{.id = "by",
+                               .heading = phrase("AnalysisWords", "trials grouped by"),
+                               .words = words_of_trial_group};
 
 /// The ratings of a group of trials, summed for each participant.
 struct SummedRatings {
@@ -57,7 +64,7 @@ void add_rating(const GatheredAnswers& gathered, const GatheredAnswer& answer, d
   };
   add(0, "all", "");
   if (to.correct) {
-    add(1, "correctness", *to.correct ? kCorrect : kIncorrect);
+    add(1, "correctness", *to.correct ? kCorrectLevel : kIncorrectLevel);
   } else if (to.answer != kNoWord) {
     add(2, "chosen", gathered.word(to.answer));
   }
@@ -91,7 +98,8 @@ TidyInput pairs_of_means(const GatheredAnswers& gathered, const SummedRatings& c
 /// The means of both columns, over the same participants as the difference.
 std::vector<Finding> means_of_pairs(const TidyInput& pairs, const std::string& about) {
   FindingList list{};
-  for (const auto& [column, level] : {std::pair{"a", kCorrect}, std::pair{"b", kIncorrect}}) {
+  for (const auto& [column, level] :
+       {std::pair{"a", kCorrectLevel}, std::pair{"b", kIncorrectLevel}}) {
     add_mean_of_group(kComparedMean, both(about, level), pairs.table().all_numbers(column),
                       {.of = "mean of the participants with correct and incorrect responses"},
                       list);
@@ -154,8 +162,8 @@ AccompanyingScales::AccompanyingScales(const GatheredAnswers& gathered) {
     }
     scale.findings = means.take();
     for (Finding& finding : scale.findings) finding.analysis = kAccompanying;
-    const auto correct = groups.find({1, "correctness", kCorrect});
-    const auto incorrect = groups.find({1, "correctness", kIncorrect});
+    const auto correct = groups.find({1, "correctness", kCorrectLevel});
+    const auto incorrect = groups.find({1, "correctness", kIncorrectLevel});
     if (correct == groups.end() || incorrect == groups.end()) continue;
     TidyInput pairs = pairs_of_means(gathered, correct->second, incorrect->second, scale.name);
     const std::size_t both = pairs.table().rows();
@@ -224,8 +232,8 @@ Phrase AccompanyingScales::answer_text(const Scale& scale, const StudyTests& tes
   const auto mean = [&](const char* by, const char* level) {
     return means.find(kMeanOfScale, Scale::Group{.by = by, .level = level}.key(scale));
   };
-  const Finding* const correct = mean("correctness", kCorrect);
-  const Finding* const incorrect = mean("correctness", kIncorrect);
+  const Finding* const correct = mean("correctness", kCorrectLevel);
+  const Finding* const incorrect = mean("correctness", kIncorrectLevel);
   if (correct == nullptr || incorrect == nullptr) {
     const Phrase all = phrase("Analysis", "The mean rating is %1 over all trials.")
                            .with(rating_text(*mean("all", "")));
@@ -241,7 +249,7 @@ Phrase AccompanyingScales::answer_text(const Scale& scale, const StudyTests& tes
   };
   const Phrase means_text =
       phrase("Analysis", "The mean rating is %1 for correct responses and %2 for incorrect ones.")
-          .with(compared_mean(kCorrect, correct), compared_mean(kIncorrect, incorrect));
+          .with(compared_mean(kCorrectLevel, correct), compared_mean(kIncorrectLevel, incorrect));
   const FoundNumbers compared(scale.comparison);
   const Finding* const difference = compared.find("diff", scale.about());
   const StudyTests::Test* const test = tests.find(kAccompanyingTest, scale.about());
@@ -263,12 +271,12 @@ Phrase AccompanyingScales::answer_text(const Scale& scale, const StudyTests& tes
 }
 
 void AccompanyingScales::report(const StudyTests& tests, AnalysisOutcome& outcome) const {
+  using namespace columns;
   if (empty()) return;
-  NamedTable table{
+  ResultTable table{
       kAccompanying,
       phrase("Analysis", "Ratings that accompany another question"),
-      {{"scale", "question", "by", "level", "persons", "answers", "mean", "mean_low", "mean_high"},
-       {}},
+      {kScale, kQuestion, kTrialGroup, kFactorLevel, kPersons, kAnswers, kMean, interval_of(kMean)},
       phrase("Analysis",
              "Means of the participants' mean ratings over such trials, of the participants who "
              "have any, with t-based 95 % CIs; difference: of the participants who have both "
@@ -276,26 +284,23 @@ void AccompanyingScales::report(const StudyTests& tests, AnalysisOutcome& outcom
   for (const Scale& scale : scales_) {
     const FoundNumbers found(scale.findings);
     const FoundNumbers compared(scale.comparison);
-    const auto add_row = [&](const std::string& by, const std::string& level, Cell responses,
+    const auto add_row = [&](const std::string& by, const std::string& level, ResultCell responses,
                              const FoundNumbers& numbers, const char* quantity,
                              const std::string& key) {
       const Finding* const mean = numbers.find(quantity, key);
       if (mean == nullptr) return;
-      const auto [low, high] = numbers.interval(quantity, key);
-      table.table.rows.push_back({scale.name, scale.question, by,
-                                  level.empty() ? Cell{} : Cell{level},
-                                  static_cast<std::int64_t>(mean->n), std::move(responses),
-                                  cell_of(mean->value), low, high});
+      table.add({scale.name, scale.question, by, word_cell(level), count_cell(mean->n),
+                 std::move(responses), cell_of(mean->value), numbers.interval(quantity, key)});
     };
     for (std::size_t i = 0; i < scale.groups.size(); ++i) {
       const Scale::Group& group = scale.groups[i];
-      add_row(group.by, group.level, static_cast<std::int64_t>(group.responses), found,
-              kMeanOfScale, group.key(scale));
+      add_row(group.by, group.level, count_cell(group.responses), found, kMeanOfScale,
+              group.key(scale));
       const bool is_last_of_correctness =
           group.by == "correctness" &&
           (i + 1 == scale.groups.size() || scale.groups[i + 1].by != group.by);
       if (is_last_of_correctness) {
-        add_row("difference", "", Cell{}, compared, "diff", scale.about());
+        add_row("difference", "", {}, compared, "diff", scale.about());
       }
     }
     keep_findings(scale.findings, outcome);
@@ -328,8 +333,8 @@ void AccompanyingScales::report(const StudyTests& tests, AnalysisOutcome& outcom
 
 void AccompanyingScales::state_means_of(const Scale& scale, AnalysisOutcome& outcome) {
   const FoundNumbers found(scale.compared_means);
-  const Finding* const correct = found.find(kComparedMean, both(scale.about(), kCorrect));
-  const Finding* const incorrect = found.find(kComparedMean, both(scale.about(), kIncorrect));
+  const Finding* const correct = found.find(kComparedMean, both(scale.about(), kCorrectLevel));
+  const Finding* const incorrect = found.find(kComparedMean, both(scale.about(), kIncorrectLevel));
   if (correct == nullptr || incorrect == nullptr) return;
   state_means(outcome, kAccompanyingTest,
               "means: " + rating_text(*correct).english() + " for correct responses and " +

@@ -4,6 +4,9 @@
 
 #include "app/findings/gathering/gathered_answers.h"
 #include "app/findings/outcome/analysis_outcome.h"
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/result_table.h"
+#include "app/words/phrase.h"
 
 namespace asperity {
 
@@ -11,6 +14,16 @@ namespace asperity {
 inline constexpr const char* kAnchors = "anchors";
 /// The table of their means by place and their change over a run of the block.
 inline constexpr const char* kAnchorTrend = "anchor_trend";
+
+inline const ResultColumn kAnchorPlace{
+    .id = "place", .heading = phrase("AnalysisWords", "place"), .words = words_of_anchor_place};
+inline const ResultColumn kAnchorResponse{.id = "response",
+                                          .heading = phrase("AnalysisWords", "response")};
+/// The means at a place.
+inline const ResultColumn kAnchorStart{.id = "start", .heading = phrase("AnalysisWords", "start")};
+inline const ResultColumn kAnchorMiddle{.id = "middle",
+                                        .heading = phrase("AnalysisWords", "middle")};
+inline const ResultColumn kAnchorEnd{.id = "end", .heading = phrase("AnalysisWords", "end")};
 
 /// Adds these tables if a block has an anchor in the middle or at the end: those only at the start are references of a scale.
 /// No finding contains anchors, and nothing is tested.

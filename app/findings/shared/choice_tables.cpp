@@ -6,14 +6,26 @@
 #include <utility>
 
 #include "analysis/choices/conditional_logit.h"
+#include "app/findings/outcome/columns.h"
 
 namespace asperity {
 
+namespace {
+
+const ResultColumn kLogWorthOfItem{.id = "log_worth",
+                                   .heading = phrase("AnalysisWords", "log-worth")};
+const ResultColumn kWorthOfItem{.id = "worth", .heading = phrase("AnalysisWords", "worth")};
+
+}  // namespace
+
 void add_positions_table(std::span<const Tally> positions, const Phrase& note,
                          AnalysisOutcome& outcome) {
-  ShareTable table{"positions", phrase("Analysis", "Proportion of choices of each position"),
-                   note,        {"position"},
-                   "chosen",    "share_of_position",
+  ShareTable table{kPositions,
+                   phrase("Analysis", "Proportion of choices of each position"),
+                   note,
+                   {columns::kPosition},
+                   columns::kChosen,
+                   "share_of_position",
                    {}};
   for (std::size_t place = 0; place < positions.size(); ++place) {
     table.rows.push_back({{std::to_string(place + 1)}, positions[place]});
@@ -30,14 +42,13 @@ void add_worth_scale(const WorthScale& scale, std::span<const std::string> items
                    "clusters and Satterthwaite's degrees of freedom.")
           : phrase("Analysis", "No CI: at least %1 participants are needed; add participants.")
                 .with(std::to_string(kFewestClusters));
-  NamedTable table{"scale",
-                   scale.title,
-                   {{"item", "log_worth", "log_worth_low", "log_worth_high", "worth"}, {}},
-                   scale.note.with(intervals)};
+  ResultTable table{kWorthScale,
+                    scale.title,
+                    {columns::kItem, kLogWorthOfItem, interval_of(kLogWorthOfItem), kWorthOfItem},
+                    scale.note.with(intervals)};
   for (const std::string& item : items) {
-    const auto [low, high] = found.interval(scale.log_worth, item);
-    table.table.rows.push_back(
-        {item, found.cell(scale.log_worth, item), low, high, found.cell(scale.worth, item)});
+    table.add({item, found.cell(scale.log_worth, item), found.interval(scale.log_worth, item),
+               found.cell(scale.worth, item)});
   }
   outcome.tables.push_back(std::move(table));
 }

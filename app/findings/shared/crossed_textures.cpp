@@ -22,8 +22,8 @@ namespace asperity {
 namespace {
 
 constexpr const char* kCrossed = "glmm";
-constexpr const char* kSubject = "subject";
-constexpr const char* kItem = "item";
+constexpr const char* kParticipantFactor = "subject";
+constexpr const char* kTextureFactor = "item";
 // With fewer, a standard deviation is not reliably estimated.
 constexpr std::size_t kFewestParticipants = 5;
 constexpr std::size_t kFewestTextures = 3;
@@ -66,7 +66,7 @@ std::vector<Finding> fitted(const CrossedResponses& crossed, const char* random)
     input.options.set("random", std::vector<std::string>{random});
     input.options.set("likelihood", std::string("quadrature"));
     // A deviation that is estimated as 0 does not make the sample of its factor larger.
-    input.options.set("sampled", std::vector<std::string>{kSubject, kItem});
+    input.options.set("sampled", std::vector<std::string>{kParticipantFactor, kTextureFactor});
   }
   return analysis_of(kCrossed, "glmm", std::move(input));
 }
@@ -75,8 +75,8 @@ std::vector<Finding> fitted(const CrossedResponses& crossed, const char* random)
 const char* lone_random(const FoundNumbers& found) {
   const Finding* status = found.find("glmm.status");
   if (status == nullptr) return nullptr;
-  if (status->word == "no_item_variance") return kSubject;
-  return status->word == "no_participant_variance" ? kItem : nullptr;
+  if (status->word == "no_item_variance") return kParticipantFactor;
+  return status->word == "no_participant_variance" ? kTextureFactor : nullptr;
 }
 
 Finding no_deviation(const char* factor, std::size_t participants) {
@@ -104,9 +104,10 @@ Phrase crossed_answer(const FoundNumbers& found, const CrossedResponses& crossed
             percent(crossed.chance), fixed(*found.value("glmm.t.df", "intercept"), 0),
             reading_signed(*found.value("glmm.t", "intercept"), 2),
             reading_p(*found.value("glmm.t.p", "intercept")),
-            fixed(*found.value("glmm.sigma", kSubject), 2),
+            fixed(*found.value("glmm.sigma", kParticipantFactor), 2),
             phrase("Analysis", "%1 (N = %2)")
-                .with(fixed(*found.value("glmm.sigma", kItem), 2), std::to_string(textures)));
+                .with(fixed(*found.value("glmm.sigma", kTextureFactor), 2),
+                      std::to_string(textures)));
 }
 
 }  // namespace
@@ -153,8 +154,9 @@ void ask_other_textures(const CrossedResponses& crossed, AnalysisOutcome& outcom
   if (const char* varies = lone_random(FoundNumbers(findings))) {
     findings = fitted(crossed, varies);
     if (FoundNumbers(findings).value("glmm.proportion")) {
-      findings.push_back(
-          no_deviation(std::string(varies) == kSubject ? kItem : kSubject, participants.size()));
+      findings.push_back(no_deviation(
+          std::string(varies) == kParticipantFactor ? kTextureFactor : kParticipantFactor,
+          participants.size()));
     }
   }
   keep_findings(findings, outcome);

@@ -10,11 +10,17 @@
 #include <vector>
 
 #include "analysis/tests/geometric_mean.h"
+#include "app/findings/outcome/columns.h"
 #include "app/findings/tidy/finding_list.h"
 
 namespace asperity {
 
 namespace {
+
+const ResultColumn kMatchedAmplitude{.id = "relative_amplitude",
+                                     .heading = phrase("AnalysisWords", "relative amplitude")};
+const ResultColumn kRoughnessMatch{.id = "roughness_match",
+                                   .heading = phrase("AnalysisWords", "roughness match")};
 
 /// Whether matches of which `of` is the same differ in `part`.
 template <typename Of>
@@ -66,23 +72,22 @@ std::vector<double> participant_means(const OfParticipants& of) {
 }  // namespace
 
 void add_equal_roughness(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
+  using namespace columns;
   if (gathered.matches.empty()) return;
   constexpr double kConfidenceOfAmplitudes = 0.95;
   const MatchLabels labels(gathered.matches);
-  NamedTable participants{
-      kEqualRoughness,
-      phrase("Analysis", "Relative amplitudes of equal roughness"),
-      {{"participant", "session", "stimulus", "relative_amplitude", "roughness_match"}, {}},
-      {}};
+  ResultTable participants{kEqualRoughness,
+                           phrase("Analysis", "Relative amplitudes of equal roughness"),
+                           {kParticipant, kSession, kStimulus, kMatchedAmplitude, kRoughnessMatch},
+                           {}};
   std::vector<std::string> stimuli{};
   std::map<std::string, OfParticipants> matched{};
   std::map<std::string, std::size_t> missing{};  // matches that did not succeed, by stimulus
   std::size_t not_matched = 0;
   for (const ParticipantMatch& each : gathered.matches) {
     const std::string stimulus = labels.of(each.match);
-    participants.table.rows.push_back({each.participant, static_cast<std::int64_t>(each.session),
-                                       stimulus, each.match.relative_amplitude,
-                                       std::string(text_of(each.match.status))});
+    participants.add({each.participant, std::int64_t{each.session}, stimulus,
+                      each.match.relative_amplitude, std::string(text_of(each.match.status))});
     if (std::find(stimuli.begin(), stimuli.end(), stimulus) == stimuli.end()) {
       stimuli.push_back(stimulus);
     }
@@ -99,23 +104,21 @@ void add_equal_roughness(const GatheredAnswers& gathered, AnalysisOutcome& outco
              "stimulus as rough as the reference. below_range and above_range: rougher, or less "
              "rough, at every amplitude, and presented at the end of the range. unmatched: too few "
              "reversals, and presented unchanged.");
-  NamedTable means{kMeanAmplitudes,
-                   phrase("Analysis", "Relative amplitudes of equal roughness: means"),
-                   {{"stimulus", "persons", "relative_amplitude", "relative_amplitude_low",
-                     "relative_amplitude_high"},
-                    {}},
-                   phrase("Analysis",
-                          "Geometric means over the participants whose stimulus was matched, with "
-                          "t-based 95 % CIs on the logarithmic scale, and without a CI where a "
-                          "match did not succeed: the matched ones are then a selection (for "
-                          "thresholds within the levels such CIs contained the true mean in 48 to "
-                          "75 % of simulated studies). The reference has the relative amplitude "
-                          "1.")};
+  ResultTable means{kMeanAmplitudes,
+                    phrase("Analysis", "Relative amplitudes of equal roughness: means"),
+                    {kStimulus, kPersons, kMatchedAmplitude, interval_of(kMatchedAmplitude)},
+                    phrase("Analysis",
+                           "Geometric means over the participants whose stimulus was matched, with "
+                           "t-based 95 % CIs on the logarithmic scale, and without a CI where a "
+                           "match did not succeed: the matched ones are then a selection (for "
+                           "thresholds within the levels such CIs contained the true mean in 48 to "
+                           "75 % of simulated studies). The reference has the relative amplitude "
+                           "1.")};
   FindingList list{};
   for (const std::string& stimulus : stimuli) {
     const std::vector<double> of = participant_means(matched[stimulus]);
     if (of.empty()) {
-      means.table.rows.push_back({stimulus, std::int64_t{0}, Cell{}, Cell{}, Cell{}});
+      means.add({stimulus, count_cell(0)});
       continue;
     }
     GeometricMean mean = geometric_mean(of, kConfidenceOfAmplitudes);
@@ -127,9 +130,9 @@ void add_equal_roughness(const GatheredAnswers& gathered, AnalysisOutcome& outco
         .interval = mean.interval};
     if (mean.interval) basis.confidence = kConfidenceOfAmplitudes;
     list.number("relative_amplitude", stimulus, mean.mean, basis);
-    means.table.rows.push_back({stimulus, static_cast<std::int64_t>(mean.n), mean.mean,
-                                mean.interval ? Cell{mean.interval->low} : Cell{},
-                                mean.interval ? Cell{mean.interval->high} : Cell{}});
+    means.add(
+        {stimulus, count_cell(mean.n), mean.mean,
+         mean.interval ? interval_cell(mean.interval->low, mean.interval->high) : ResultCell{}});
   }
   for (Finding& finding : list.take()) {
     finding.analysis = kEqualRoughness;

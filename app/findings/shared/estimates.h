@@ -11,9 +11,18 @@
 
 #include "app/findings/gathering/gathered_answers.h"
 #include "app/findings/outcome/analysis_outcome.h"
+#include "app/findings/outcome/result_table.h"
 #include "app/findings/tidy/tidy_families.h"
+#include "app/words/phrase.h"
 
 namespace asperity {
+
+/// Geometric means of estimates: as given, and without the participants' scales.
+inline const ResultColumn kRawEstimate{
+    .id = "raw", .heading = phrase("AnalysisWords", "raw"), .digits = Digits::estimate};
+inline const ResultColumn kNormalisedEstimate{.id = "normalised",
+                                              .heading = phrase("AnalysisWords", "normalised"),
+                                              .digits = Digits::estimate};
 
 /// One estimate with the names of its factors' levels as in the tables.
 struct Estimated {

@@ -5,21 +5,18 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "app/findings/gathering/explored_rows.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/reading_number.h"
-#include "app/findings/outcome/reading_table.h"
 #include "app/findings/outcome/study_findings.h"
-#include "app/findings/outcome/test_sentences.h"
 #include "app/findings/shared/exploration_model.h"
 #include "app/findings/tidy/described_conditions.h"
 
@@ -37,6 +34,10 @@ struct ExploredQuantity {
   /// Medians and quartiles.
   bool is_time() const noexcept { return own_average_of(quantity) == OwnAverage::median; }
 };
+
+// Of times; in the displayed table they follow the median.
+const ResultColumn kLowerQuartile{.id = "lower_quartile"};
+const ResultColumn kUpperQuartile{.id = "upper_quartile"};
 
 /// In the order of the tables.
 constexpr std::array kExploredQuantities{
@@ -88,20 +89,69 @@ void name_quantity(const char* quantity, std::vector<Finding>& findings) {
   }
 }
 
+/// "5.17 [4.90, 5.61]", "0.951 (0.021)", "0.951" of one participant.
+ResultCell read_quantity(const RowReader& row, const ExploredQuantity& quantity) {
+  using namespace columns;
+  const auto text = [&](const ResultColumn& column) -> std::optional<std::string> {
+    const std::optional<double> number = row.number(column);
+    if (!number) return std::nullopt;
+    return reading_signed(*number, quantity.decimals);
+  };
+  if (quantity.is_time()) {
+    const auto median = text(kMedian);
+    if (!median) return {};
+    return JoinedCell{{*row.number(kMedian)},
+                      *median + " [" + text(kLowerQuartile).value_or("") + ", " +
+                          text(kUpperQuartile).value_or("") + ']'};
+  }
+  const auto mean = text(kMean);
+  if (!mean) return {};
+  const auto sd = text(kSd);
+  return JoinedCell{{*row.number(kMean)}, sd ? *mean + " (" + *sd + ')' : *mean};
+}
+
+/// One row for all measures of a condition.
+ResultTable conditions_in_rows(const ResultTable& table) {
+  using namespace columns;
+  const std::vector<ResultColumn> of_condition{kFactor, kFactorLevel, kPersons, kMeasurements};
+  ResultTable made{table.name, table.title, of_condition, table.note};
+  std::map<std::pair<std::string, std::string>, std::size_t> places{};
+  for (const ResultRow& cells : table.rows) {
+    const RowReader row(table, cells);
+    const std::string measure = row.text(kMeasure);
+    const ExploredQuantity* const quantity = explored_quantity(measure);
+    if (quantity == nullptr) continue;
+    const ResultColumn column{.id = measure, .heading = words_of_measure(measure)};
+    if (!made.has(column)) {
+      made.columns.push_back(column);
+      for (ResultRow& known : made.rows) known.emplace_back();
+    }
+    const auto [place, is_new] =
+        places.try_emplace({row.text(kFactor), row.text(kFactorLevel)}, made.rows.size());
+    if (is_new) {
+      ResultRow condition{};
+      for (const ResultColumn& each : of_condition) condition.push_back(row.cell(each));
+      made.add(std::move(condition));
+    }
+    made.rows[place->second][*made.find(column)] = read_quantity(row, *quantity);
+  }
+  return made;
+}
+
 class ExplorationTable final {
  public:
   ExplorationTable(const char* name, Phrase title)
-      : table_{name,
-               std::move(title),
-               {{"measure", "factor", "level", "persons", "measurements", "median",
-                 "lower_quartile", "upper_quartile", "mean", "sd"},
-                {}},
-               {}} {}
+      : table_{.name = name,
+               .title = std::move(title),
+               .columns = {columns::kMeasure, columns::kFactor, columns::kFactorLevel,
+                           columns::kPersons, columns::kMeasurements, columns::kMedian,
+                           kLowerQuartile, kUpperQuartile, columns::kMean, columns::kSd},
+               .for_readers = conditions_in_rows} {}
 
   void add(const ExploredRows& rows, const ExploredQuantity& quantity, const FoundNumbers& found) {
     add_row(quantity, "all", "", quantity.name, found);
     if (found.find("mean", quantity.name) == nullptr) {
-      const Phrase name = words_of_cell("measure", quantity.name);
+      const Phrase name = words_of_measure(quantity.name);
       missing_ = missing_.empty() ? name : phrase("Analysis", "%1, %2").with(missing_, name);
     }
     for (const ExploredFactor& one : rows.factors()) {
@@ -138,105 +188,20 @@ class ExplorationTable final {
     const Finding* measured = found.find("measurements", key);
     if (measured == nullptr || (measured->n == 0 && factor != "all")) return;
     const auto where = [&](bool is_shown, const char* of) {
-      return is_shown ? found.cell(of, key) : Cell{};
+      return is_shown ? found.cell(of, key) : ResultCell{};
     };
-    table_.table.rows.push_back(
-        {std::string(quantity.name), factor, level.empty() ? Cell{} : Cell{level},
-         static_cast<std::int64_t>(measured->n), static_cast<std::int64_t>(*measured->value),
-         where(quantity.is_time(), "median"), where(quantity.is_time(), "quartile.lower"),
-         where(quantity.is_time(), "quartile.upper"), where(!quantity.is_time(), "mean"),
-         where(!quantity.is_time(), "sd")});
+    table_.add({quantity.name, factor, word_cell(level), count_cell(measured->n),
+                count_cell(static_cast<std::size_t>(*measured->value)),
+                where(quantity.is_time(), "median"), where(quantity.is_time(), "quartile.lower"),
+                where(quantity.is_time(), "quartile.upper"), where(!quantity.is_time(), "mean"),
+                where(!quantity.is_time(), "sd")});
   }
 
-  NamedTable table_{};
+  ResultTable table_{};
   Phrase missing_{};  ///< quantities without a measurement
 };
 
-/// "5.17 [4.90, 5.61]", "0.951 (0.021)", "0.951" of one participant.
-Cell read_quantity(const Table& table, const std::vector<Cell>& row,
-                   const ExploredQuantity& quantity) {
-  const auto text = [&](const char* column) -> std::optional<std::string> {
-    const std::optional<double> number = number_of(row[*column_of(table, column)]);
-    if (!number) return std::nullopt;
-    return reading_signed(*number, quantity.decimals);
-  };
-  if (quantity.is_time()) {
-    const auto median = text("median");
-    if (!median) return {};
-    return *median + " [" + text("lower_quartile").value_or("") + ", " +
-           text("upper_quartile").value_or("") + ']';
-  }
-  const auto mean = text("mean");
-  if (!mean) return {};
-  const auto sd = text("sd");
-  return sd ? *mean + " (" + *sd + ')' : *mean;
-}
-
-/// One row for all measures of a condition.
-Table conditions_in_rows(const Table& table) {
-  Table made{{"factor", "level", "persons", "measurements"}, {}};
-  constexpr std::size_t kMeasure = 0;
-  constexpr std::size_t kBefore = 4;  // columns before the measures
-  std::map<std::pair<Cell, Cell>, std::size_t> places{};
-  for (const std::vector<Cell>& row : table.rows) {
-    const auto* const measure = std::get_if<std::string>(&row[kMeasure]);
-    const ExploredQuantity* const quantity =
-        measure == nullptr ? nullptr : explored_quantity(*measure);
-    if (quantity == nullptr) continue;
-    auto at = column_of(made, quantity->name);
-    if (!at) {
-      at = made.columns.size();
-      made.columns.emplace_back(quantity->name);
-      for (std::vector<Cell>& known : made.rows) known.emplace_back();
-    }
-    const auto [place, is_new] = places.try_emplace({row[1], row[2]}, made.rows.size());
-    if (is_new) {
-      made.rows.emplace_back(row.begin() + 1, row.begin() + 1 + kBefore);
-      made.rows.back().resize(made.columns.size());
-    }
-    made.rows[place->second][*at] = read_quantity(table, row, *quantity);
-  }
-  return made;
-}
-
-/// With "F(2, 35.37) = 2.45" in place of three columns.
-Table models_as_read(const Table& table) {
-  const auto F = column_of(table, "F");
-  const auto df1 = column_of(table, "df1");
-  const auto df2 = column_of(table, "df2");
-  if (!F || !df1 || !df2) return table;  // no model has a fit
-  Table made = table;
-  made.columns[*F] = "statistic";
-  for (std::vector<Cell>& row : made.rows) {
-    const std::optional<double> value = number_of(row[*F]);
-    const std::optional<double> above = number_of(row[*df1]);
-    const std::optional<double> below = number_of(row[*df2]);
-    row[*F] = value && above && below
-                  ? Cell{statistic_text("F", std::array{*above, *below}, *value)}
-                  : Cell{};
-  }
-  for (const std::size_t gone : {std::max(*df1, *df2), std::min(*df1, *df2)}) {
-    const auto at = static_cast<std::ptrdiff_t>(gone);
-    made.columns.erase(made.columns.begin() + at);
-    for (std::vector<Cell>& row : made.rows) row.erase(row.begin() + at);
-  }
-  return made;
-}
-
-bool is_exploration(const NamedTable& table) {
-  return table.name == kExploration || table.name == kExplorationForces;
-}
-
 }  // namespace
-
-Table with_exploration_as_read(const NamedTable& table) {
-  if (is_exploration(table)) return conditions_in_rows(table.table);
-  return table.name == kExplorationModel ? models_as_read(table.table) : table.table;
-}
-
-bool is_explored_quantity(const NamedTable& table, const std::string& column) {
-  return is_exploration(table) && explored_quantity(column) != nullptr;
-}
 
 void add_exploration(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   if (gathered.only_accompanies || gathered.exploration.empty()) return;

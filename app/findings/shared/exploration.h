@@ -15,14 +15,9 @@ inline constexpr const char* kExplorationForces = "exploration_forces";
 /// trials: of each participant the median of times, the mean of other quantities; over participants median and
 /// quartiles, mean and SD. A description without a test. Quantities that no session stores have a row without numbers.
 /// Nothing where no session stores any, and where the questions only accompany others, whose trials are the same.
+///
+/// The first two are displayed with a row per condition and a column per quantity: "5.17 [4.90, 5.61]" (median and
+/// quartiles) or "0.951 (0.021)" (mean and SD).
 void add_exploration(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
-
-/// For display, of the tables above: a row per condition and a column per quantity, "5.17 [4.90, 5.61]" (median and
-/// quartiles) or "0.951 (0.021)" (mean and SD); of the models F with its degrees of freedom in one cell. A table of
-/// another name is unchanged.
-Table with_exploration_as_read(const NamedTable& table);
-
-/// Whether a column of such a table is named as a quantity, a word of the column `measure`.
-bool is_explored_quantity(const NamedTable& table, const std::string& column);
 
 }  // namespace asperity

@@ -14,9 +14,10 @@
 #include <vector>
 
 #include "analysis/numbers/number_text.h"
+#include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/reading_number.h"
-#include "app/findings/outcome/reading_table.h"
 #include "app/findings/outcome/study_findings.h"
+#include "app/findings/outcome/test_sentences.h"
 #include "app/findings/tidy/mixed_rows.h"
 
 namespace asperity {
@@ -112,24 +113,35 @@ MixedRows model_rows(const GatheredAnswers& gathered, const ExploredRows& rows,
   return model;
 }
 
-/// The numbers of one effect, as cells of the table.
+/// The test of one effect; nothing for numbers that could not be computed.
 struct EffectTest {
-  Cell F{};
-  Cell df1{};
-  Cell df2{};
-  Cell p{};
+  std::optional<double> F{};
+  std::optional<double> df1{};
+  std::optional<double> df2{};
+  std::optional<double> p{};
+
+  /// "F(2, 35.37) = 2.45"
+  ResultCell statistic() const {
+    if (!F && !df1 && !df2) return {};
+    const auto stored = [](const std::optional<double>& number) {
+      return number ? Cell{*number} : Cell{};
+    };
+    return JoinedCell{
+        {stored(F), stored(df1), stored(df2)},
+        F && df1 && df2 ? Phrase(statistic_text("F", std::array{*df1, *df2}, *F)) : Phrase{}};
+  }
 };
 
 EffectTest test_of_factor(const std::string& name, const FoundNumbers& found) {
-  return {found.cell("lmm.F", name), found.cell("lmm.F.df1", name), found.cell("lmm.F.df2", name),
-          found.cell("lmm.F.p", name)};
+  return {found.value("lmm.F", name), found.value("lmm.F.df1", name),
+          found.value("lmm.F.df2", name), found.value("lmm.F.p", name)};
 }
 
 /// F = t² with one degree of freedom.
 EffectTest test_of_place(const std::string& name, const FoundNumbers& found) {
   const std::optional<double> t = found.value("lmm.t", name);
-  return {t ? Cell{*t * *t} : Cell{}, t ? Cell{1.0} : Cell{}, found.cell("lmm.df", name),
-          found.cell("lmm.p", name)};
+  return {t ? std::optional(*t * *t) : std::nullopt, t ? std::optional(1.0) : std::nullopt,
+          found.value("lmm.df", name), found.value("lmm.p", name)};
 }
 
 class ModelTable final {
@@ -151,9 +163,9 @@ class ModelTable final {
           test_of_place(place, found), beta->word);
     }
   }
-  bool empty() const { return table_.table.rows.empty(); }
-  NamedTable take(Phrase note) {
-    drop_empty_columns(table_.table, 5);
+  bool empty() const { return table_.rows.empty(); }
+  ResultTable take(Phrase note) {
+    table_.drop_empty_columns(5);
     table_.note = std::move(note);
     return std::move(table_);
   }
@@ -161,8 +173,8 @@ class ModelTable final {
  private:
   struct EffectName {
     std::string factor{};
-    Cell level{};
-    Cell reference{};
+    ResultCell level{};
+    ResultCell reference{};
   };
 
   void add_condition(const ExploredFactor& factor, const ModelledTimes& times,
@@ -182,7 +194,8 @@ class ModelTable final {
         if (!reference && found.find("lmm.beta", key) == nullptr) reference = level;
         continue;
       }
-      row(times, found, {factor.name, level, reference ? Cell{*reference} : Cell{}}, ratio, {}, {});
+      row(times, found, {factor.name, level, reference ? ResultCell{*reference} : ResultCell{}},
+          ratio, {}, {});
     }
   }
 
@@ -192,21 +205,19 @@ class ModelTable final {
     const auto count = [&found](const char* quantity) {
       return static_cast<std::int64_t>(found.value(quantity).value_or(0.0));
     };
-    const auto cell = [ratio](const std::optional<double> Finding::*of) {
-      return ratio == nullptr ? Cell{} : cell_of(ratio->*of);
-    };
-    table_.table.rows.push_back(
-        {std::string(times.measure), name.factor, name.level, count("n.subjects"), count("n.rows"),
-         name.reference, cell(&Finding::value), cell(&Finding::low), cell(&Finding::high), test.F,
-         test.df1, test.df2, test.p, status.empty() ? Cell{} : Cell{status}});
+    table_.add({times.measure, name.factor, name.level, count("n.subjects"), count("n.rows"),
+                name.reference, ratio == nullptr ? ResultCell{} : cell_of(ratio->value),
+                ratio == nullptr ? ResultCell{} : interval_cell(ratio->low, ratio->high),
+                test.statistic(), cell_of(test.p), word_cell(status)});
   }
 
-  NamedTable table_{kExplorationModel,
-                    phrase("Analysis", "Contact times and response times: linear mixed models"),
-                    {{"measure", "factor", "level", "persons", "measurements", "reference", "ratio",
-                      "ratio_low", "ratio_high", "F", "df1", "df2", "p", "status"},
-                     {}},
-                    {}};
+  ResultTable table_{
+      kExplorationModel,
+      phrase("Analysis", "Contact times and response times: linear mixed models"),
+      {columns::kMeasure, columns::kFactor, columns::kFactorLevel, columns::kPersons,
+       columns::kMeasurements, columns::kReference, columns::kRatio, interval_of(columns::kRatio),
+       kExplorationStatistic, columns::kP, columns::kStatus},
+      {}};
 };
 
 /// "Contact time changes by a factor of 0.93 per 10 trials, 95 % CI [0.90, 0.96]."

@@ -4,6 +4,8 @@
 
 #include "app/findings/gathering/explored_rows.h"
 #include "app/findings/outcome/analysis_outcome.h"
+#include "app/findings/outcome/result_table.h"
+#include "app/words/phrase.h"
 
 namespace asperity {
 
@@ -11,6 +13,11 @@ namespace asperity {
 inline constexpr const char* kContactTimeModel = "contact_time_model";
 inline constexpr const char* kResponseTimeModel = "response_time_model";
 inline constexpr const char* kExplorationModel = "exploration_model";
+
+/// The test of an effect, "F(2, 35.37) = 2.45"; missing in the row of a level.
+inline const ResultColumn kExplorationStatistic{.id = "statistic",
+                                                .heading = phrase("AnalysisWords", "statistic"),
+                                                .stored_as = {"F", "df1", "df2"}};
 
 /// Adds the table `exploration_model`: linear mixed models of the logarithms of contact times (a row per surface) and
 /// response times (a row per trial), with random intercepts of participants, by conditions, the place of the trial in

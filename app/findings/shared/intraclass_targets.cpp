@@ -2,7 +2,7 @@
 
 #include "app/findings/shared/intraclass_targets.h"
 
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 
 namespace asperity {
 

@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "analysis/tests/learning.h"
 #include "app/findings/gathering/answer_columns.h"
-#include "app/findings/outcome/reading_table.h"
+#include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/study_analysis.h"
 #include "app/findings/outcome/study_findings.h"
 
@@ -25,6 +24,16 @@ bool scores_items(std::string_view kind) {
 }
 
 constexpr const char* kLearningFamily = "learning";
+
+// Words of the column `measure`; display text: cell_words.h
+constexpr const char* kTimeOfHalves = "time_of_halves";
+constexpr const char* kTimePerTenTrials = "time_per_10_trials";
+constexpr const char* kCorrectOfHalves = "correct_of_halves";
+constexpr const char* kItemsOfHalves = "items_of_halves";
+
+const ResultColumn kFirstHalf{.id = "first_half", .heading = phrase("AnalysisWords", "first half")};
+const ResultColumn kSecondHalf{.id = "second_half",
+                               .heading = phrase("AnalysisWords", "second half")};
 
 /// The number of each response among those of its participant, from 1, in the order of the plan.
 std::vector<std::size_t> trial_numbers(const GatheredAnswers& gathered) {
@@ -77,21 +86,19 @@ std::optional<TidyInput> correct_by_trial(const GatheredAnswers& gathered,
 }
 
 struct Change {
-  const char* measure = "";  ///< display text: cell_words.h
+  const char* measure = "";
   const char* quantity = "";
   bool has_halves = true;
 };
 
-void add_change(const Change& change, const FoundNumbers& found, Table& table) {
+void add_change(const Change& change, const FoundNumbers& found, ResultTable& table) {
   const Finding* finding = found.find(change.quantity);
   if (finding == nullptr) return;
   const auto half = [&](const char* quantity) {
-    return change.has_halves ? found.cell(quantity) : Cell{};
+    return change.has_halves ? found.cell(quantity) : ResultCell{};
   };
-  const auto [low, high] = found.interval(change.quantity);
-  table.rows.push_back({std::string(change.measure), static_cast<std::int64_t>(finding->n),
-                        half("half.first"), half("half.second"), cell_of(finding->value), low,
-                        high});
+  table.add({change.measure, count_cell(finding->n), half("half.first"), half("half.second"),
+             cell_of(finding->value), found.interval(change.quantity)});
 }
 
 /// "1–4" of the key "1-4".
@@ -102,19 +109,17 @@ std::string range_text(std::string block) {
 }
 
 /// Blocks without a timed trial have no row.
-void add_trial_blocks(const FoundNumbers& times, const FoundNumbers& correct, Table& table) {
+void add_trial_blocks(const FoundNumbers& times, const FoundNumbers& correct, ResultTable& table) {
   std::vector<const Finding*> blocks = correct.all("block");
   if (blocks.empty()) blocks = times.all("block");
   for (const Finding* block : blocks) {
-    const auto [low_s, high_s] = times.interval("block", block->key);
-    const auto [low, high] = correct.interval("block", block->key);
-    table.rows.push_back({range_text(block->key), static_cast<std::int64_t>(block->n),
-                          times.cell("block", block->key), low_s, high_s,
-                          correct.cell("block", block->key), low, high});
+    table.add({range_text(block->key), count_cell(block->n), times.cell("block", block->key),
+               times.interval("block", block->key), correct.cell("block", block->key),
+               correct.interval("block", block->key)});
   }
 }
 
-Phrase note_on_changes(const Table& changes, bool has_proportions) {
+Phrase note_on_changes(const ResultTable& changes, bool has_proportions) {
   Phrase note = phrase("Analysis",
                        "The results are exploratory: they are not tested and not adjusted for the "
                        "conditions of the trials. Each participant's counted trials are divided "
@@ -124,31 +129,32 @@ Phrase note_on_changes(const Table& changes, bool has_proportions) {
   const auto add = [&note](const Phrase& sentence) {
     note = phrase("Analysis", "%1 %2").with(note, sentence);
   };
-  const bool has_slope = std::any_of(
-      changes.rows.begin(), changes.rows.end(),
-      [](const std::vector<Cell>& row) { return row.front() == Cell{"time_per_10_trials"}; });
+  const auto any_row = [&changes](const auto& is_meant) {
+    return std::any_of(changes.rows.begin(), changes.rows.end(),
+                       [&](const ResultRow& row) { return is_meant(RowReader(changes, row)); });
+  };
+  const bool has_slope = any_row(
+      [](const RowReader& row) { return row.text(columns::kMeasure) == kTimePerTenTrials; });
   if (has_slope) {
     add(phrase("Analysis",
                "Ratio per 10 trials: from each participant's least-squares regression of log "
                "response time on trial number."));
   }
   if (has_proportions) add(phrase("Analysis", "Proportions: second minus first half."));
-  if (!has_cells(changes, "change_low")) return note;
+  if (!changes.has_values(interval_of(kChange))) return note;
   add(phrase("Analysis",
              "95 % CI: t-based over participants, for times on the logarithmic scale; in "
              "simulations with 2 to 20 participants, its coverage was at least 92 %."));
-  const bool has_cut =
-      std::any_of(changes.rows.begin(), changes.rows.end(), [](const std::vector<Cell>& row) {
-        return (row.front() == Cell{"correct_of_halves"} ||
-                row.front() == Cell{"items_of_halves"}) &&
-               row[row.size() - 2] != Cell{};
-      });
+  const bool has_cut = any_row([](const RowReader& row) {
+    const std::string measure = row.text(columns::kMeasure);
+    return (measure == kCorrectOfHalves || measure == kItemsOfHalves) && row.interval(kChange).low;
+  });
   if (has_cut)
     add(phrase("Analysis", "CIs of differences of proportions are truncated at −1 and 1."));
   return note;
 }
 
-Phrase note_on_course(const Table& course, const std::string& kind) {
+Phrase note_on_course(const ResultTable& course, const std::string& kind) {
   Phrase note =
       phrase("Analysis",
              "Means over the participants, by range of counted trials; trials are numbered in the "
@@ -156,17 +162,17 @@ Phrase note_on_course(const Table& course, const std::string& kind) {
   const auto add = [&note](const Phrase& sentence) {
     note = phrase("Analysis", "%1 %2").with(note, sentence);
   };
-  if (has_cells(course, "share")) {
+  if (course.has_values(columns::kShare)) {
     add(scores_items(kind) ? phrase("Analysis", "Proportions refer to correctly matched items.")
                            : phrase("Analysis", "Proportions refer to correct responses."));
   }
-  if (has_cells(course, "share_low")) {
+  if (course.has_values(interval_of(columns::kShare))) {
     add(phrase(
         "Analysis",
         "95 % CI: t-based over participants, for times on the logarithmic and for proportions on "
         "the logit scale; in simulations with 2 to 20 participants and proportions of 5 to 98 %, "
         "its coverage was at least 90 %."));
-  } else if (has_cells(course, "time_s_low")) {
+  } else if (course.has_values(interval_of(columns::kTime))) {
     add(phrase("Analysis", "95 % CI: t-based over participants, on the logarithmic scale."));
   }
   return note;
@@ -197,28 +203,24 @@ void add_learning(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   }
   const FoundNumbers times(of_times);
   const FoundNumbers correct(of_correct);
-  NamedTable changes{
-      kLearning,
-      phrase("Analysis", "Learning over the trials"),
-      {{"measure", "persons", "first_half", "second_half", "change", "change_low", "change_high"},
-       {}},
-      {}};
-  add_change({"time_of_halves", "half.ratio"}, times, changes.table);
-  add_change({"time_per_10_trials", "slope.ratio", false}, times, changes.table);
-  add_change(
-      {scores_items(gathered.kind) ? "items_of_halves" : "correct_of_halves", "half.difference"},
-      correct, changes.table);
-  if (changes.table.rows.empty()) return;
-  changes.note = note_on_changes(changes.table, !of_correct.empty());
-  NamedTable course{kTrialCourse,
-                    phrase("Analysis", "Trend over the trials"),
-                    {{"trials", "persons", "time_s", "time_s_low", "time_s_high", "share",
-                      "share_low", "share_high"},
-                     {}},
-                    {}};
-  add_trial_blocks(times, correct, course.table);
-  drop_empty_columns(course.table, 2);
-  course.note = note_on_course(course.table, gathered.kind);
+  using namespace columns;
+  ResultTable changes{kLearning,
+                      phrase("Analysis", "Learning over the trials"),
+                      {kMeasure, kPersons, kFirstHalf, kSecondHalf, kChange, interval_of(kChange)},
+                      {}};
+  add_change({kTimeOfHalves, "half.ratio"}, times, changes);
+  add_change({kTimePerTenTrials, "slope.ratio", false}, times, changes);
+  add_change({scores_items(gathered.kind) ? kItemsOfHalves : kCorrectOfHalves, "half.difference"},
+             correct, changes);
+  if (changes.rows.empty()) return;
+  changes.note = note_on_changes(changes, !of_correct.empty());
+  ResultTable course{kTrialCourse,
+                     phrase("Analysis", "Trend over the trials"),
+                     {kTrials, kPersons, kTime, interval_of(kTime), kShare, interval_of(kShare)},
+                     {}};
+  add_trial_blocks(times, correct, course);
+  course.drop_empty_columns(2);
+  course.note = note_on_course(course, gathered.kind);
   keep_findings(of_times, outcome);
   keep_findings(of_correct, outcome);
   outcome.tables.push_back(std::move(changes));

@@ -4,6 +4,8 @@
 
 #include "app/findings/gathering/gathered_answers.h"
 #include "app/findings/outcome/analysis_outcome.h"
+#include "app/findings/outcome/result_table.h"
+#include "app/words/phrase.h"
 
 namespace asperity {
 
@@ -14,6 +16,9 @@ inline constexpr const char* kLearningCorrect = "learning_correct";
 /// The tables of changes between the halves of the trials, and of ranges of trials.
 inline constexpr const char* kLearning = "learning";
 inline constexpr const char* kTrialCourse = "trial_course";
+
+/// A difference or a ratio of two parts of a session; also of the responses to anchors.
+inline const ResultColumn kChange{.id = "change", .heading = phrase("AnalysisWords", "change")};
 
 /// Adds the tables `learning` and `trial_course`: response times, and proportions correct where
 /// every response is correct or incorrect, over the counted trials of each participant, numbered

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "analysis/numbers/number_text.h"
+#include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/test_sentences.h"
 #include "app/findings/tidy/finding_list.h"
@@ -16,6 +17,14 @@
 namespace asperity {
 
 namespace {
+
+const ResultColumn kEffectOfFactor{
+    .id = "effect", .heading = phrase("AnalysisWords", "effect"), .words = words_of_test};
+const ResultColumn kFOfEffect{
+    .id = "F", .heading = phrase("AnalysisWords", "F"), .digits = Digits::statistic};
+const ResultColumn kGreenhouseGeisser{.id = "epsilon", .heading = phrase("AnalysisWords", "ε")};
+const ResultColumn kPartialEtaSquared{.id = "partial_eta_squared",
+                                      .heading = phrase("AnalysisWords", "partial η²")};
 
 /// Which of the levels of a factor was felt as the roughest and which as the least rough, by the
 /// participants' mean logarithms, where the difference is significant (`shows`); for two levels
@@ -93,10 +102,11 @@ const char* p_of(const FoundNumbers& found, const std::string& effect) {
 }
 
 void add_anova(const FoundNumbers& found, AnalysisOutcome& outcome, const EffectNames& effects) {
-  NamedTable table{
+  using namespace columns;
+  ResultTable table{
       kAnova,
       phrase("Analysis", "Repeated-measures ANOVA of the log estimates"),
-      {{"effect", "df1", "df2", "F", "epsilon", "p", "partial_eta_squared"}, {}},
+      {kEffectOfFactor, kDf1, kDf2, kFOfEffect, kGreenhouseGeisser, kP, kPartialEtaSquared},
       phrase("Analysis",
              "Each participant has a value in every cell; repetitions are averaged. p: "
              "Greenhouse–Geisser-corrected where an effect has more than one degree of freedom.")};
@@ -108,11 +118,11 @@ void add_anova(const FoundNumbers& found, AnalysisOutcome& outcome, const Effect
         outcome.tests_in_tables.insert(name_of(*of_it));
       }
     }
-    table.table.rows.push_back({name, found.count("df1", effect), found.count("df2", effect),
-                                found.cell("F", effect), found.cell("eps.GG", effect),
-                                cell_of(p->value), found.cell("pes", effect)});
+    table.add({name, found.count("df1", effect), found.count("df2", effect),
+               found.cell("F", effect), found.cell("eps.GG", effect), cell_of(p->value),
+               found.cell("pes", effect)});
   }
-  if (!table.table.rows.empty()) outcome.tables.push_back(std::move(table));
+  if (!table.rows.empty()) outcome.tables.push_back(std::move(table));
 }
 
 void add_effect_tests(const FoundNumbers& found, std::size_t conditions, const EffectNames& effects,

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/study_findings.h"
-#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
@@ -13,7 +12,7 @@
 #include "analysis/numbers/number_text.h"
 #include "app/findings/gathering/answer_columns.h"
 #include "app/findings/gathering/trial_factors.h"
-#include "app/findings/outcome/reading_table.h"
+#include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/study_findings.h"
 
 namespace asperity {
@@ -84,13 +83,13 @@ TidyInput response_times_table(const GatheredAnswers& gathered, std::vector<Tria
   return input;
 }
 
-Phrase note_on_times(const Table& times, std::size_t untimed, std::size_t trials) {
+Phrase note_on_times(const ResultTable& times, std::size_t untimed, std::size_t trials) {
   Phrase note = phrase(
       "Analysis",
       "Response times are measured from the cue (the first question after the last surface) to the "
       "response and include repeated presentations. Geometric means over "
       "participants of each participant's geometric mean.");
-  if (has_cells(times, "time_s_low")) {
+  if (times.has_values(interval_of(columns::kTime))) {
     note = phrase("Analysis",
                   "%1 95 % CI: t-based over participants, on the logarithmic scale; in simulations "
                   "with 2 to 20 participants, its coverage was at least 92 %.")
@@ -118,23 +117,21 @@ void add_response_times(const GatheredAnswers& gathered, AnalysisOutcome& outcom
     return;
   }
   keep_findings(findings, outcome);
-  NamedTable made{
-      kResponseTimes,
-      phrase("Analysis", "Response times by condition"),
-      {{"factor", "level", "persons", "trials", "time_s", "time_s_low", "time_s_high"}, {}},
-      {}};
+  using namespace columns;
+  ResultTable made{kResponseTimes,
+                   phrase("Analysis", "Response times by condition"),
+                   {kFactor, kFactorLevel, kPersons, kTrials, kTime, interval_of(kTime)},
+                   {}};
   for (const auto& [factor, level] : rows) {
     const std::string key = level.empty() ? std::string() : factor + '=' + level;
     const Finding* trials = found.find("responses", key);
     if (trials == nullptr) continue;
-    const auto [low, high] = found.interval("geomean", key);
-    made.table.rows.push_back(
-        {factor, level.empty() ? Cell{} : Cell{level}, static_cast<std::int64_t>(trials->n),
-         static_cast<std::int64_t>(*trials->value), found.cell("geomean", key), low, high});
+    made.add({factor, word_cell(level), count_cell(trials->n),
+              count_cell(static_cast<std::size_t>(*trials->value)), found.cell("geomean", key),
+              found.interval("geomean", key)});
   }
-  made.note =
-      note_on_times(made.table, static_cast<std::size_t>(found.value("n.untimed").value_or(0.0)),
-                    gathered.answers.size());
+  made.note = note_on_times(made, static_cast<std::size_t>(found.value("n.untimed").value_or(0.0)),
+                            gathered.answers.size());
   outcome.tables.push_back(std::move(made));
 }
 

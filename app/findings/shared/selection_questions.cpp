@@ -13,6 +13,7 @@
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/test_sentences.h"
+#include "app/findings/shared/choice_tables.h"
 
 namespace asperity {
 
@@ -133,12 +134,12 @@ void ask_scale(const Selection& selection, const FoundNumbers& scale, const Phra
                  phrase("Analysis",
                         "The scale cannot be estimated: a model was always or never chosen, or the "
                         "trials do not link all models. Collect more choices."),
-                 method, "shares", nullptr);
+                 method, kAllShares, nullptr);
     return;
   }
   add_question(outcome, "preference", question,
                phrase("Analysis", "Log-worths, in decreasing order: %1.").with(scale_text(order)),
-               method, "scale", order.front().second);
+               method, kWorthScale, order.front().second);
 }
 
 /// The reported p: adjusted within the family.
@@ -282,7 +283,7 @@ void ask_preference(const Selection& selection, const FoundNumbers& choice,
   if (most.mean == nullptr || test == nullptr) {
     add_question(outcome, "preference", question,
                  phrase("Analysis", "There are no choices yet; run a session first."), method,
-                 "shares", nullptr);
+                 kAllShares, nullptr);
     return;
   }
   const Phrase shares = most_often(most, selection.items.size());
@@ -298,7 +299,7 @@ void ask_preference(const Selection& selection, const FoundNumbers& choice,
                    "%1. The choices do not differ significantly from equal proportions (%2).");
   add_question(outcome, "preference", question,
                test->p ? tested.with(shares, p_text(*test)) : tested.with(shares),
-               test->p ? method : proportion, "persons", most.mean);
+               test->p ? method : proportion, kPersonMeans, most.mean);
 }
 
 PairWords words_of_pairs(const Selection& selection, const std::string& test) {
@@ -410,7 +411,7 @@ void ask_position(std::size_t positions, const Phrase& method, const FoundNumber
     add_question(outcome, "position", question,
                  phrase("Analysis", "This cannot be tested with one participant: %1.")
                      .with(positions_text(most, positions, *first)),
-                 {}, "positions", most.mean);
+                 {}, kPositions, most.mean);
   }
   if (!test->p) return;
   const auto with_numbers = [&](const Phrase& words) {
@@ -420,7 +421,7 @@ void ask_position(std::size_t positions, const Phrase& method, const FoundNumber
       with_numbers(phrase("Analysis", "The position has a significant effect (%1): %2.")),
       with_numbers(phrase("Analysis", "The position has no significant effect (%1): %2.")),
       with_numbers(phrase("Analysis", "Test of equal proportions: %1; %2."))};
-  add_question(outcome, "position", question, said_of(*test, sayings), method, "positions",
+  add_question(outcome, "position", question, said_of(*test, sayings), method, kPositions,
                most.mean);
 }
 
@@ -451,7 +452,7 @@ void ask_textures(const Selection& selection, const StudyTests& tests, AnalysisO
             : phrase("Analysis",
                      "This cannot be tested: the participants have not judged every texture "
                      "equally often."),
-        {}, "shares_by_texture", nullptr);
+        {}, kSharesByTexture, nullptr);
     return;
   }
   Finding finding{};
@@ -476,7 +477,7 @@ void ask_textures(const Selection& selection, const StudyTests& tests, AnalysisO
                  .with(answer, target, std::to_string(who.participants - who.choosers),
                        std::to_string(who.participants));
   }
-  add_question(outcome, "textures", question, answer, method, "shares_by_texture", &finding);
+  add_question(outcome, "textures", question, answer, method, kSharesByTexture, &finding);
 }
 
 }  // namespace asperity

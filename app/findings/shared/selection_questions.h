@@ -2,9 +2,9 @@
 
 #pragma once
 
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/shared/selection_choices.h"
-#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
 

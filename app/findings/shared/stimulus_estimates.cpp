@@ -15,8 +15,8 @@
 #include "analysis/numbers/number_text.h"
 #include "app/findings/gathering/answer_columns.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/reading_number.h"
-#include "app/findings/outcome/reading_table.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/study_tests.h"
 #include "app/findings/outcome/test_sentences.h"
@@ -31,6 +31,11 @@ namespace {
 
 constexpr const char* kExponents = "exponents";
 constexpr const char* kOnlyCondition = "all";
+
+const ResultColumn kPredictor{.id = "predictor", .heading = phrase("AnalysisWords", "predictor")};
+const ResultColumn kStimulusUnit = for_files({.id = "stimulus_unit"});
+const ResultColumn kPredictorUnit = for_files({.id = "predictor_unit"});
+const ResultColumn kExponent{.id = "exponent", .heading = phrase("AnalysisWords", "exponent")};
 
 bool is_stated_predictor(const EstimationDeclaration& estimation) {
   return estimation.predictor == kLevelPredictor || estimation.predictor == kValuePredictor;
@@ -61,7 +66,7 @@ std::string name_of_stated_predictor(const EstimationDeclaration& estimation) {
 
 /// "amplitude", "RMS of the texture force, N"
 Phrase predictor_name(const EstimationDeclaration& estimation) {
-  if (!is_stated_predictor(estimation)) return words_of_cell("property", estimation.predictor);
+  if (!is_stated_predictor(estimation)) return words_of_property(estimation.predictor);
   return name_of_stated_predictor(estimation);
 }
 
@@ -128,7 +133,12 @@ Phrase predictor_with_unit(const EstimationDeclaration& estimation) {
   return name_of_stated_predictor(estimation) + " (" + unit + ')';
 }
 
-Cell text_or_no_cell(const std::string& text) { return text.empty() ? Cell{} : Cell{text}; }
+/// The name of a stimulus; of a level with a unit the quantity, "2.5 mm".
+ResultCell stimulus_cell(const std::string& stimulus, const std::string& unit) {
+  const std::optional<double> level = number_in(stimulus);
+  if (unit.empty() || !level) return stimulus;
+  return JoinedCell{{stimulus}, reading_quantity(*level, unit)};
+}
 
 Phrase note_on_stimulus_means(const ComparedEstimates& compared) {
   const Phrase note =
@@ -149,25 +159,25 @@ Phrase note_on_stimulus_means(const ComparedEstimates& compared) {
 
 void add_stimulus_means(const ComparedEstimates& compared, const FoundNumbers& found,
                         AnalysisOutcome& outcome) {
+  using namespace columns;
   const EstimateCells cells = cells_of(compared.estimates);
-  NamedTable means{kStimulusEstimates,
-                   phrase("Analysis", "Estimates by stimulus and condition"),
-                   {{"condition", "stimulus", "predictor", "persons", "left_out", "normalised",
-                     "normalised_low", "normalised_high", "raw", "stimulus_unit", "predictor_unit"},
-                    {}},
-                   note_on_stimulus_means(compared)};
-  NamedTable persons{
+  ResultTable means{kStimulusEstimates,
+                    phrase("Analysis", "Estimates by stimulus and condition"),
+                    {kCondition, kStimulus, kPredictor, kPersons, kLeftOut, kNormalisedEstimate,
+                     interval_of(kNormalisedEstimate), kRawEstimate, kStimulusUnit, kPredictorUnit},
+                    note_on_stimulus_means(compared)};
+  ResultTable persons{
       kEstimatesOfPersons,
       phrase("Analysis", "Estimates of each participant"),
-      {{"person", "condition", "stimulus", "answers", "raw", "normalised", "stimulus_unit"}, {}},
+      {kPerson, kCondition, kStimulus, kAnswers, kRawEstimate, kNormalisedEstimate, kStimulusUnit},
       phrase("Analysis",
              "Geometric means over repetitions. The estimates of participants with an empty cell "
              "are not normalised and are left out of curves and tests.")};
   const EstimationDeclaration& estimation = compared.gathered.estimation;
-  const Cell unit_of_stimulus = text_or_no_cell(unit_of_parameter(estimation.items));
-  const Cell unit_of_values =
-      text_or_no_cell(is_stated_predictor(estimation) ? unit_of_predictor(estimation)
-                                                      : unit_of_parameter(estimation.predictor));
+  const std::string unit_of_stimulus = unit_of_parameter(estimation.items);
+  const std::string unit_of_values = is_stated_predictor(estimation)
+                                         ? unit_of_predictor(estimation)
+                                         : unit_of_parameter(estimation.predictor);
   const std::vector<AnsweringPerson>& people = compared.gathered.people;
   for (const std::string& condition : compared.conditions) {
     for (const std::string& stimulus : compared.stimuli) {
@@ -177,36 +187,37 @@ void add_stimulus_means(const ComparedEstimates& compared, const FoundNumbers& f
         const auto cell = cells.find({person, condition, stimulus});
         if (cell == cells.end()) continue;
         raw.push_back(mean_logarithm(cell->second));
-        persons.table.rows.push_back(
-            {people[person].label, condition, stimulus,
-             static_cast<std::int64_t>(cell->second.size()), std::pow(10.0, raw.back()),
-             found.cell("norm.estimate", people[person].label + '|' + key), unit_of_stimulus});
+        persons.add({people[person].label, condition, stimulus_cell(stimulus, unit_of_stimulus),
+                     count_cell(cell->second.size()), std::pow(10.0, raw.back()),
+                     found.cell("norm.estimate", people[person].label + '|' + key),
+                     word_cell(unit_of_stimulus)});
       }
       if (raw.empty()) continue;
-      const auto [low, high] = found.interval("geomean", key);
       const Finding* mean = found.find("geomean", key);
       const std::size_t counted = mean == nullptr || !mean->value ? 0 : mean->n;
       const auto value = compared.predictor.find(stimulus);
-      means.table.rows.push_back(
-          {condition, stimulus, value == compared.predictor.end() ? Cell{} : Cell{value->second},
-           static_cast<std::int64_t>(raw.size()),
-           static_cast<std::int64_t>(raw.size() - std::min(counted, raw.size())),
-           found.cell("geomean", key), low, high, std::pow(10.0, mean_logarithm(raw)),
-           unit_of_stimulus, unit_of_values});
+      means.add({condition, stimulus_cell(stimulus, unit_of_stimulus),
+                 value == compared.predictor.end() ? ResultCell{}
+                                                   : quantity_cell(value->second, unit_of_values),
+                 count_cell(raw.size()), count_cell(raw.size() - std::min(counted, raw.size())),
+                 found.cell("geomean", key), found.interval("geomean", key),
+                 std::pow(10.0, mean_logarithm(raw)), word_cell(unit_of_stimulus),
+                 word_cell(unit_of_values)});
     }
   }
-  drop_empty_columns(means.table, 9);
-  drop_empty_columns(persons.table, 6);
+  means.drop_empty_columns(8);
+  persons.drop_empty_columns(6);
   outcome.tables.push_back(std::move(means));
   outcome.tables.push_back(std::move(persons));
 }
 
 void add_exponents(const ComparedEstimates& compared, const FoundNumbers& found,
                    AnalysisOutcome& outcome) {
-  NamedTable exponents{
+  using namespace columns;
+  ResultTable exponents{
       kExponents,
       phrase("Analysis", "Exponents of the power functions"),
-      {{"condition", "exponent", "exponent_low", "exponent_high", "p", "r_squared"}, {}},
+      {kCondition, kExponent, interval_of(kExponent), kP, kRSquared},
       phrase("Analysis",
              "Slopes of log estimate on the logarithm of the predictor (%1), by least squares per "
              "participant: mean over the participants with its t-based 95 % CI, and p of the t "
@@ -217,12 +228,11 @@ void add_exponents(const ComparedEstimates& compared, const FoundNumbers& found,
     if (const Finding* p = found.find("exponent.p", condition)) {
       outcome.tests_in_tables.insert(name_of(*p));
     }
-    const auto [low, high] = found.interval("exponent.mean", condition);
-    exponents.table.rows.push_back({condition, found.cell("exponent.mean", condition), low, high,
-                                    found.cell("exponent.p", condition),
-                                    found.cell("pooled.linear.r2", condition)});
+    exponents.add({condition, found.cell("exponent.mean", condition),
+                   found.interval("exponent.mean", condition), found.cell("exponent.p", condition),
+                   found.cell("pooled.linear.r2", condition)});
   }
-  if (!exponents.table.rows.empty()) outcome.tables.push_back(std::move(exponents));
+  if (!exponents.rows.empty()) outcome.tables.push_back(std::move(exponents));
 }
 
 /// One test per condition; named by the predictor where there is only one.

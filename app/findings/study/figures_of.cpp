@@ -18,6 +18,10 @@
 #include "app/findings/methods/rating/profile_figure.h"
 #include "app/findings/methods/similarity/perceptual_map_figures.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/found_numbers.h"
+#include "app/findings/outcome/study_tests.h"
+#include "app/findings/shared/choice_tables.h"
 #include "app/findings/shared/exploration.h"
 #include "app/findings/shared/figures/anchor_figures.h"
 #include "app/findings/shared/figures/confusion_figure.h"
@@ -30,7 +34,6 @@
 #include "app/findings/shared/figures/similarity_figures.h"
 #include "app/findings/shared/learning.h"
 #include "app/findings/shared/response_times.h"
-#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
 
@@ -81,7 +84,7 @@ void add_sexes(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
         FoundNumbers(matched));
   }
   for (Figure& figure : of_sexes) {
-    figure.table = "tests";
+    figure.table = StudyTests::kTable;
     figures.push_back(std::move(figure));
   }
 }
@@ -102,7 +105,7 @@ void add_groups(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
       std::replace_if(
           figure.name.begin(), figure.name.end(),
           [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-      figure.table = "tests";
+      figure.table = StudyTests::kTable;
       figure.question = asked.name;
       figures.push_back(std::move(figure));
     }
@@ -136,18 +139,20 @@ void add_times(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
 void add_ratings(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
   const auto named = [&outcome](const char* name) {
     const auto found = std::find_if(outcome.tables.begin(), outcome.tables.end(),
-                                    [&](const NamedTable& one) { return one.name == name; });
+                                    [&](const ResultTable& one) { return one.name == name; });
     return found == outcome.tables.end() ? nullptr : &*found;
   };
   const char* const analysis = "ratings";
-  const NamedTable* const ratings = named(analysis);
-  if (ratings == nullptr || ratings->table.rows.empty()) return;
+  const ResultTable* const ratings = named(analysis);
+  if (ratings == nullptr || ratings->rows.empty()) return;
   std::string question{};
   for (const AnsweredQuestion& asked : outcome.questions) {
     if (asked.table == ratings->name) question = asked.name;
   }
-  std::set<Cell> scales{};
-  for (const std::vector<Cell>& row : ratings->table.rows) scales.insert(row.front());
+  std::set<std::string> scales{};
+  for (const ResultRow& row : ratings->rows) {
+    scales.insert(RowReader(*ratings, row).text(columns::kScale));
+  }
   if (scales.size() > 1) {
     figures.push_back(profile_figure(*ratings, named("scales")));
   } else {
@@ -157,7 +162,7 @@ void add_ratings(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
     figures.back().table = ratings->name;
   }
   figures.back().question = question;
-  const NamedTable* const loadings = named("loadings");
+  const ResultTable* const loadings = named("loadings");
   if (loadings == nullptr) return;
   const std::vector<Finding> components = part_of(outcome.findings, "components");
   const bool has_second =
@@ -173,7 +178,7 @@ void add_ratings(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
 void name_questions(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
   static const std::vector<std::pair<std::string, std::vector<std::string>>> kAnswers{
       {"preference", {"persons_forest"}},
-      {"pairs", {"scale"}},
+      {"pairs", {kWorthScale}},
       {"position", {"positions_forest"}},
       {"textures", {"shares_by_texture_forest"}},
       {"items", {"shares_by_texture_forest"}},
@@ -217,15 +222,16 @@ std::vector<Figure> recognised(const FoundNumbers& found) {
 
 std::vector<Figure> figures_of(const AnalysisOutcome& outcome) {
   std::vector<Figure> figures = table_forests(outcome);
-  for (const NamedTable& table : outcome.tables) {
+  for (const ResultTable& table : outcome.tables) {
     if (table.name == kConfusion) figures.push_back(confusion_figure(table));
   }
-  const std::vector<Finding> scale = part_of(outcome.findings, "scale");
+  const std::vector<Finding> scale = part_of(outcome.findings, kWorthScale);
   if (!scale.empty()) {
     const FoundNumbers found(scale);
     const bool of_pairs = !found.all("bt.ability").empty() || found.find("bt.status") != nullptr;
-    figures.push_back(scale_figure("scale", of_pairs ? bradley_terry() : plackett_luce(), found));
-    figures.back().table = "scale";
+    figures.push_back(
+        scale_figure(kWorthScale, of_pairs ? bradley_terry() : plackett_luce(), found));
+    figures.back().table = kWorthScale;
   }
   const std::vector<Finding> roughness = part_of(outcome.findings, kRoughness);
   if (!roughness.empty()) {

@@ -7,6 +7,8 @@
 #include <set>
 #include <variant>
 
+#include "app/findings/outcome/columns.h"
+#include "app/findings/shared/estimates.h"
 #include "app/findings/study/analyze_study.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/kinds/experiment_kind.h"
@@ -28,14 +30,15 @@ OwnScales::OwnScales(const Study& study, const std::stop_token& stop) {
   }
   for (const std::string& name : names) {
     for (const AnalysisOutcome& outcome : analyze_study(study, name, stop)) {
-      for (const NamedTable& named : outcome.tables) {
-        if (named.name != kEstimatesOfPersons) continue;
-        for (const auto& row : named.table.rows) {
-          const auto* person = std::get_if<std::string>(&row.at(0));
-          const auto* raw = std::get_if<double>(&row.at(4));
-          const auto* normalised = std::get_if<double>(&row.at(5));
-          if (person == nullptr || raw == nullptr || normalised == nullptr) continue;
-          factors_.try_emplace({outcome.protocol, outcome.version, outcome.group, *person},
+      for (const ResultTable& table : outcome.tables) {
+        if (table.name != kEstimatesOfPersons) continue;
+        for (const ResultRow& cells : table.rows) {
+          const RowReader row(table, cells);
+          const std::string person = row.text(columns::kPerson);
+          const auto raw = row.number(kRawEstimate);
+          const auto normalised = row.number(kNormalisedEstimate);
+          if (person.empty() || !raw || !normalised) continue;
+          factors_.try_emplace({outcome.protocol, outcome.version, outcome.group, person},
                                *normalised / *raw);
         }
       }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "analysis/numbers/number_text.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/words/text_parts.h"
 #include "protocols/design/wording.h"
 
 namespace asperity {

@@ -30,13 +30,13 @@ QStandardItem* state_cell(State state, const QString& words) {
 }
 
 /// How a quantity of the compliance is shown: its words, and what it is multiplied with.
-struct Quantity {
+struct CheckedQuantity {
   QString name{};
   double scale = 1.0;
   int decimals = 2;
 };
 
-Quantity quantity_of(const std::string& name) {
+CheckedQuantity quantity_of(const std::string& name) {
   if (name == "normal_force_N") return {MeasureTables::tr("normal force, N"), 1.0, 2};
   if (name == "speed_m_per_s") return {MeasureTables::tr("speed, mm/s"), 1e3, 0};
   if (name == "contact_s") return {MeasureTables::tr("contact, s"), 1.0, 2};
@@ -45,7 +45,7 @@ Quantity quantity_of(const std::string& name) {
   return {text(name), 1.0, 3};
 }
 
-QString asked_of(const ComplianceRow& row, const Quantity& quantity) {
+QString asked_of(const ComplianceRow& row, const CheckedQuantity& quantity) {
   const auto number = [&quantity](double value) {
     return shown_number(value * quantity.scale, 'g', 4);
   };
@@ -282,7 +282,7 @@ void MeasureTables::show_attempt(const AttemptDetail& detail) {
   surfaces_->fill(rows);
   rows.clear();
   for (const ComplianceRow& row : attempt.compliance) {
-    const Quantity quantity = quantity_of(row.quantity);
+    const CheckedQuantity quantity = quantity_of(row.quantity);
     add({number_cell(row.position), text_cell(quantity.name), text_cell(asked_of(row, quantity)),
          decimal_cell(row.p50, quantity.decimals, quantity.scale),
          decimal_cell(row.p05, quantity.decimals, quantity.scale),

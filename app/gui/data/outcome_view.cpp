@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <set>
-#include <variant>
 
 #include <QtCore/QCoreApplication>
 #include <QtGui/QStandardItemModel>
@@ -10,12 +9,8 @@
 #include <QtWidgets/QScrollBar>
 #include <QtWidgets/QTableView>
 
-#include "analysis/numbers/number_text.h"
-#include "app/findings/outcome/reading_number.h"
-#include "app/findings/outcome/reading_table.h"
+#include "app/findings/outcome/displayed_table.h"
 #include "app/findings/study/figures_of.h"
-#include "app/findings/study/study_tables.h"
-#include "app/gui/data/analysis_words.h"
 #include "app/gui/data/figure_view.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
@@ -31,51 +26,29 @@ struct OutcomeText {
 
 constexpr int kTextWidth = 900;  // longer lines are hard to follow
 
-/// What stands in a column of this name.
-QString cell_text(const std::string& column, const Cell& cell) {
-  if (const auto* text = std::get_if<std::string>(&cell)) {
-    return AnalysisWords::of_cell(column, *text);
-  }
-  if (const auto* whole = std::get_if<std::int64_t>(&cell)) {
-    return QString::fromStdString(reading_whole(*whole));
-  }
-  if (const auto* number = std::get_if<double>(&cell)) {
-    return QString::fromStdString(number_text(*number));
-  }
-  return "–";
-}
-
-/// A name or a level, also one that is written as a number ("1", then "all"), as opposed to a quantity.
-bool holds_words(const Table& table, const std::string& column) {
-  const auto at = column_of(table, column);
-  return at && !table.rows.empty() && std::holds_alternative<std::string>(table.rows.front()[*at]);
-}
-
-QTableView* make_table(const NamedTable& table, QWidget* parent) {
-  const Table reading = reading_table(table);
+QTableView* make_table(const ResultTable& table, QWidget* parent) {
+  const DisplayedTable shown = displayed(table, Reader::window);
   auto* view = new QTableView(parent);
   view->setObjectName(QString::fromStdString("table_" + table.name));
   auto* model = new QStandardItemModel(view);
+  const auto alignment_of = [&shown](std::size_t column) {
+    return (shown.columns[column].holds_words ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter;
+  };
   QStringList headings{};
-  for (const std::string& column : reading.columns) {
-    headings << AnalysisWords::of_heading(table, column);
-  }
+  for (const DisplayedColumn& column : shown.columns)
+    headings << words_as_published(column.heading);
   model->setHorizontalHeaderLabels(headings);
-  for (const std::vector<Cell>& row : reading.rows) {
+  for (std::size_t i = 0; i < shown.columns.size(); ++i) {
+    model->horizontalHeaderItem(static_cast<int>(i))->setTextAlignment(alignment_of(i));
+  }
+  for (const std::vector<Phrase>& row : shown.rows) {
     QList<QStandardItem*> items{};
     for (std::size_t i = 0; i < row.size(); ++i) {
-      auto* item = new QStandardItem(cell_text(reading.columns[i], row[i]));
-      item->setTextAlignment(
-          (holds_words(table.table, reading.columns[i]) ? Qt::AlignLeft : Qt::AlignRight) |
-          Qt::AlignVCenter);
+      auto* item = new QStandardItem(row[i].empty() ? "–" : words_as_published(row[i]));
+      item->setTextAlignment(alignment_of(i));
       items << item;
     }
     model->appendRow(items);
-  }
-  for (int column = 0; column < model->columnCount(); ++column) {
-    const bool words = holds_words(table.table, reading.columns[static_cast<std::size_t>(column)]);
-    model->horizontalHeaderItem(column)->setTextAlignment((words ? Qt::AlignLeft : Qt::AlignRight) |
-                                                          Qt::AlignVCenter);
   }
   style_table(*view);
   view->setSortingEnabled(false);  // rows belong together: parts, then totals
@@ -154,7 +127,7 @@ class OutcomeColumn final {
       if (question.method.empty()) continue;
       add_folded(OutcomeText::tr("Method"), words_as_published(question.method), *layout_, page_);
     }
-    for (const NamedTable& table : outcome_.tables) add_table(table.name);
+    for (const ResultTable& table : outcome_.tables) add_table(table.name);
     for (const Figure& figure : figures_) {
       if (figure.table.empty()) add_figure(figure);
     }
@@ -193,7 +166,7 @@ class OutcomeColumn final {
   /// Once, with its figures above it.
   void add_table(const std::string& name) {
     if (!shown_.insert(name).second) return;
-    for (const NamedTable& table : outcome_.tables) {
+    for (const ResultTable& table : outcome_.tables) {
       if (table.name != name) continue;
       layout_->addSpacing(kMargin);
       layout_->addWidget(make_heading(words_as_published(table.title), page_));

@@ -2814,22 +2814,6 @@
 <context>
     <name>AnalysisWords</name>
     <message>
-        <source>achieved, maximum, N</source>
-        <translation>erreicht, Maximum, N</translation>
-    </message>
-    <message>
-        <source>achieved, mean, N</source>
-        <translation>erreicht, Mittelwert, N</translation>
-    </message>
-    <message>
-        <source>achieved, minimum, N</source>
-        <translation>erreicht, Minimum, N</translation>
-    </message>
-    <message>
-        <source>achieved, SD, N</source>
-        <translation>erreicht, SD, N</translation>
-    </message>
-    <message>
         <source>other item</source>
         <translation>andere Antwort</translation>
     </message>
@@ -2852,10 +2836,6 @@
     <message>
         <source>item</source>
         <translation>Antwort</translation>
-    </message>
-    <message>
-        <source>intended, mean, N</source>
-        <translation>angestrebt, Mittelwert, N</translation>
     </message>
     <message>
         <source>maximum</source>
@@ -2914,28 +2894,12 @@
         <translation>Männer</translation>
     </message>
     <message>
-        <source>Other or not reported</source>
-        <translation>Andere oder keine Angabe</translation>
-    </message>
-    <message>
         <source>Total</source>
         <translation>Gesamt</translation>
     </message>
     <message>
-        <source>cannot tell</source>
-        <translation>kann es nicht sagen</translation>
-    </message>
-    <message>
-        <source>comparison</source>
-        <translation>Vergleich</translation>
-    </message>
-    <message>
         <source>dissimilarity</source>
         <translation>Unähnlichkeit</translation>
-    </message>
-    <message>
-        <source>family</source>
-        <translation>Familie</translation>
     </message>
     <message>
         <source>first</source>
@@ -2952,14 +2916,6 @@
     <message>
         <source>log-worth</source>
         <translation>Log-Nutzwert</translation>
-    </message>
-    <message>
-        <source>log-worth, 95 % CI</source>
-        <translation>Log-Nutzwert, 95-%-KI</translation>
-    </message>
-    <message>
-        <source>mean, 95 % CI</source>
-        <translation>Mittelwert, 95-%-KI</translation>
     </message>
     <message>
         <source>measure</source>
@@ -3002,10 +2958,6 @@
         <translation>Wert</translation>
     </message>
     <message>
-        <source>value, 95 % CI</source>
-        <translation>Wert, 95-%-KI</translation>
-    </message>
-    <message>
         <source>worth</source>
         <translation>Nutzwert</translation>
     </message>
@@ -3046,10 +2998,6 @@
         <translation>F</translation>
     </message>
     <message>
-        <source>Fieller 95 % CI, m</source>
-        <translation>Fieller-95-%-KI, m</translation>
-    </message>
-    <message>
         <source>inverted U</source>
         <translation>umgekehrtes U</translation>
     </message>
@@ -3058,36 +3006,16 @@
         <translation>normiert</translation>
     </message>
     <message>
-        <source>normalised, 95 % CI</source>
-        <translation>normiert, 95-%-KI</translation>
-    </message>
-    <message>
         <source>partial η²</source>
         <translation>partielles η²</translation>
-    </message>
-    <message>
-        <source>peak, m, 95 % CI</source>
-        <translation>Maximum, m, 95-%-KI</translation>
-    </message>
-    <message>
-        <source>peak, m</source>
-        <translation>Maximum, m</translation>
     </message>
     <message>
         <source>ratio</source>
         <translation>Verhältnis</translation>
     </message>
     <message>
-        <source>ratio, 95 % CI</source>
-        <translation>Verhältnis, 95-%-KI</translation>
-    </message>
-    <message>
         <source>raw</source>
         <translation>roh</translation>
-    </message>
-    <message>
-        <source>spacing, m</source>
-        <translation>Abstand, m</translation>
     </message>
     <message>
         <source>left out</source>
@@ -3108,10 +3036,6 @@
     <message>
         <source>R²</source>
         <translation>R²</translation>
-    </message>
-    <message>
-        <source>effect size, 95 % CI</source>
-        <translation>Effektstärke, 95-%-KI</translation>
     </message>
     <message>
         <source>method</source>
@@ -3178,20 +3102,8 @@
         <translation>Stufe</translation>
     </message>
     <message>
-        <source>response time, s</source>
-        <translation>Reaktionszeit, s</translation>
-    </message>
-    <message>
-        <source>response time, s, 95 % CI</source>
-        <translation>Reaktionszeit, s, 95-%-KI</translation>
-    </message>
-    <message>
         <source>change</source>
         <translation>Änderung</translation>
-    </message>
-    <message>
-        <source>change, 95 % CI</source>
-        <translation>Änderung, 95-%-KI</translation>
     </message>
     <message>
         <source>first half</source>
@@ -3200,10 +3112,6 @@
     <message>
         <source>second half</source>
         <translation>zweite Hälfte</translation>
-    </message>
-    <message>
-        <source>proportion, 95 % CI</source>
-        <translation>Anteil, 95-%-KI</translation>
     </message>
     <message>
         <source>responses</source>
@@ -3242,10 +3150,6 @@
         <translation>Log-Odds-Ratio</translation>
     </message>
     <message>
-        <source>log odds ratio, 95 % CI</source>
-        <translation>Log-Odds-Ratio, 95-%-KI</translation>
-    </message>
-    <message>
         <source>label of the minimum</source>
         <translation>Beschriftung des Minimums</translation>
     </message>
@@ -3272,10 +3176,6 @@
     <message>
         <source>scale</source>
         <translation>Skala</translation>
-    </message>
-    <message>
-        <source>z</source>
-        <translation>z</translation>
     </message>
     <message>
         <source>circular triads</source>
@@ -3314,16 +3214,8 @@
         <translation>JND</translation>
     </message>
     <message>
-        <source>JND, 95 % CI</source>
-        <translation>JND, 95-%-KI</translation>
-    </message>
-    <message>
         <source>JND at d′ = 1</source>
         <translation>JND bei d′ = 1</translation>
-    </message>
-    <message>
-        <source>JND at d′ = 1, 95 % CI</source>
-        <translation>JND bei d′ = 1, 95-%-KI</translation>
     </message>
     <message>
         <source>JND, posterior mean</source>
@@ -3336,10 +3228,6 @@
     <message>
         <source>PSE</source>
         <translation>PSE</translation>
-    </message>
-    <message>
-        <source>PSE, 95 % CI</source>
-        <translation>PSE, 95-%-KI</translation>
     </message>
     <message>
         <source>deviance</source>
@@ -3372,10 +3260,6 @@
     <message>
         <source>Weber fraction</source>
         <translation>Weber-Bruch</translation>
-    </message>
-    <message>
-        <source>Weber fraction, 95 % CI</source>
-        <translation>Weber-Bruch, 95-%-KI</translation>
     </message>
     <message>
         <source>hit</source>
@@ -3414,20 +3298,12 @@
         <translation>geometrisches Mittel</translation>
     </message>
     <message>
-        <source>geometric mean, 95 % CI</source>
-        <translation>geometrisches Mittel, 95-%-KI</translation>
-    </message>
-    <message>
         <source>unfinished tracks</source>
         <translation>unvollständige Folgen (Tracks)</translation>
     </message>
     <message>
         <source>Cronbach’s α</source>
         <translation>Cronbachs α</translation>
-    </message>
-    <message>
-        <source>Cronbach’s α, 95 % CI</source>
-        <translation>Cronbachs α, 95-%-KI</translation>
     </message>
     <message>
         <source>cells</source>
@@ -3438,10 +3314,6 @@
         <translation>Konstrukt</translation>
     </message>
     <message>
-        <source>difference, 95 % CI</source>
-        <translation>Differenz, 95-%-KI</translation>
-    </message>
-    <message>
         <source>reverse-keyed</source>
         <translation>umgepolt</translation>
     </message>
@@ -3450,16 +3322,8 @@
         <translation>Skalen</translation>
     </message>
     <message>
-        <source>t</source>
-        <translation>t</translation>
-    </message>
-    <message>
         <source>odds ratio</source>
         <translation>Odds-Ratio</translation>
-    </message>
-    <message>
-        <source>odds ratio, 95 % CI</source>
-        <translation>Odds-Ratio, 95-%-KI</translation>
     </message>
     <message>
         <source>criterion</source>
@@ -3472,10 +3336,6 @@
     <message>
         <source>d′</source>
         <translation>d′</translation>
-    </message>
-    <message>
-        <source>d′, 95 % CI</source>
-        <translation>d′, 95-%-KI</translation>
     </message>
     <message>
         <source>d′, independent observations</source>
@@ -3512,10 +3372,6 @@
     <message>
         <source>r with the other participants</source>
         <translation>r mit den anderen Versuchspersonen</translation>
-    </message>
-    <message>
-        <source>angle, °</source>
-        <translation>Winkel, °</translation>
     </message>
     <message>
         <source>dimensions</source>
@@ -3614,10 +3470,6 @@
         <translation>Exponent</translation>
     </message>
     <message>
-        <source>exponent, 95 % CI</source>
-        <translation>Exponent, 95-%-KI</translation>
-    </message>
-    <message>
         <source>predictor</source>
         <translation>Prädiktor</translation>
     </message>
@@ -3646,10 +3498,6 @@
         <translation>Anteil, korrigiert</translation>
     </message>
     <message>
-        <source>proportion, corrected, 95 % CI</source>
-        <translation>Anteil, korrigiert, 95-%-KI</translation>
-    </message>
-    <message>
         <source>end</source>
         <translation>Ende</translation>
     </message>
@@ -3668,6 +3516,58 @@
     <message>
         <source>start</source>
         <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>Fieller 95 % CI</source>
+        <translation>Fieller-95-%-KI</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>response time</source>
+        <translation>Reaktionszeit</translation>
+    </message>
+    <message>
+        <source>peak</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>effect size [95 % CI]</source>
+        <translation>Effektstärke [95-%-KI]</translation>
+    </message>
+    <message>
+        <source>intended, mean</source>
+        <translation>angestrebt, Mittelwert</translation>
+    </message>
+    <message>
+        <source>achieved, mean</source>
+        <translation>erreicht, Mittelwert</translation>
+    </message>
+    <message>
+        <source>achieved, SD</source>
+        <translation>erreicht, SD</translation>
+    </message>
+    <message>
+        <source>achieved, minimum</source>
+        <translation>erreicht, Minimum</translation>
+    </message>
+    <message>
+        <source>achieved, maximum</source>
+        <translation>erreicht, Maximum</translation>
+    </message>
+    <message>
+        <source>relative amplitude</source>
+        <translation>relative Amplitude</translation>
+    </message>
+    <message>
+        <source>roughness match</source>
+        <translation>Rauheitsabgleich</translation>
     </message>
 </context>
 <context>
@@ -4590,6 +4490,21 @@
     <message>
         <source>too few textures</source>
         <translation>zu wenige Texturen</translation>
+    </message>
+</context>
+<context>
+    <name>Columns</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>95 % CI</source>
+        <translation>95-%-KI</translation>
     </message>
 </context>
 <context>

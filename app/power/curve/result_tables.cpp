@@ -17,9 +17,9 @@ Cell rounded_cell(const std::optional<double>& number) {
   return number ? Cell(without_rounding_errors(*number)) : Cell(std::monostate{});
 }
 
-Cell count_cell(std::uint64_t count) { return static_cast<std::int64_t>(count); }
+Cell stored_count(std::uint64_t count) { return static_cast<std::int64_t>(count); }
 
-Cell count_cell(const std::optional<std::size_t>& count) {
+Cell stored_count(const std::optional<std::size_t>& count) {
   return count ? Cell(static_cast<std::int64_t>(*count)) : Cell(std::monostate{});
 }
 
@@ -40,11 +40,11 @@ Table power_table(std::span<const PowerCurve> curves) {
   for (const PowerCurve& curve : curves) {
     for (const TestAtSize& size : curve.sizes) {
       table.rows.push_back({curve.effect, curve.family, curve.test, methods_text(curve),
-                            std::int64_t{size.power.participants}, count_cell(size.studies),
-                            count_cell(size.significant), size.power.power,
+                            std::int64_t{size.power.participants}, stored_count(size.studies),
+                            stored_count(size.significant), size.power.power,
                             rounded_cell(size.power.interval.low),
                             rounded_cell(size.power.interval.high), rounded_cell(size.power.fitted),
-                            count_cell(size.without_p), rounded_cell(size.median_width),
+                            stored_count(size.without_p), rounded_cell(size.median_width),
                             rounded_cell(size.p90_width)});
     }
   }
@@ -58,13 +58,13 @@ Table sample_table(std::span<const PowerCurve> curves, const SampleRules& rules)
   for (const PowerCurve& curve : curves) {
     for (const double power : kWantedPowers) {
       const PlannedSample sample = planned_sample(curve, power, rules);
-      std::vector<Cell>& row = table.rows.emplace_back(
-          std::vector<Cell>{curve.effect, curve.family, curve.test, power, code_of(sample.reached),
-                            count_cell(sample.participants), count_cell(sample.low),
-                            count_cell(sample.high), count_cell(sample.planned), Cell{}, Cell{}});
+      std::vector<Cell>& row = table.rows.emplace_back(std::vector<Cell>{
+          curve.effect, curve.family, curve.test, power, code_of(sample.reached),
+          stored_count(sample.participants), stored_count(sample.low), stored_count(sample.high),
+          stored_count(sample.planned), Cell{}, Cell{}});
       if (!sample.recruited) continue;
-      row[9] = count_cell(sample.recruited->on_average);
-      row[10] = count_cell(sample.recruited->assured);
+      row[9] = stored_count(sample.recruited->on_average);
+      row[10] = stored_count(sample.recruited->assured);
     }
   }
   return table;

@@ -20,7 +20,7 @@ const std::vector<std::string>& columns() {
   return kColumns;
 }
 
-Cell cell_of(const std::optional<double>& number) {
+Cell number_cell(const std::optional<double>& number) {
   return number ? Cell(*number) : Cell(std::monostate{});
 }
 
@@ -52,9 +52,9 @@ std::string rows_of(const PowerOrder& order, const StudyPlace& place,
   for (const SimulatedOutcome& outcome : outcomes) {
     table.rows.push_back({place.run, order.effects[place.effect],
                           std::int64_t{order.participants[place.size]}, outcome.family,
-                          outcome.test, outcome.method, cell_of(outcome.p),
-                          cell_of(outcome.corrected_p), cell_of(outcome.estimate),
-                          cell_of(outcome.lower), cell_of(outcome.upper), outcome.status});
+                          outcome.test, outcome.method, number_cell(outcome.p),
+                          number_cell(outcome.corrected_p), number_cell(outcome.estimate),
+                          number_cell(outcome.lower), number_cell(outcome.upper), outcome.status});
   }
   const std::string text = tsv_of(table);
   return text.substr(text.find('\n') + 1);

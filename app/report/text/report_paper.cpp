@@ -136,7 +136,7 @@ std::string correction_text(const AnalysisOutcome& outcome, Sources& sources) {
     if (!is_of_family(each)) continue;
     ++family;
     if (!each.is_untested) ++made;
-    const std::string name = words_of_cell("family", each.test).english();
+    const std::string name = words_of_test(each.test).english();
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   const bool is_declared = outcome.family == FamilyDeclaration::declared;
@@ -264,7 +264,7 @@ std::string counted_sentence(std::span<const TestSentence* const> alike) {
   const std::string corrected = is_of_family(first) ? "Holm-corrected" : "uncorrected";
   const std::string all = "the " + reading_count(alike.size()) +
                           (is_confirmatory ? " tests of " : " exploratory tests of ") +
-                          words_of_cell("family", first.test).english();
+                          words_of_test(first.test).english();
   const std::string size = is_confirmatory ? " significant" : " below .05";
   std::string text = significant == 0 ? "None of " + all + " was" + size + " (smallest p value, " +
                                             corrected + ": " + reading_p_cell(smallest) + ')'

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <span>
@@ -10,21 +11,22 @@
 #include "app/findings/methods/discrimination/sensitivity/confidence_roc.h"
 #include "app/findings/methods/discrimination/sensitivity/discrimination_sensitivity.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_results.h"
+#include "app/findings/methods/discrimination/thresholds/threshold_columns.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/displayed_table.h"
 #include "app/findings/outcome/reading_number.h"
-#include "app/findings/outcome/reading_table.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/study_tests.h"
+#include "app/findings/outcome/tally.h"
 #include "app/findings/outcome/test_methods.h"
 #include "app/findings/shared/exploration.h"
 #include "app/findings/shared/exploration_model.h"
-#include "app/findings/study/study_tables.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/report/text/report_numbers.h"
 #include "app/report/text/report_sections.h"
 #include "app/report/text/report_tests.h"
 #include "app/words/text_parts.h"
-#include "results_schema/tables/table.h"
 
 namespace asperity {
 
@@ -33,25 +35,14 @@ namespace {
 constexpr std::size_t kMostSentences = 16;  // the table lists more
 constexpr std::size_t kMostKeys = 6;        // of one refusal
 
-std::string printed_cell(const Cell& cell) {
-  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
-  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return reading_whole(*whole);
-  if (const auto* number = std::get_if<double>(&cell)) return reading_number(*number);
-  return "–";
-}
-
 /// Reports the same estimate and p only once.
 using Told = std::set<std::pair<double, double>>;
 
 /// The rows for all data of a table of counted proportions with intervals, as text.
-std::vector<std::string> answers_in(const Table& table, Told& told) {
-  const auto share = column_of(table, "share");
-  const auto of = column_of(table, "of");
-  const auto low = column_of(table, "wilson_low");
-  const auto chance = column_of(table, "chance");
-  const auto p = column_of(table, "p");
-  const auto persons = column_of(table, "persons");
-  if (!share || !of || !low || *of == 0) return {};
+std::vector<std::string> answers_in(const ResultTable& table, Told& told) {
+  using namespace columns;
+  const std::optional<std::size_t> of = table.find(kOf);
+  if (!table.has(kShare) || !table.has(kWilson) || !of || *of == 0) return {};
   const std::size_t hits = *of - 1;  // the counted column; the keys precede it
   struct Proportion {
     std::vector<std::string> keys{};
@@ -60,35 +51,36 @@ std::vector<std::string> answers_in(const Table& table, Told& told) {
   };
   std::vector<Proportion> answers{};
   std::set<std::size_t> whole_places{};
-  for (const std::vector<Cell>& row : table.rows) {
-    const auto value = number_of(row[*share]);
+  for (const ResultRow& cells : table.rows) {
+    const RowReader row(table, cells);
+    const auto value = row.number(kShare);
     if (!value) continue;
+    const auto count = [&row](const ResultColumn& column) {
+      return reading_whole(std::llround(row.number(column).value_or(0.0)));
+    };
     Proportion& answer = answers.emplace_back();
     std::string key{};
     for (std::size_t i = 0; i < hits; ++i) {
-      answer.keys.push_back(printed_cell(row[i]));
+      answer.keys.push_back(row.text(table.columns[i]));
       if (answer.keys.back() == "all" || answer.keys.back() == "Total") whole_places.insert(i);
-      key += (key.empty() ? "" : " ") + table.columns[i] + '=' + answer.keys.back();
+      key += (key.empty() ? "" : " ") + table.columns[i].id + '=' + answer.keys.back();
     }
     const std::string about = words_of_key(key);
+    const Interval interval = row.interval(kWilson);
     // Names from the study are unchanged.
     answer.text = (about.starts_with("all ") ? capitalised(about) : about) + ": " +
-                  printed_cell(row[hits]) + ' ' + table.columns[hits] + " of " +
-                  printed_cell(row[*of]) + " (" + reading_percent(*value) + "; 95 % CI [" +
-                  reading_percent(number_of(row[*low]).value_or(0.0)) + ", " +
-                  reading_percent(number_of(row[*low + 1]).value_or(1.0)) + "])";
-    if (chance) {
-      if (const auto by_chance = number_of(row[*chance])) {
-        answer.text += ", compared with a chance level of " + reading_percent(*by_chance);
-      }
+                  count(table.columns[hits]) + ' ' + table.columns[hits].id + " of " + count(kOf) +
+                  " (" + reading_percent(*value) + "; 95 % CI [" +
+                  reading_percent(interval.low.value_or(0.0)) + ", " +
+                  reading_percent(interval.high.value_or(1.0)) + "])";
+    if (const auto by_chance = row.number(kChance)) {
+      answer.text += ", compared with a chance level of " + reading_percent(*by_chance);
     }
-    if (p) {
-      if (const auto value_of_p = number_of(row[*p])) {
-        answer.text += "; " + reading_p(*value_of_p);
-        answer.numbers = {*value, *value_of_p};
-      }
+    if (const auto p = row.number(kP)) {
+      answer.text += "; " + reading_p(*p);
+      answer.numbers = {*value, *p};
     }
-    if (persons) answer.text += " (n = " + printed_cell(row[*persons]) + ')';
+    if (table.has(kPersons)) answer.text += " (n = " + count(kPersons) + ')';
     answer.text += '.';
   }
   std::vector<std::string> sentences{};
@@ -127,134 +119,25 @@ std::vector<std::string> tests_in_words(const AnalysisOutcome& outcome, const To
   return sentences;
 }
 
-std::string heading_of(const NamedTable& table, const std::string& column) {
-  if (table.name == "loadings" && column == "of") return "quantity";
-  if (is_explored_quantity(table, column)) return words_of_cell("measure", column).english();
-  const std::string no_break = "\u00A0";
-  static const std::map<std::string, std::string> kHeadings{
-      {"above_smallest", "squared error above the smallest"},
-      {"above_smallest_se", "its standard error"},
-      {"agreement_r", "r with the other participants"},
-      {"angle_deg", "angle (°)"},
-      {"half_axis_major", "ellipse, major half axis"},
-      {"half_axis_minor", "ellipse, minor half axis"},
-      {"metric_stress_1", "stress-1, metric"},
-      {"orders_r", "r of both orders"},
-      {"prediction_error", "prediction error"},
-      {"repeated_r", "r of repeated ratings"},
-      {"stress_1", "stress-1"},
-      {"about", "comparison"},
-      {"achieved_maximum_N", "achieved, maximum (N)"},
-      {"achieved_mean_N", "achieved, mean (N)"},
-      {"achieved_minimum_N", "achieved, minimum (N)"},
-      {"achieved_sd_N", "achieved, SD (N)"},
-      {"against", "other item"},
-      {"alpha", "Cronbach’s α"},
-      {"answers", "responses"},
-      {"by", "trials grouped by"},
-      {"by_chance", "expected under guessing"},
-      {"chance", "chance level"},
-      {"chance 95 %", "95" + no_break + "% interval under guessing"},
-      {"column", "repetition"},
-      {"effect_size", "effect size [95 % CI]"},
-      {"epsilon", "ε"},
-      {"criterion_k", "criterion k, differencing"},
-      {"d_prime", "d′"},
-      {"d_prime_corrected", "d′, corrected"},
-      {"d_prime_independent", "d′, independent observations"},
-      {"different", "responses “different”"},
-      {"false_alarm_rate", "false-alarm rate"},
-      {"felt", "stimulus"},
-      {"felt_as_other", "confusions with the other"},
-      {"fieller_m 95 %", "Fieller 95 % CI (m)"},
-      {"goes", "trials"},
-      {"high_label", "label of the maximum"},
-      {"hit_rate", "hit rate"},
-      {"inverted_u", "inverted U"},
-      {"a_z", "A_z"},
-      {"chi_squared", "χ²(1)"},
-      {"roc_area", "area under the ROC"},
-      {"sd_ratio", "SD of signal/noise"},
-      {"chosen_a", "A chosen"},
-      {"chosen_b", "B chosen"},
-      {"chosen_c", "C chosen"},
-      {"first_responses", "responses, comparison first"},
-      {"jnd", "JND"},
-      {"jnd_dprime1", "JND at d′ = 1"},
-      {"jnd_posterior", "JND, posterior mean"},
-      {"log_odds", "log odds ratio"},
-      {"log_worth", "log-worth"},
-      {"low_label", "label of the minimum"},
-      {"noise_trials", "trials without a signal"},
-      {"signal_trials", "trials with a signal"},
-      {"matched_mean_N", "intended, mean (N)"},
-      {"of", "total"},
-      {"other_as_felt", "reverse confusions"},
-      {"p_holm", "p, Holm"},
-      {"p_interior", "p, interior maximum"},
-      {"p_smallest", "smallest attainable p"},
-      {"partial_eta_squared", "partial η²"},
-      {"peak_m 95 %", "95 % CI (m)"},
-      {"person", "participant"},
-      {"proportion_corrected", "proportion, corrected"},
-      {"pse", "PSE"},
-      {"persons", "participants"},
-      {"r_squared", "R²"},
-      {"reverse_keyed", "reverse-keyed"},
-      {"right", "correct"},
-      {"sd", "SD"},
-      {"second_responses", "responses, comparison second"},
-      {"share_first", "comparison chosen, first"},
-      {"share_second", "comparison chosen, second"},
-      {"status", "reason"},
-      {"time_s", "response time (s)"},
-      {"time_s 95 %", "95" + no_break + "% CI (s)"},
-      {"weber", "Weber fraction"},
-      {"unfinished_tracks", "unfinished tracks"},
-      {"unsure", "responses “cannot tell”"},
-      {"without_threshold", "repetitions without threshold"},
-      {"zeta", "ζ"}};
-  if (const auto known = kHeadings.find(column); known != kHeadings.end()) return known->second;
-  if (column.starts_with("wilson")) return "Wilson 95" + no_break + "% CI";
-  if (column.starts_with("clopper_pearson")) return "Clopper–Pearson 95" + no_break + "% CI";
-  if (column.ends_with(" 95 %")) return "95" + no_break + "% CI";
-  constexpr std::string_view kColumn = "column_";  // followed by the level of the factor
-  if (column.starts_with(kColumn)) return "repetition " + column.substr(kColumn.size());
-  return words_of_quantity(column);
+/// Keeps "95 %" on one line.
+std::string unbroken(std::string heading) {
+  constexpr std::string_view kPercent = " %";
+  const std::size_t at = heading.find(kPercent);
+  if (at != std::string::npos) heading.replace(at, kPercent.size(), "\u00A0%");
+  return heading;
 }
 
-/// A cell for display: the program's names as text.
-std::string words_in(const std::string& column, const Cell& cell) {
-  const auto* text = std::get_if<std::string>(&cell);
-  if (text == nullptr) return printed_cell(cell);
-  return words_of_cell(column, *text).english();
-}
-
-ReportTable report_table(const NamedTable& named) {
-  Table reading = reading_table(named);
-  drop_empty_columns(reading, 1);
+ReportTable report_table(const ResultTable& result) {
+  const DisplayedTable displayed_table = displayed(result, Reader::report);
   ReportTable table{};
-  table.title = named.title.english();
-  table.note = named.note.english();
-  for (const std::string& column : reading.columns) {
-    // Names and levels are texts before numbers are rounded for display; quantities are not.
-    const auto at = column_of(named.table, column);
-    const bool holds_words =
-        at && std::any_of(named.table.rows.begin(), named.table.rows.end(),
-                          [&at](const std::vector<Cell>& row) {
-                            return std::holds_alternative<std::string>(row[*at]);
-                          });
-    const bool is_name = named.name == kConfusion && column != reading.columns.front();
-    table.columns.push_back(
-        {is_name ? words_of_cell("item", column).english() : heading_of(named, column),
-         !holds_words});
+  table.title = result.title.english();
+  table.note = result.note.english();
+  for (const DisplayedColumn& column : displayed_table.columns) {
+    table.columns.push_back({unbroken(column.heading.english()), !column.holds_words});
   }
-  for (const std::vector<Cell>& row : reading.rows) {
+  for (const std::vector<Phrase>& row : displayed_table.rows) {
     std::vector<std::string>& cells = table.rows.emplace_back();
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string& column = reading.columns[i];
-      cells.push_back(words_in(column, row[i]));
-    }
+    for (const Phrase& cell : row) cells.push_back(cell.empty() ? "–" : cell.english());
   }
   return table;
 }
@@ -372,15 +255,12 @@ std::string with_modelled_times(std::string words, const std::string& analysis) 
 
 /// "62.5 µm, virtual0003" for "all|6.25e-05|virtual0003": a key of condition, level and perhaps participant, with the unit of
 /// the table that states the level.
-std::string words_of_level_key(const Finding& finding, std::span<const NamedTable> tables) {
+std::string words_of_level_key(const Finding& finding, std::span<const ResultTable> tables) {
   const auto unit_of = [&](double value) {
-    for (const NamedTable& named : tables) {
-      const auto level = column_of(named.table, "level");
-      const auto unit = column_of(named.table, "unit");
-      if (!level || !unit) continue;
-      for (const std::vector<Cell>& row : named.table.rows) {
-        const auto* const text = std::get_if<std::string>(&row[*unit]);
-        if (text != nullptr && number_of(row[*level]) == value) return *text;
+    for (const ResultTable& table : tables) {
+      for (const ResultRow& row : table.rows) {
+        const auto* const level = std::get_if<Quantity>(&RowReader(table, row).cell(kLevelColumn));
+        if (level != nullptr && level->value == value) return level->unit;
       }
     }
     return std::string();
@@ -402,7 +282,7 @@ std::string words_of_level_key(const Finding& finding, std::span<const NamedTabl
 }
 
 /// "the test of the mean proportion of height_map", or empty for an intermediate result.
-std::string subject_of(const Finding& finding, std::span<const NamedTable> tables) {
+std::string subject_of(const Finding& finding, std::span<const ResultTable> tables) {
   std::string words =
       finding.quantity == "status" ? words_of_analysis_without_numbers(finding.analysis)
       : finding.quantity == "icc" && finding.analysis == "agreement"
@@ -482,7 +362,7 @@ bool is_of_question(const Figure& figure, const AnalysisOutcome& outcome) {
 }
 
 /// The tables of the main text: counts and tests.
-bool is_in_body(const NamedTable& table, const AnalysisOutcome& outcome) {
+bool is_in_body(const ResultTable& table, const AnalysisOutcome& outcome) {
   return &table == &outcome.tables.front() || table.name == StudyTests::kTable;
 }
 
@@ -510,8 +390,8 @@ ReportSection results_section(const AnalysisOutcome& outcome, std::span<const Fi
   }
   Told told{};
   if (outcome.questions.empty()) {
-    for (const NamedTable& named : outcome.tables) {
-      const std::vector<std::string> answers = answers_in(named.table, told);
+    for (const ResultTable& named : outcome.tables) {
+      const std::vector<std::string> answers = answers_in(named, told);
       if (answers.empty()) continue;
       for (const std::string& answer : answers) {
         section.parts.emplace_back(ReportText{answer, ReportText::Tone::lead});
@@ -524,7 +404,7 @@ ReportSection results_section(const AnalysisOutcome& outcome, std::span<const Fi
   for (const Phrase& remark : outcome.remarks) {
     section.parts.emplace_back(ReportText{remark.english(), ReportText::Tone::notice});
   }
-  for (const NamedTable& named : outcome.tables) {
+  for (const ResultTable& named : outcome.tables) {
     if (is_in_body(named, outcome)) section.parts.emplace_back(report_table(named));
   }
   std::vector<std::string> refusals = refusals_in(outcome);
@@ -537,19 +417,19 @@ ReportSection results_section(const AnalysisOutcome& outcome, std::span<const Fi
 
 ReportSection tables_section(const AnalysisOutcome& outcome, std::span<const Figure> figures) {
   ReportSection section{"Further tables and figures", {}};
-  const auto belongs_to = [&outcome](const Figure& figure, const NamedTable* table) {
+  const auto belongs_to = [&outcome](const Figure& figure, const ResultTable* table) {
     if (is_of_question(figure, outcome)) return false;
     if (table != nullptr) return figure.table == table->name;
     return std::none_of(outcome.tables.begin(), outcome.tables.end(),
-                        [&figure](const NamedTable& each) { return each.name == figure.table; });
+                        [&figure](const ResultTable& each) { return each.name == figure.table; });
   };
-  const auto add_figures_of = [&](const NamedTable* table) {
+  const auto add_figures_of = [&](const ResultTable* table) {
     for (const Figure& figure : figures) {
       if (belongs_to(figure, table)) section.parts.emplace_back(ReportFigure{0, figure});
     }
   };
   add_figures_of(nullptr);
-  for (const NamedTable& named : outcome.tables) {
+  for (const ResultTable& named : outcome.tables) {
     add_figures_of(&named);
     // Every trial is in the exports, and drawn in figures.
     if (named.lists_trials) continue;

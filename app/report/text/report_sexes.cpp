@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/findings/outcome/reading_table.h"
+#include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/study_tests.h"
 
 namespace asperity {
@@ -29,20 +29,17 @@ bool compares_sexes(const Finding& finding) {
 
 /// Keeps the rows of all participants in a table that has rows by sex; in other tables the column
 /// names participants.
-void keep_everyone(Table& table) {
-  const std::optional<std::size_t> person = column_of(table, "person");
-  if (!person) return;
-  const auto is_of_everyone = [&person](const std::vector<Cell>& row) {
-    return row[*person] == Cell{std::string(kEveryone)};
+void keep_everyone(ResultTable& table) {
+  const auto is_of_everyone = [&table](const ResultRow& row) {
+    return RowReader(table, row).text(columns::kSex) == kEveryone;
   };
   if (std::none_of(table.rows.begin(), table.rows.end(), is_of_everyone)) return;
   std::erase_if(table.rows, [&](const auto& row) { return !is_of_everyone(row); });
 }
 
-void drop_test_of_sexes(Table& tests) {
-  const std::size_t test = column_of(tests, "test").value();
-  std::erase_if(tests.rows, [test](const std::vector<Cell>& row) {
-    return row[test] == Cell{std::string(kSexes)};
+void drop_test_of_sexes(ResultTable& tests) {
+  std::erase_if(tests.rows, [&tests](const ResultRow& row) {
+    return RowReader(tests, row).text(StudyTests::test_column()) == kSexes;
   });
 }
 
@@ -54,11 +51,11 @@ AnalysisOutcome without_sexes(AnalysisOutcome outcome) {
   std::erase_if(outcome.findings, compares_sexes);
   std::erase_if(outcome.test_sentences,
                 [](const TestSentence& sentence) { return sentence.test == kSexes; });
-  for (NamedTable& named : outcome.tables) {
-    keep_everyone(named.table);
-    if (named.name != StudyTests::kTable) continue;
-    drop_test_of_sexes(named.table);
-    named.note = outcome.note_of_tests_without_sexes;
+  for (ResultTable& table : outcome.tables) {
+    keep_everyone(table);
+    if (table.name != StudyTests::kTable) continue;
+    drop_test_of_sexes(table);
+    table.note = outcome.note_of_tests_without_sexes;
   }
   return outcome;
 }

@@ -11,9 +11,10 @@
 #include <utility>
 
 #include "analysis/numbers/number_text.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/test_methods.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/words/text_parts.h"
 
 namespace asperity {
 

@@ -19,16 +19,17 @@
 #include "app/findings/outcome/analysis_outcome.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/figure.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/single_participants.h"
 #include "app/findings/shared/anchors.h"
 #include "app/findings/shared/exploration.h"
 #include "app/findings/shared/figures/replay_figure.h"
 #include "app/findings/shared/figures/response_time_figures.h"
 #include "app/findings/shared/figures/similarity_figures.h"
-#include "app/findings/tidy/found_numbers.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "app/sweep/sweep_figure.h"
 #include "renderers/built_in_models.h"
+#include "tests/app/stored_tables.h"
 #include "tests/gui/data/drawn_case.h"
 
 namespace asperity {
@@ -70,10 +71,10 @@ std::vector<std::string> drawn_places(const FigureAxis& axis) {
 
 TEST(FiguresOf, ShowTheMeansOfAnchorsAndALineForEachRun) {
   AnalysisOutcome outcome{};
-  NamedTable anchors{.name = kAnchors,
-                     .table = {{"participant", "session", "block_ordinal", "block", "place",
-                                "question", "response"},
-                               {}}};
+  StoredTable anchors{.name = kAnchors,
+                      .table = {{"participant", "session", "block_ordinal", "block", "place",
+                                 "question", "response"},
+                                {}}};
   const auto add = [&anchors](const std::string& participant, const std::string& place,
                               double response) {
     anchors.table.rows.push_back({participant, std::int64_t{1}, std::int64_t{2},
@@ -84,12 +85,12 @@ TEST(FiguresOf, ShowTheMeansOfAnchorsAndALineForEachRun) {
     add(participant, "middle", first - 0.5);
     add(participant, "end", 3.0);
   }
-  outcome.tables.push_back(anchors);
-  outcome.tables.push_back(
+  outcome.tables.push_back(result_of(anchors));
+  outcome.tables.push_back(result_of(
       {.name = kAnchorTrend,
        .table = {{"block", "question", "measure", "persons", "start", "middle", "end", "change"},
                  {{std::string("main"), std::string("rough"), std::string(kAnchorRating),
-                   std::int64_t{2}, 5.0, 4.5, 3.0, -2.0}}}});
+                   std::int64_t{2}, 5.0, 4.5, 3.0, -2.0}}}}));
   const std::vector<Figure> figures = figures_of(outcome);
   ASSERT_EQ(figures.size(), 1U);
   const Figure& figure = figures.front();
@@ -111,13 +112,13 @@ TEST(FiguresOf, ShowTheMeansOfAnchorsAndALineForEachRun) {
 TEST(FiguresOf, PutEachShareOfATableWithItsIntervalIntoARow) {
   AnalysisOutcome outcome{};
   outcome.tables.push_back(
-      {.name = "shares",
-       .table = {{"column", "item", "chosen", "of", "persons", "share", "wilson_low", "wilson_high",
-                  "chance"},
-                 {{std::string("1"), std::string("wave"), std::int64_t{3}, std::int64_t{10},
-                   std::int64_t{10}, 0.3, 0.11, 0.6, 0.5},
-                  {std::string("all"), std::string("wave"), std::int64_t{12}, std::int64_t{20},
-                   std::int64_t{10}, 0.6, 0.39, 0.78, 0.5}}}});
+      result_of({.name = "shares",
+                 .table = {{"column", "item", "chosen", "of", "persons", "share", "wilson_low",
+                            "wilson_high", "chance"},
+                           {{std::string("1"), std::string("wave"), std::int64_t{3},
+                             std::int64_t{10}, std::int64_t{10}, 0.3, 0.11, 0.6, 0.5},
+                            {std::string("all"), std::string("wave"), std::int64_t{12},
+                             std::int64_t{20}, std::int64_t{10}, 0.6, 0.39, 0.78, 0.5}}}}));
   const std::vector<Figure> figures = figures_of(outcome);
   ASSERT_EQ(figures.size(), 1U);
   const Figure& figure = figures.front();
@@ -139,18 +140,18 @@ TEST(FiguresOf, PutEachShareOfATableWithItsIntervalIntoARow) {
 
 // One participant has no interval; a table of one column has no parts.
 TEST(FiguresOf, ExplainOnlyTheMarksOfSharesThatAreDrawn) {
-  const NamedTable shares{
+  const StoredTable shares{
       .name = "shares",
       .table = {{"column", "item", "chosen", "of", "persons", "share", "wilson_low", "wilson_high"},
                 {{std::string("all"), std::string("wave"), std::int64_t{1}, std::int64_t{2},
                   std::int64_t{1}, 0.5, 0.1, 0.9}}}};
-  const NamedTable persons{
+  const StoredTable persons{
       .name = "persons",
       .table = {{"item", "persons", "mean", "mean_low", "mean_high"},
                 {{std::string("wave"), std::int64_t{1}, 0.5, Cell{}, Cell{}},
                  {std::string("grain"), std::int64_t{1}, 0.5, Cell{}, Cell{}}}}};
   AnalysisOutcome outcome{};
-  outcome.tables = {shares, persons};
+  outcome.tables = results_of({shares, persons});
   const std::vector<Figure> figures = figures_of(outcome);
   ASSERT_EQ(figures.size(), 2U);
   EXPECT_EQ(figures[0].note.english(),
@@ -489,14 +490,15 @@ TEST(FiguresOf, DrawSharesByLevelWithTheFunctionThroughItsThreshold) {
 
 TEST(FiguresOf, SetTheMeanOfPersonsBesideTheSharesOfTheirAnswers) {
   AnalysisOutcome outcome{};
-  outcome.tables = {{.name = "shares_by_texture",
-                     .table = {{"felt", "correct", "of", "persons", "share", "wilson_low",
-                                "wilson_high", "chance"},
-                               {{std::string("wood"), std::int64_t{12}, std::int64_t{20},
-                                 std::int64_t{5}, 0.6, 0.39, 0.78, 0.25}}}},
-                    {.name = "persons",
-                     .table = {{"answers", "persons", "mean", "mean_low", "mean_high"},
-                               {{std::string("all"), std::int64_t{5}, 0.55, 0.3, 0.8}}}}};
+  outcome.tables =
+      results_of({{.name = "shares_by_texture",
+                   .table = {{"felt", "correct", "of", "persons", "share", "wilson_low",
+                              "wilson_high", "chance"},
+                             {{std::string("wood"), std::int64_t{12}, std::int64_t{20},
+                               std::int64_t{5}, 0.6, 0.39, 0.78, 0.25}}}},
+                  {.name = "persons",
+                   .table = {{"answers", "persons", "mean", "mean_low", "mean_high"},
+                             {{std::string("all"), std::int64_t{5}, 0.55, 0.3, 0.8}}}}});
   outcome.questions.push_back({.name = "right"});
   const std::vector<Figure> figures = figures_of(outcome);
   ASSERT_EQ(figures.size(), 1U) << "no figure of one mean alone";
@@ -515,20 +517,21 @@ TEST(FiguresOf, SetTheMeanOfPersonsBesideTheSharesOfTheirAnswers) {
 // where that of the participants does not.
 TEST(FiguresOf, SetTheMeansOfPersonsBesideTheSharesOfPositions) {
   AnalysisOutcome outcome{};
-  outcome.tables = {{.name = "positions",
-                     .table = {{"position", "chosen", "of", "persons", "share", "wilson_low",
-                                "wilson_high", "chance"},
-                               {{std::string("1"), std::int64_t{27}, std::int64_t{40},
-                                 std::int64_t{4}, 0.675, 0.52, 0.8, 0.5},
-                                {std::string("2"), std::int64_t{13}, std::int64_t{40},
-                                 std::int64_t{4}, 0.325, 0.2, 0.48, 0.5}}}},
-                    {.name = "persons",
-                     .table = {{"item", "persons", "mean", "mean_low", "mean_high"},
-                               {{std::string("sinusoid"), std::int64_t{4}, 0.5, 0.4, 0.6}}}},
-                    {.name = "persons_by_position",
-                     .table = {{"position", "persons", "mean", "mean_low", "mean_high"},
-                               {{std::string("1"), std::int64_t{4}, 0.68, 0.34, 1.0},
-                                {std::string("2"), std::int64_t{4}, 0.32, 0.0, 0.66}}}}};
+  outcome.tables =
+      results_of({{.name = "positions",
+                   .table = {{"position", "chosen", "of", "persons", "share", "wilson_low",
+                              "wilson_high", "chance"},
+                             {{std::string("1"), std::int64_t{27}, std::int64_t{40},
+                               std::int64_t{4}, 0.675, 0.52, 0.8, 0.5},
+                              {std::string("2"), std::int64_t{13}, std::int64_t{40},
+                               std::int64_t{4}, 0.325, 0.2, 0.48, 0.5}}}},
+                  {.name = "persons",
+                   .table = {{"item", "persons", "mean", "mean_low", "mean_high"},
+                             {{std::string("sinusoid"), std::int64_t{4}, 0.5, 0.4, 0.6}}}},
+                  {.name = "persons_by_position",
+                   .table = {{"position", "persons", "mean", "mean_low", "mean_high"},
+                             {{std::string("1"), std::int64_t{4}, 0.68, 0.34, 1.0},
+                              {std::string("2"), std::int64_t{4}, 0.32, 0.0, 0.66}}}}});
   outcome.questions.push_back({.name = "position"});
   const std::vector<Figure> figures = figures_of(outcome);
   ASSERT_EQ(figures.size(), 1U);
@@ -867,11 +870,12 @@ TEST(FiguresOf, PutParticipantsBehindTheMeansOfTheirProportions) {
 
 TEST(FiguresOf, PutParticipantsBehindTheMeansOfATableOfPersons) {
   AnalysisOutcome outcome{};
-  outcome.tables.push_back({.name = "persons",
-                            .table = {{"item", "persons", "mean", "mean_low", "mean_high"},
-                                      {{std::string("wave"), std::int64_t{2}, 0.5, 0.1, 0.9},
-                                       {std::string("grain"), std::int64_t{2}, 0.5, 0.1, 0.9}}}});
-  outcome.tables.push_back({.name = "other", .table = {{"item"}, {}}});
+  outcome.tables.push_back(
+      result_of({.name = "persons",
+                 .table = {{"item", "persons", "mean", "mean_low", "mean_high"},
+                           {{std::string("wave"), std::int64_t{2}, 0.5, 0.1, 0.9},
+                            {std::string("grain"), std::int64_t{2}, 0.5, 0.1, 0.9}}}}));
+  outcome.tables.push_back(result_of({.name = "other", .table = {{"item"}, {}}}));
   for (const auto& [key, share] :
        {std::pair("A|wave", 0.25), std::pair("A|grain", 0.75), std::pair("B|wave", 0.75)}) {
     Finding& own = outcome.findings.emplace_back();

@@ -15,7 +15,7 @@
 #include "app/figures/figure_files.h"
 #include "app/findings/outcome/figure.h"
 #include "app/findings/study/figures_of.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/gui/data/drawn_case.h"
 #include "tests/gui/data/drawn_svg.h"

@@ -17,9 +17,10 @@
 #include "app/findings/methods/rating/profile_figure.h"
 #include "app/findings/outcome/analysis_outcome.h"
 #include "app/findings/outcome/figure.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/study/figures_of.h"
-#include "app/findings/tidy/found_numbers.h"
 #include "app/findings/tidy/tidy_families.h"
+#include "tests/app/stored_tables.h"
 #include "tests/gui/data/drawn_svg.h"
 
 namespace asperity {
@@ -34,9 +35,9 @@ struct Rated {
   std::int64_t persons = 12;
 };
 
-NamedTable ratings_of(const std::vector<Rated>& rows) {
-  NamedTable table{.name = "ratings",
-                   .table = {{"scale", "item", "persons", "mean", "mean_low", "mean_high"}, {}}};
+StoredTable ratings_of(const std::vector<Rated>& rows) {
+  StoredTable table{.name = "ratings",
+                    .table = {{"scale", "item", "persons", "mean", "mean_low", "mean_high"}, {}}};
   for (const Rated& row : rows) {
     table.table.rows.push_back({row.scale, row.item, row.persons, row.mean, row.low, row.high});
   }
@@ -44,7 +45,7 @@ NamedTable ratings_of(const std::vector<Rated>& rows) {
 }
 
 /// "rough" from smooth to rough, "hard" from soft to hard, both from −3 to 3.
-NamedTable two_scales() {
+StoredTable two_scales() {
   return {.name = "scales",
           .table = {{"scale", "minimum", "low_label", "maximum", "high_label", "points"},
                     {{std::string("rough"), -3.0, std::string("smooth"), 3.0, std::string("rough"),
@@ -53,7 +54,13 @@ NamedTable two_scales() {
                       std::int64_t{7}}}}};
 }
 
-NamedTable two_profiles() {
+Figure profile_of(const StoredTable& ratings, const StoredTable* scales) {
+  if (scales == nullptr) return profile_figure(result_of(ratings), nullptr);
+  const ResultTable shown = result_of(*scales);
+  return profile_figure(result_of(ratings), &shown);
+}
+
+StoredTable two_profiles() {
   return ratings_of({{"rough", "metal", -1.0, -1.5, -0.5},
                      {"rough", "wood", 2.0, 1.0, 3.0},
                      {"hard", "metal", 0.5, 0.0, 1.0},
@@ -67,8 +74,8 @@ std::vector<std::string> words_of(const std::vector<Phrase>& phrases) {
 }
 
 TEST(ProfileFigure, HasARowPerScaleBetweenItsEndsAndALinePerItem) {
-  const NamedTable scales = two_scales();
-  const Figure figure = profile_figure(two_profiles(), &scales);
+  const StoredTable scales = two_scales();
+  const Figure figure = profile_of(two_profiles(), &scales);
   ASSERT_TRUE(figure.is_drawn());
   EXPECT_EQ(figure.table, "ratings");
   EXPECT_EQ(words_of(figure.y.places), (std::vector<std::string>{"smooth", "soft"}));
@@ -95,10 +102,10 @@ TEST(ProfileFigure, HasARowPerScaleBetweenItsEndsAndALinePerItem) {
 }
 
 TEST(ProfileFigure, DrawsEachRowOverItsOwnScaleIfTheyDiffer) {
-  NamedTable scales = two_scales();
+  StoredTable scales = two_scales();
   scales.table.rows[1][1] = 0.0;  // hard: from 0 to 2
   scales.table.rows[1][3] = 2.0;
-  const Figure figure = profile_figure(two_profiles(), &scales);
+  const Figure figure = profile_of(two_profiles(), &scales);
   EXPECT_EQ(figure.x.low, 0.0);
   EXPECT_EQ(figure.x.high, 100.0);
   EXPECT_NEAR(figure.series[0].points[0].x, 100.0 / 3.0, 1e-12);  // −1 of −3 to 3
@@ -109,39 +116,39 @@ TEST(ProfileFigure, DrawsEachRowOverItsOwnScaleIfTheyDiffer) {
 }
 
 TEST(ProfileFigure, NamesScalesWhoseEndsDoNotDistinguishThem) {
-  NamedTable scales = two_scales();
+  StoredTable scales = two_scales();
   for (std::vector<Cell>& row : scales.table.rows) {
     row[2] = std::string("not at all");
     row[4] = std::string("very");
   }
-  Figure figure = profile_figure(two_profiles(), &scales);
+  Figure figure = profile_of(two_profiles(), &scales);
   EXPECT_EQ(words_of(figure.y.places),
             (std::vector<std::string>{"rough: not at all", "hard: not at all"}));
   EXPECT_EQ(words_of(figure.y.far_places), (std::vector<std::string>{"very", "very"}));
   for (std::vector<Cell>& row : scales.table.rows) row[2] = row[4] = Cell{};
-  figure = profile_figure(two_profiles(), &scales);
+  figure = profile_of(two_profiles(), &scales);
   EXPECT_EQ(words_of(figure.y.places), (std::vector<std::string>{"rough", "hard"}));
   EXPECT_TRUE(figure.y.far_places.empty());
 }
 
 TEST(ProfileFigure, ExplainsTheArrowsOfIntervalsThatLeaveTheScale) {
-  const NamedTable scales = two_scales();
+  const StoredTable scales = two_scales();
   constexpr const char* kArrow = "An arrow marks a CI that continues beyond the end of the scale.";
-  EXPECT_EQ(profile_figure(two_profiles(), &scales).note.english().find(kArrow), std::string::npos);
-  NamedTable ratings = two_profiles();
+  EXPECT_EQ(profile_of(two_profiles(), &scales).note.english().find(kArrow), std::string::npos);
+  StoredTable ratings = two_profiles();
   ratings.table.rows[1][5] = 3.2;
-  EXPECT_NE(profile_figure(ratings, &scales).note.english().find(kArrow), std::string::npos);
+  EXPECT_NE(profile_of(ratings, &scales).note.english().find(kArrow), std::string::npos);
 }
 
 // Without a range the axis holds all intervals.
 TEST(ProfileFigure, NeedsNeitherRangesNorIntervals) {
-  Figure figure = profile_figure(two_profiles(), nullptr);
+  Figure figure = profile_of(two_profiles(), nullptr);
   EXPECT_EQ(words_of(figure.y.places), (std::vector<std::string>{"rough", "hard"}));
   EXPECT_EQ(figure.x.low, -1.5);
   EXPECT_EQ(figure.x.high, 3.0);
-  const NamedTable one_person = ratings_of(
+  const StoredTable one_person = ratings_of(
       {{"rough", "metal", -1.0, Cell{}, Cell{}, 1}, {"hard", "metal", 0.5, Cell{}, Cell{}, 1}});
-  figure = profile_figure(one_person, nullptr);
+  figure = profile_of(one_person, nullptr);
   ASSERT_TRUE(figure.is_drawn());
   EXPECT_FALSE(figure.series[0].points[0].x_interval.has_value());
   EXPECT_NE(figure.note.english().find("there are no CIs"), std::string::npos);
@@ -149,11 +156,11 @@ TEST(ProfileFigure, NeedsNeitherRangesNorIntervals) {
 }
 
 TEST(ProfileFigure, InterruptsALineWhereAMeanIsMissing) {
-  const Figure figure = profile_figure(ratings_of({{"rough", "metal", -1.0, -1.5, -0.5},
-                                                   {"hard", "wood", 1.0, 0.0, 2.0},
-                                                   {"slippery", "metal", 0.5, 0.0, 1.0, 10},
-                                                   {"coarse", "metal", 0.5, 0.0, 1.0}}),
-                                       nullptr);
+  const Figure figure = profile_of(ratings_of({{"rough", "metal", -1.0, -1.5, -0.5},
+                                               {"hard", "wood", 1.0, 0.0, 2.0},
+                                               {"slippery", "metal", 0.5, 0.0, 1.0, 10},
+                                               {"coarse", "metal", 0.5, 0.0, 1.0}}),
+                                   nullptr);
   ASSERT_EQ(figure.series.size(), 2U);
   ASSERT_EQ(figure.series[0].lines.size(), 2U);
   EXPECT_EQ(figure.series[0].lines[0].size(), 1U);
@@ -169,7 +176,7 @@ TEST(ProfileFigure, DistinguishesTwelveItemsAndRefusesMore) {
           {scale, "item" + std::to_string(item), 0.5 * item, 0.5 * item - 1.0, 0.5 * item + 1.0});
     }
   }
-  const Figure twelve = profile_figure(ratings_of(rows), nullptr);
+  const Figure twelve = profile_of(ratings_of(rows), nullptr);
   std::vector<std::pair<int, bool>> looks{};
   for (const FigureSeries& one : twelve.series) {
     const std::pair<int, bool> look(one.style, one.hollow);
@@ -181,10 +188,10 @@ TEST(ProfileFigure, DistinguishesTwelveItemsAndRefusesMore) {
   }
   EXPECT_EQ(looks.size(), 12U);
   rows.push_back({"rough", "another", 0.0, -1.0, 1.0});
-  EXPECT_NE(profile_figure(ratings_of(rows), nullptr).instead.english().find("13 items"),
+  EXPECT_NE(profile_of(ratings_of(rows), nullptr).instead.english().find("13 items"),
             std::string::npos);
   for (Rated& row : rows) row.mean = Cell{};
-  EXPECT_FALSE(profile_figure(ratings_of(rows), nullptr).is_drawn());
+  EXPECT_FALSE(profile_of(ratings_of(rows), nullptr).is_drawn());
 }
 
 /// The scores of four items on three scales, of which the first two are the same.
@@ -315,8 +322,8 @@ TEST(BiplotFigure, KeepsTheLabelsOfSimilarScalesApartAndOnTheSheet) {
 }
 
 TEST(ProfileFigure, WritesTheEndsOfItsRowsOnBothSidesOfTheSheet) {
-  const NamedTable scales = two_scales();
-  const Figure figure = profile_figure(two_profiles(), &scales);
+  const StoredTable scales = two_scales();
+  const Figure figure = profile_of(two_profiles(), &scales);
   for (const double width_mm : {kColumnWidth_mm, kPageWidth_mm}) {
     const DrawnSvg svg =
         read_svg(QByteArray::fromStdString(svg_of(figure, {.width_mm = width_mm})));
@@ -340,8 +347,8 @@ TEST(ProfileFigure, WritesTheEndsOfItsRowsOnBothSidesOfTheSheet) {
 TEST(RatingFigures, AreARowPerItemForASingleScale) {
   AnalysisOutcome outcome{};
   outcome.kind = "rating";
-  outcome.tables.push_back(
-      ratings_of({{"rough", "metal", -1.0, -1.5, -0.5}, {"rough", "wood", 2.0, 1.0, 3.0}}));
+  outcome.tables.push_back(result_of(
+      ratings_of({{"rough", "metal", -1.0, -1.5, -0.5}, {"rough", "wood", 2.0, 1.0, 3.0}})));
   outcome.questions.push_back({.name = "ratings_rough", .table = "ratings"});
   for (const char* item : {"metal", "wood"}) {
     Finding& mean = outcome.findings.emplace_back();
@@ -362,7 +369,7 @@ TEST(RatingFigures, AreARowPerItemForASingleScale) {
 
 TEST(RatingFigures, FollowTheLastAnswerOnTheirScales) {
   AnalysisOutcome outcome{};
-  outcome.tables.push_back(two_profiles());
+  outcome.tables.push_back(result_of(two_profiles()));
   outcome.questions.push_back({.name = "ratings_rough", .table = "ratings"});
   outcome.questions.push_back({.name = "ratings_hard", .table = "ratings"});
   const std::vector<Figure> figures = figures_of(outcome);

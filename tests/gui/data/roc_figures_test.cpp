@@ -16,10 +16,11 @@
 #include "app/findings/methods/discrimination/sensitivity/confidence_roc.h"
 #include "app/findings/outcome/analysis_outcome.h"
 #include "app/findings/outcome/figure.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/reading_number.h"
 #include "app/findings/study/figures_of.h"
-#include "app/findings/tidy/found_numbers.h"
 #include "app/findings/tidy/tidy_families.h"
+#include "tests/app/stored_tables.h"
 #include "tests/gui/data/drawn_svg.h"
 
 namespace asperity {
@@ -70,14 +71,15 @@ TidyInput planted_ratings(const std::vector<PlantedRoc>& planted) {
 /// A study with two levels in a condition, and the ROC of one participant at the first.
 AnalysisOutcome outcome_with_roc(const std::string& condition) {
   AnalysisOutcome outcome{};
-  outcome.tables.push_back({.name = kConfidenceRoc,
-                            .table = {{"participant", "condition", "parameter", "level", "unit"},
-                                      {{std::string("all participants"), condition,
-                                        std::string("amplitude_m"), 5.5e-05, std::string("m")},
-                                       {std::string("p1"), condition, std::string("amplitude_m"),
-                                        5.5e-05, std::string("m")},
-                                       {std::string("all participants"), condition,
-                                        std::string("amplitude_m"), 6.5e-05, std::string("m")}}}});
+  outcome.tables.push_back(result_of(
+      {.name = kConfidenceRoc,
+       .table = {
+           {"participant", "condition", "parameter", "level", "unit"},
+           {{std::string("all participants"), condition, std::string("amplitude_m"), 5.5e-05,
+             std::string("m")},
+            {std::string("p1"), condition, std::string("amplitude_m"), 5.5e-05, std::string("m")},
+            {std::string("all participants"), condition, std::string("amplitude_m"), 6.5e-05,
+             std::string("m")}}}}));
   outcome.questions.push_back({.name = kConfidenceRoc, .table = kConfidenceRoc});
   outcome.findings = roc_findings(planted_ratings({{condition + "|5.5e-05", 0.8},
                                                    {condition + "|5.5e-05|p1", 1.2},
@@ -153,8 +155,8 @@ TEST(RocFigures, HaveACurveForEveryLevelAndAFigureForEveryParticipant) {
 TEST(RocFigures, NameTheConditionWhereThereAreSeveral) {
   AnalysisOutcome outcome = outcome_with_roc("wood");
   const AnalysisOutcome more = outcome_with_roc("steel");
-  Table& table = outcome.tables.front().table;
-  const Table& added = more.tables.front().table;
+  ResultTable& table = outcome.tables.front();
+  const ResultTable& added = more.tables.front();
   table.rows.insert(table.rows.end(), added.rows.begin(), added.rows.end());
   outcome.findings.insert(outcome.findings.end(), more.findings.begin(), more.findings.end());
   const std::vector<Figure> figures = figures_of(outcome);
@@ -167,9 +169,9 @@ TEST(RocFigures, NameTheConditionWhereThereAreSeveral) {
 TEST(RocFigures, NameTheParameterWhereTasksVarySeveral) {
   AnalysisOutcome outcome = outcome_with_roc("all");
   AnalysisOutcome more = outcome_with_roc("all");
-  for (std::vector<Cell>& row : more.tables.front().table.rows) row[2] = std::string("spacing_m");
-  Table& table = outcome.tables.front().table;
-  const Table& added = more.tables.front().table;
+  for (ResultRow& row : more.tables.front().rows) row[2] = std::string("spacing_m");
+  ResultTable& table = outcome.tables.front();
+  const ResultTable& added = more.tables.front();
   table.rows.insert(table.rows.end(), added.rows.begin(), added.rows.end());
   const std::vector<Figure> figures = figures_of(outcome);
   ASSERT_EQ(figures.size(), 4U);

@@ -14,12 +14,13 @@
 #include "app/findings/methods/discrimination/thresholds/track_figure.h"
 #include "app/findings/outcome/analysis_outcome.h"
 #include "app/findings/outcome/figure.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/study/analyze_study.h"
 #include "app/findings/study/figures_of.h"
-#include "app/findings/tidy/found_numbers.h"
 #include "app/findings/tidy/reference_case.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/app/made_up_study.h"
+#include "tests/app/stored_tables.h"
 
 namespace asperity {
 namespace {
@@ -197,7 +198,7 @@ TEST(TrackFigures, DrawEveryTrialByItsResponseAndRingsAtReversals) {
 
 TEST(TrackFigures, DrawTheTracksOfEachParticipantOfAStudy) {
   AnalysisOutcome outcome{};
-  NamedTable tracks{
+  StoredTable tracks{
       .name = "tracks",
       .table = {{"participant", "condition", "track", "step", "level", "hit", "unit"}, {}}};
   const std::vector<double> levels_m{70e-6, 60e-6, 65e-6, 60e-6};
@@ -208,7 +209,7 @@ TEST(TrackFigures, DrawTheTracksOfEachParticipantOfAStudy) {
                                    std::int64_t{i == 1 ? 0 : 1}, std::string("m")});
     }
   }
-  outcome.tables.push_back(tracks);
+  outcome.tables.push_back(result_of(tracks));
   const std::vector<Figure> figures = figures_of(outcome);
   const Figure& figure = figure_named(figures, "tracks_p2");
   EXPECT_EQ(figure.y.unit, "µm");
@@ -222,7 +223,7 @@ TEST(TrackFigures, DrawTheTracksOfEachParticipantOfAStudy) {
 
 TEST(TrackFigures, HaveASymbolForResponsesThatCannotTell) {
   AnalysisOutcome outcome{};
-  NamedTable tracks{
+  StoredTable tracks{
       .name = "tracks",
       .table = {{"participant", "condition", "track", "step", "level", "hit", "unit"}, {}}};
   for (const auto& [person, third] : {std::pair{"p1", 0.5}, std::pair{"p2", 0.0}}) {
@@ -231,7 +232,7 @@ TEST(TrackFigures, HaveASymbolForResponsesThatCannotTell) {
                                    std::int64_t{step}, 70e-6, hit, std::string("m")});
     }
   }
-  outcome.tables.push_back(tracks);
+  outcome.tables.push_back(result_of(tracks));
   const std::vector<Figure> figures = figures_of(outcome);
   const Figure& with = figure_named(figures, "tracks_p1");
   EXPECT_THAT(with.note.english(), HasSubstr("Open symbols with a dot: responses “cannot tell”"));
@@ -249,10 +250,10 @@ TEST(TrackFigures, HaveASymbolForResponsesThatCannotTell) {
 
 TEST(TrackFigures, SeparateTheRunsOfABlock) {
   AnalysisOutcome outcome{};
-  NamedTable tracks{.name = "tracks",
-                    .table = {{"participant", "condition", "session", "block_ordinal", "track",
-                               "step", "level", "hit", "unit"},
-                              {}}};
+  StoredTable tracks{.name = "tracks",
+                     .table = {{"participant", "condition", "session", "block_ordinal", "track",
+                                "step", "level", "hit", "unit"},
+                               {}}};
   for (const auto& [session, block_ordinal] : {std::pair{1, 2}, std::pair{1, 4}, std::pair{2, 2}}) {
     for (const std::int64_t step : {1, 2, 3}) {
       tracks.table.rows.push_back({std::string("p1"), std::string("wood"), std::int64_t{session},
@@ -260,7 +261,7 @@ TEST(TrackFigures, SeparateTheRunsOfABlock) {
                                    std::int64_t{1}, std::string("m")});
     }
   }
-  outcome.tables.push_back(tracks);
+  outcome.tables.push_back(result_of(tracks));
   const std::vector<Figure> figures = figures_of(outcome);
   const Figure& figure = figure_named(figures, "tracks_p1");
   std::vector<std::string> names{};

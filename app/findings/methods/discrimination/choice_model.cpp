@@ -17,10 +17,10 @@
 #include "analysis/models/cumulative_link.h"
 #include "analysis/models/linear_mixed.h"
 #include "analysis/numbers/tail_probabilities.h"
-#include "app/findings/outcome/reading_table.h"
+#include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/tidy/finding_list.h"
-#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
 
@@ -199,16 +199,18 @@ Phrase note_on_model() {
       "effects.");
 }
 
+const ResultColumn kOddsRatio{.id = "odds_ratio", .heading = phrase("AnalysisWords", "odds ratio")};
+
 }  // namespace
 
 void add_choice_model(const GatheredAnswers& gathered,
                       const std::vector<DiscriminationStudy>& studies, AnalysisOutcome& outcome) {
-  NamedTable shown{kChoiceModel,
-                   phrase("Analysis", "Choices and exploration: logistic mixed model"),
-                   {{"block", "factor", "persons", "answers", "sd", "unit", "odds_ratio",
-                     "odds_ratio_low", "odds_ratio_high", "status"},
-                    {}},
-                   note_on_model()};
+  using namespace columns;
+  ResultTable shown{kChoiceModel,
+                    phrase("Analysis", "Choices and exploration: logistic mixed model"),
+                    {kBlock, kFactor, kPersons, kAnswers, kSd, for_files(kUnit), kOddsRatio,
+                     interval_of(kOddsRatio), kStatus},
+                    note_on_model()};
   for (const DiscriminationStudy& study : studies) {
     if (study.task.design != &two_alternatives()) continue;
     const std::vector<ExploredChoice> choices = explored_choices(gathered, study);
@@ -224,31 +226,32 @@ void add_choice_model(const GatheredAnswers& gathered,
     const FoundNumbers found(findings);
     const std::string status = found.find("status") ? found.find("status")->word : "not_converged";
     const auto counts = [&](const std::string& factor) {
-      return std::vector<Cell>{task.empty() ? Cell{} : Cell{task}, Cell{factor},
-                               static_cast<std::int64_t>(people),
-                               static_cast<std::int64_t>(choices.size())};
+      return ResultRow{word_cell(task), factor, count_cell(people), count_cell(choices.size())};
     };
     if (status != "ok") {
-      std::vector<Cell> row = counts("all");
-      row.resize(shown.table.columns.size() - 1);
+      ResultRow row = counts("all");
+      row.resize(shown.columns.size() - 1);
       row.emplace_back(status);
-      shown.table.rows.push_back(std::move(row));
+      shown.add(std::move(row));
       continue;
     }
     for (std::size_t i = 0; i < design.covariates.size(); ++i) {
       const ChoiceCovariate& covariate = *design.covariates[i];
       const Finding& ratio = *found.find("odds_ratio", covariate.name);
-      std::vector<Cell> row = counts(covariate.name);
-      row.emplace_back(covariate.is_position ? Cell{} : Cell{design.deviations[i]});
-      row.emplace_back(covariate.unit == nullptr ? Cell{study.task.varied.unit}
-                                                 : Cell{std::string(covariate.unit)});
-      for (const auto& part : {ratio.value, ratio.low, ratio.high}) row.push_back(cell_of(part));
-      row.emplace_back();
-      shown.table.rows.push_back(std::move(row));
+      const std::string unit =
+          covariate.unit == nullptr ? study.task.varied.unit : std::string(covariate.unit);
+      ResultRow row = counts(covariate.name);
+      row.push_back(covariate.is_position
+                        ? ResultCell{}
+                        : quantity_cell(design.deviations[i], unit.empty() ? "1" : unit));
+      row.emplace_back(unit);
+      row.push_back(cell_of(ratio.value));
+      row.push_back(interval_cell(ratio.low, ratio.high));
+      shown.add(std::move(row));
     }
   }
-  if (shown.table.rows.empty()) return;
-  drop_empty_columns(shown.table, 0);
+  if (shown.rows.empty()) return;
+  shown.drop_empty_columns(0);
   outcome.tables.push_back(std::move(shown));
 }
 

@@ -15,10 +15,10 @@
 #include "app/findings/methods/discrimination/thresholds/left_out_thresholds.h"
 #include "app/findings/methods/discrimination/thresholds/unfinished_tracks.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/test_sentences.h"
-#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
 
@@ -230,10 +230,10 @@ void ask_equality(const DiscriminationResults& results, const StudyTests& tests,
     const StudyTest* const test =
         tests.find("point_of_subjective_equality", results.about_equality(condition));
     if (test == nullptr) continue;
-    const Phrase about = words_of_cell("about", test->about);
+    const Phrase about = words_of_about(test->about);
     if (has_too_few_differences(*test)) {
       answer = phrase("Analysis", "%1 Not tested, %2: %3.")
-                   .with(answer, about, words_of_cell("status", test->status));
+                   .with(answer, about, words_of_status(test->status));
     }
     if (!test->p) continue;
     // An exploratory test is stated without a conclusion.
@@ -276,13 +276,12 @@ void ask_conditions(const DiscriminationResults& results, const StudyTests& test
   const Finding* const shown = ratios.empty() ? mean : ratios.front();
   const std::size_t complete = mean == nullptr ? 0 : mean->n;
   if (test != nullptr && has_too_few_differences(*test)) {
-    add_question(
-        outcome, name.c_str(), question,
-        with_left_out_participants(
-            phrase("Analysis", "Not tested: %1. Geometric mean thresholds: %2.")
-                .with(words_of_cell("status", test->status), compared_thresholds_text(results)),
-            results, complete),
-        method, kMeanThresholds, shown);
+    add_question(outcome, name.c_str(), question,
+                 with_left_out_participants(
+                     phrase("Analysis", "Not tested: %1. Geometric mean thresholds: %2.")
+                         .with(words_of_status(test->status), compared_thresholds_text(results)),
+                     results, complete),
+                 method, kMeanThresholds, shown);
     return;
   }
   if (test == nullptr || !test->p) {

@@ -3,6 +3,7 @@
 #include "app/findings/methods/discrimination/discrimination_tables.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <set>
 #include <string>
@@ -17,26 +18,46 @@
 #include "app/findings/methods/discrimination/thresholds/discrimination_coverage.h"
 #include "app/findings/methods/discrimination/thresholds/left_out_thresholds.h"
 #include "app/findings/methods/discrimination/thresholds/missing_threshold.h"
+#include "app/findings/methods/discrimination/thresholds/threshold_columns.h"
 #include "app/findings/methods/discrimination/thresholds/unforced_functions.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/reading_number.h"
-#include "app/findings/outcome/reading_table.h"
-#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
 
 namespace {
 
-Cell text_or_none(const std::string& text) { return text.empty() ? Cell{} : Cell{text}; }
+const ResultColumn kDeviance{
+    .id = "deviance", .heading = phrase("AnalysisWords", "deviance"), .digits = Digits::statistic};
+const ResultColumn kUnfinishedTracks{.id = "unfinished_tracks",
+                                     .heading = phrase("AnalysisWords", "unfinished tracks")};
+/// Of the simulated repetitions of a procedure (kRepetitionsOfProcedure).
+const ResultColumn kWithoutThreshold{
+    .id = "without_threshold", .heading = phrase("AnalysisWords", "repetitions without threshold")};
+const ResultColumn kRepetitionsOfProcedure{.id = "repetitions", .is_for_files = true};
+const ResultColumn kFirstResponses{
+    .id = "first_responses", .heading = phrase("AnalysisWords", "responses, comparison first")};
+const ResultColumn kShareFirst{.id = "share_first",
+                               .heading = phrase("AnalysisWords", "comparison chosen, first"),
+                               .digits = Digits::bounded};
+const ResultColumn kSecondResponses{
+    .id = "second_responses", .heading = phrase("AnalysisWords", "responses, comparison second")};
+const ResultColumn kShareSecond{.id = "share_second",
+                                .heading = phrase("AnalysisWords", "comparison chosen, second"),
+                                .digits = Digits::bounded};
+const ResultColumn kChosenA{.id = "chosen_a", .heading = phrase("AnalysisWords", "A chosen")};
+const ResultColumn kChosenB{.id = "chosen_b", .heading = phrase("AnalysisWords", "B chosen")};
+const ResultColumn kChosenC{.id = "chosen_c", .heading = phrase("AnalysisWords", "C chosen")};
 
 /// A threshold without a number, and the word of the reason.
 struct MissingMeasure {
-  std::string measure{};  ///< its column
+  std::string measure{};  ///< the id of its column
   std::string word{};
 };
 
 /// "jnd, weber: below_levels; jnd_dprime1: outside_levels"; missing where no number is.
-Cell reasons_cell(const std::vector<MissingMeasure>& missing) {
+ResultCell reasons_cell(const std::vector<MissingMeasure>& missing) {
   std::vector<std::pair<std::string, std::string>> measures{};  // word → measures
   for (const MissingMeasure& each : missing) {
     const auto known = std::find_if(measures.begin(), measures.end(),
@@ -49,7 +70,7 @@ Cell reasons_cell(const std::vector<MissingMeasure>& missing) {
   }
   std::string text{};
   for (const auto& [word, of] : measures) text += (text.empty() ? "" : "; ") + of + ": " + word;
-  return text_or_none(text);
+  return word_cell(text);
 }
 
 /// Whether the slope is at the bound of the fit, so that its thresholds have no interval; that of a procedure has limits.
@@ -61,29 +82,39 @@ bool is_without_interval_at_bound(const DiscriminationResults& results,
   return !has_limits && at_bound != nullptr && at_bound->word == "TRUE";
 }
 
+/// "22/500": repetitions without a threshold, of all.
+ResultCell cell_of_repetitions(const Finding& without) {
+  if (!without.value) return {};
+  const auto count = static_cast<std::int64_t>(std::llround(*without.value));
+  return JoinedCell{{count}, std::to_string(count) + '/' + std::to_string(without.n)};
+}
+
 void add_threshold_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
-                        Table& table) {
+                        ResultTable& table) {
   const FoundNumbers thresholds(results.fit.thresholds);
   const FoundNumbers functions(results.fit.functions);
   for (const auto& function : results.functions) {
     const std::string& key = function.data.key;
-    std::vector<Cell> row{gathered.people[function.person].label,
-                          results.conditions[function.condition]};
+    ResultRow row{gathered.people[function.person].label, results.conditions[function.condition]};
+    const std::string& unit_of_levels = results.study.task.varied.unit;
     std::vector<MissingMeasure> missing{};
     for (const ThresholdColumn& column : kThresholdColumns) {
-      const auto [low, high] = thresholds.interval(column.quantity, key);
-      row.push_back(thresholds.cell(column.quantity, key));
-      row.push_back(low);
-      row.push_back(high);
+      const std::string unit = column.has_unit_of_levels ? unit_of_levels : std::string();
       const Finding* const finding = thresholds.find(column.quantity, key);
-      if (finding != nullptr && !finding->value) missing.push_back({column.column, finding->word});
+      if (finding == nullptr) {
+        row.resize(row.size() + 2);
+        continue;
+      }
+      row.push_back(quantity_cell(finding->value, unit));
+      row.push_back(interval_cell(finding->low, finding->high, unit));
+      if (!finding->value) missing.push_back({column.column.id, finding->word});
     }
-    Cell why = reasons_cell(missing);
-    if (why == Cell{} && is_without_interval_at_bound(results, function, functions)) {
+    ResultCell why = reasons_cell(missing);
+    if (why == ResultCell{} && is_without_interval_at_bound(results, function, functions)) {
       why = std::string("slope_at_bound");  // and therefore without an interval
     }
     const Finding* const at_unit = thresholds.find("jnd.dprime1", key);
-    if (why == Cell{} && results.study.task.design->has_noise() && at_unit != nullptr &&
+    if (why == ResultCell{} && results.study.task.design->has_noise() && at_unit != nullptr &&
         at_unit->value && !at_unit->low) {
       why = std::string("jnd_dprime1: no_interval");
     }
@@ -96,38 +127,41 @@ void add_threshold_rows(const GatheredAnswers& gathered, const DiscriminationRes
     row.push_back(functions.cell("deviance.p.chisq", key));
     row.emplace_back(responses);
     row.push_back(thresholds.count("unfinished.tracks", key));
-    row.push_back(thresholds.count("without", key));
-    row.push_back(text_or_none(results.study.task.varied.unit));
-    row.push_back(why);
     const Finding* const without = thresholds.find("without", key);
-    row.push_back(without == nullptr ? Cell{} : Cell{static_cast<std::int64_t>(without->n)});
-    table.rows.push_back(std::move(row));
+    row.push_back(without == nullptr ? ResultCell{} : cell_of_repetitions(*without));
+    row.push_back(word_cell(unit_of_levels));
+    row.push_back(why);
+    row.push_back(without == nullptr ? ResultCell{} : count_cell(without->n));
+    table.add(std::move(row));
   }
 }
 
-void add_mean_rows(const DiscriminationResults& results, Table& table) {
+void add_mean_rows(const DiscriminationResults& results, ResultTable& table) {
   const FoundNumbers means(results.means);
   for (const ThresholdColumn& column : kThresholdColumns) {
     for (const std::string& condition : results.conditions) {
       const Finding* const mean = means.find(column.mean, condition);
       if (mean == nullptr) continue;
-      const auto [low, high] = means.interval(column.mean, condition);
       const LeftOutThresholds left_out = left_out_of_mean(results.fit.thresholds, *mean);
       const std::string status = code_of(left_out.mean());
       const std::string geometric = column.geometric_mean == nullptr ? "" : column.geometric_mean;
-      const auto [geometric_low, geometric_high] = means.interval(geometric, condition);
-      table.rows.push_back(
-          {condition, std::string(column.column), static_cast<std::int64_t>(mean->n),
-           cell_of(mean->value), low, high, mean->unit, means.cell(geometric, condition),
-           geometric_low, geometric_high,
-           left_out.missing() == 0 ? Cell{} : Cell{static_cast<std::int64_t>(left_out.missing())},
-           status.empty() ? Cell{} : Cell{status}});
+      const Finding* const of_logarithms = means.find(geometric, condition);
+      table.add({condition, column.column.id, count_cell(mean->n),
+                 quantity_cell(mean->value, mean->unit),
+                 interval_cell(mean->low, mean->high, mean->unit), mean->unit,
+                 of_logarithms == nullptr ? ResultCell{}
+                                          : quantity_cell(of_logarithms->value, mean->unit),
+                 of_logarithms == nullptr
+                     ? ResultCell{}
+                     : interval_cell(of_logarithms->low, of_logarithms->high, mean->unit),
+                 left_out.missing() == 0 ? ResultCell{} : count_cell(left_out.missing()),
+                 word_cell(status)});
     }
   }
 }
 
 /// A whole number where no response is "cannot tell".
-Cell hits_cell(const DiscriminationTask& task, const ChoiceCount& count) {
+ResultCell hits_cell(const DiscriminationTask& task, const ChoiceCount& count) {
   if (count.unsure == 0) return static_cast<std::int64_t>(count.hits);
   return split_hits(count, task.design->alternatives());
 }
@@ -137,70 +171,67 @@ double share_of(const DiscriminationTask& task, const ChoiceCount& count) {
 }
 
 void add_unsure_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
-                     Table& table) {
+                     ResultTable& table) {
   const FoundNumbers rates(results.unsure);
   if (results.unsure.empty()) return;
   for (const auto& function : results.functions) {
     const ChoiceCount all = sum_of_choices(function.data.hits);
-    const auto [low, high] = rates.interval("rate", function.data.key);
-    table.rows.push_back(
-        {gathered.people[function.person].label, results.conditions[function.condition],
-         static_cast<std::int64_t>(all.unsure), static_cast<std::int64_t>(all.trials),
-         rates.cell("rate", function.data.key), low, high});
+    table.add({gathered.people[function.person].label, results.conditions[function.condition],
+               count_cell(all.unsure), count_cell(all.trials),
+               rates.cell("rate", function.data.key), rates.interval("rate", function.data.key)});
   }
 }
 
 void add_psychometric_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
-                           Table& table) {
+                           ResultTable& table) {
   const DiscriminationTask& task = results.study.task;
   for (const auto& function : results.functions) {
     for (const auto& [value, count] : function.data.hits) {
-      table.rows.push_back(
-          {gathered.people[function.person].label, results.conditions[function.condition],
-           task.varied.parameter, value,
-           task.is_performance ? Cell{value - task.standard()} : Cell{},
-           static_cast<std::int64_t>(count.trials), hits_cell(task, count), share_of(task, count),
-           text_or_none(task.varied.unit),
-           count.unsure == 0 ? Cell{} : Cell{static_cast<std::int64_t>(count.unsure)}});
+      const std::string& unit = task.varied.unit;
+      table.add({gathered.people[function.person].label, results.conditions[function.condition],
+                 task.varied.parameter, quantity_cell(value, unit),
+                 task.is_performance ? quantity_cell(value - task.standard(), unit) : ResultCell{},
+                 count_cell(count.trials), hits_cell(task, count), share_of(task, count),
+                 word_cell(unit), count.unsure == 0 ? ResultCell{} : count_cell(count.unsure)});
     }
   }
 }
 
 void add_order_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
-                    Table& table) {
+                    ResultTable& table) {
   // Over levels that a procedure chose, only the difference of the proportions has a meaning.
   const bool hides_proportions = results.study.has_levels_of_procedure;
   for (const OrderOfPerson& own : results.orders) {
     const auto share = [&](const ChoiceCount& count) {
-      return hides_proportions || count.trials == 0 ? Cell{} : Cell{own.proportion_of(count)};
+      return hides_proportions || count.trials == 0 ? ResultCell{}
+                                                    : ResultCell{own.proportion_of(count)};
     };
-    table.rows.push_back({gathered.people[own.person].label, text_or_none(results.name),
-                          static_cast<std::int64_t>(own.first.trials), share(own.first),
-                          static_cast<std::int64_t>(own.second.trials), share(own.second),
-                          own.has_both() ? Cell{own.difference()} : Cell{}});
+    table.add({gathered.people[own.person].label, word_cell(results.name),
+               count_cell(own.first.trials), share(own.first), count_cell(own.second.trials),
+               share(own.second), own.has_both() ? ResultCell{own.difference()} : ResultCell{}});
   }
 }
 
 /// 1, 0, or the part of a hit of a response "cannot tell".
-Cell hit_cell(const DiscriminationStudy& study, const DiscriminationTrial& trial) {
+ResultCell hit_cell(const DiscriminationStudy& study, const DiscriminationTrial& trial) {
   if (!trial.is_unsure) return static_cast<std::int64_t>(study.is_hit(trial) ? 1 : 0);
   return 1.0 / static_cast<double>(study.task.design->alternatives());
 }
 
 void add_place_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
-                    Table& table) {
+                    ResultTable& table) {
   for (const PlacesOfPerson& own : results.places) {
-    std::vector<Cell> row{gathered.people[own.person].label, text_or_none(results.name),
-                          static_cast<std::int64_t>(own.responses())};
+    ResultRow row{gathered.people[own.person].label, word_cell(results.name),
+                  count_cell(own.responses())};
     for (std::size_t place = 0; place < kPlacesOfChoice; ++place) {
-      row.push_back(own.has_all() ? Cell{own.proportion_of(place)} : Cell{});
+      row.push_back(own.has_all() ? ResultCell{own.proportion_of(place)} : ResultCell{});
     }
-    table.rows.push_back(std::move(row));
+    table.add(std::move(row));
   }
 }
 
 void add_track_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
-                    Table& table) {
+                    ResultTable& table) {
   const DiscriminationStudy& study = results.study;
   std::vector<const DiscriminationTrial*> of_tracks{};
   for (const DiscriminationTrial& trial : study.trials) {
@@ -214,11 +245,12 @@ void add_track_rows(const GatheredAnswers& gathered, const DiscriminationResults
                      return place(*one) < place(*other);
                    });
   for (const DiscriminationTrial* const trial : of_tracks) {
-    table.rows.push_back(
-        {gathered.people[trial->person].label, results.conditions[trial->condition],
-         static_cast<std::int64_t>(trial->session), static_cast<std::int64_t>(trial->block_ordinal),
-         static_cast<std::int64_t>(trial->track), static_cast<std::int64_t>(trial->step),
-         trial->value, hit_cell(study, *trial), text_or_none(study.task.varied.unit)});
+    const std::string& unit = study.task.varied.unit;
+    table.add({gathered.people[trial->person].label, results.conditions[trial->condition],
+               static_cast<std::int64_t>(trial->session),
+               static_cast<std::int64_t>(trial->block_ordinal),
+               static_cast<std::int64_t>(trial->track), static_cast<std::int64_t>(trial->step),
+               quantity_cell(trial->value, unit), hit_cell(study, *trial), word_cell(unit)});
   }
 }
 
@@ -558,103 +590,95 @@ Phrase note_on_catch_trials(const GatheredAnswers& gathered) {
 void add_discrimination_tables(const GatheredAnswers& gathered,
                                const std::vector<DiscriminationResults>& all,
                                AnalysisOutcome& outcome) {
-  NamedTable means{
-      kMeanThresholds,
-      phrase("Analysis", "Mean thresholds"),
-      {{"condition", "measure", "persons", "mean", "mean_low", "mean_high", "unit",
-        "geometric_mean", "geometric_mean_low", "geometric_mean_high", "left_out", "status"},
-       {}},
-      note_on_means(all)};
-  NamedTable thresholds{kThresholds,
-                        phrase("Analysis", "Thresholds of the participants"),
-                        {{"participant", "condition"}, {}},
-                        note_on_thresholds(gathered, all)};
+  using namespace columns;
+  ResultTable means{kMeanThresholds,
+                    phrase("Analysis", "Mean thresholds"),
+                    {kCondition, kMeasure, kPersons, kMean, interval_of(kMean), kUnitOfLevels,
+                     kGeometricMean, interval_of(kGeometricMean), kLeftOut, kStatus},
+                    note_on_means(all)};
+  ResultTable thresholds{kThresholds,
+                         phrase("Analysis", "Thresholds of the participants"),
+                         {kParticipant, kCondition},
+                         note_on_thresholds(gathered, all)};
   for (const ThresholdColumn& column : kThresholdColumns) {
-    for (const char* const end : {"", "_low", "_high"}) {
-      thresholds.table.columns.push_back(std::string(column.column) + end);
-    }
+    thresholds.columns.insert(thresholds.columns.end(), {column.column, column.interval});
   }
-  for (const char* const column : {"deviance", "df", "p", "responses", "unfinished_tracks",
-                                   "without_threshold", "unit", "status", "repetitions"}) {
-    thresholds.table.columns.emplace_back(column);
-  }
-  NamedTable psychometric{kPsychometric,
-                          phrase("Analysis", "Responses by level"),
-                          {{"participant", "condition", "parameter", "level", "difference",
-                            "responses", "hits", "share", "unit", "unsure"},
-                           {}},
-                          {}};
-  psychometric.note = note_on_hits(all);
-  NamedTable order{
+  thresholds.columns.insert(thresholds.columns.end(),
+                            {kDeviance, kDf, kP, kResponses, kUnfinishedTracks, kWithoutThreshold,
+                             kUnitOfLevels, kStatus, kRepetitionsOfProcedure});
+  ResultTable psychometric{kPsychometric,
+                           phrase("Analysis", "Responses by level"),
+                           {kParticipant, kCondition, kParameterColumn, kLevelColumn, kDifference,
+                            kResponses, kHits, kShare, kUnitOfLevels, kUnsureColumn},
+                           note_on_hits(all)};
+  ResultTable order{
       kOrderEffect,
       phrase("Analysis", "Choices of the comparison by its position"),
-      {{"participant", "task", "first_responses", "share_first", "second_responses", "share_second",
-        "difference"},
-       {}},
+      {kParticipant, kTask, kFirstResponses, kShareFirst, kSecondResponses, kShareSecond,
+       kDifference},
       phrase("Analysis",
              "Proportions of choices of the comparison as surface A and as surface B, and "
              "their difference (A − B). In a sequence A is presented first.")};
-  NamedTable places{
+  ResultTable places{
       kChoicesByPlace,
       phrase("Analysis", "Choices by position"),
-      {{"participant", "task", "responses", "chosen_a", "chosen_b", "chosen_c"}, {}},
+      {kParticipant, kTask, kResponses, kChosenA, kChosenB, kChosenC},
       phrase("Analysis",
              "Proportions of choices of each of the three surfaces, averaged over the positions of "
              "the correct one; 1/3 without a preference. In a sequence A is presented first.")};
-  NamedTable tracks{kTracks,
-                    phrase("Analysis", "Trials of each track"),
-                    {{"participant", "condition", "session", "block_ordinal", "track", "step",
-                      "level", "hit", "unit"},
-                     {}},
-                    phrase("Analysis",
-                           "Trials whose level was chosen by a procedure from the responses, by "
-                           "track and in order of presentation."),
-                    true};
-  NamedTable unsure{
+  ResultTable tracks{kTracks,
+                     phrase("Analysis", "Trials of each track"),
+                     {kParticipant, kCondition, kSession, kBlockOrdinal, kTrackColumn, kStepColumn,
+                      kLevelColumn, kHitColumn, kUnitOfLevels},
+                     phrase("Analysis",
+                            "Trials whose level was chosen by a procedure from the responses, by "
+                            "track and in order of presentation."),
+                     true};
+  ResultTable unsure{
       kUnsure,
       phrase("Analysis", "Responses “cannot tell”"),
-      {{"participant", "condition", "unsure", "of", "share", "share_low", "share_high"}, {}},
+      {kParticipant, kCondition, kUnsureColumn, kOf, kShare, interval_of(kShare)},
       phrase(
           "Analysis",
           "Proportion of the responses “cannot tell” among all responses, with Wilson’s 95 % CI. "
           "In psychometric functions, in proportions of hits and in the order effect such a "
           "response counts as the mean of a guess, that is, as 1/m of a choice of each of the m "
           "alternatives [Kaernbach 2001].")};
-  NamedTable catch_trials{kCatchTrials,
-                          phrase("Analysis", "Catch trials"),
-                          {{"participant", "block", "type", "right", "of", "share"}, {}},
-                          note_on_catch_trials(gathered)};
+  ResultTable catch_trials{kCatchTrials,
+                           phrase("Analysis", "Catch trials"),
+                           {kParticipant, kBlock, kCatchTypeColumn, kCorrectCount, kOf, kShare},
+                           note_on_catch_trials(gathered)};
   const bool has_types =
       std::any_of(gathered.catch_responses.begin(), gathered.catch_responses.end(),
                   [](const CatchResponses& each) { return each.type != CatchType::easy; });
   for (const CatchResponses& each : gathered.catch_responses) {
-    catch_trials.table.rows.push_back(
-        {each.participant, each.block, has_types ? Cell{std::string(text_of(each.type))} : Cell{},
-         static_cast<std::int64_t>(each.correct), static_cast<std::int64_t>(each.trials),
-         static_cast<double>(each.correct) / static_cast<double>(each.trials)});
+    catch_trials.add({each.participant, each.block,
+                      has_types ? ResultCell{std::string(text_of(each.type))} : ResultCell{},
+                      count_cell(each.correct), count_cell(each.trials),
+                      static_cast<double>(each.correct) / static_cast<double>(each.trials)});
   }
   for (const DiscriminationResults& results : all) {
-    add_mean_rows(results, means.table);
-    add_track_rows(gathered, results, tracks.table);
-    add_threshold_rows(gathered, results, thresholds.table);
-    add_psychometric_rows(gathered, results, psychometric.table);
-    add_order_rows(gathered, results, order.table);
-    add_unsure_rows(gathered, results, unsure.table);
-    add_place_rows(gathered, results, places.table);
+    add_mean_rows(results, means);
+    add_track_rows(gathered, results, tracks);
+    add_threshold_rows(gathered, results, thresholds);
+    add_psychometric_rows(gathered, results, psychometric);
+    add_order_rows(gathered, results, order);
+    add_unsure_rows(gathered, results, unsure);
+    add_place_rows(gathered, results, places);
   }
-  drop_empty_columns(catch_trials.table, 2);
-  drop_empty_columns(thresholds.table, 2);
-  drop_empty_columns(psychometric.table, 2);
-  drop_empty_columns(order.table, 1);
-  drop_empty_columns(places.table, 1);
-  if (!means.table.rows.empty()) outcome.tables.push_back(std::move(means));
+  catch_trials.drop_empty_columns(2);
+  thresholds.drop_empty_columns(2);
+  psychometric.drop_empty_columns(2);
+  order.drop_empty_columns(1);
+  places.drop_empty_columns(1);
+  if (!means.rows.empty()) outcome.tables.push_back(std::move(means));
   outcome.tables.push_back(std::move(thresholds));
   outcome.tables.push_back(std::move(psychometric));
-  if (!tracks.table.rows.empty()) outcome.tables.push_back(std::move(tracks));
-  if (!unsure.table.rows.empty()) outcome.tables.push_back(std::move(unsure));
-  if (!order.table.rows.empty()) outcome.tables.push_back(std::move(order));
-  if (!places.table.rows.empty()) outcome.tables.push_back(std::move(places));
-  if (!catch_trials.table.rows.empty()) outcome.tables.push_back(std::move(catch_trials));
+  if (!tracks.rows.empty()) outcome.tables.push_back(std::move(tracks));
+  if (!unsure.rows.empty()) outcome.tables.push_back(std::move(unsure));
+  if (!order.rows.empty()) outcome.tables.push_back(std::move(order));
+  if (!places.rows.empty()) outcome.tables.push_back(std::move(places));
+  if (!catch_trials.rows.empty()) outcome.tables.push_back(std::move(catch_trials));
 }
 
 }  // namespace asperity

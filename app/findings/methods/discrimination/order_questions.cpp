@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <string>
 
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/test_sentences.h"
-#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
 

@@ -16,9 +16,9 @@
 #include "app/findings/methods/discrimination/thresholds/left_out_thresholds.h"
 #include "app/findings/methods/discrimination/thresholds/unfinished_tracks.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
-#include "app/findings/tidy/found_numbers.h"
 #include "app/words/text_parts.h"
 
 namespace asperity {
@@ -123,7 +123,7 @@ std::string missing_sentences(const std::vector<Finding>& findings, const std::s
     ++missing.of;
     if (finding.value) continue;
     ++missing.participants;
-    ++missing.reasons[words_of_cell("status", finding.word).english()];
+    ++missing.reasons[words_of_status(finding.word).english()];
   }
   std::string text{};
   for (const auto& [condition, missing] : conditions) {

@@ -13,6 +13,7 @@
 #include "app/findings/gathering/answer_columns.h"
 #include "app/findings/methods/magnitude/magnitude_analysis.h"
 #include "app/findings/methods/magnitude/roughness_peaks.h"
+#include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/shared/estimates.h"
 #include "app/findings/shared/magnitude_effects.h"
@@ -26,12 +27,12 @@ void add_estimates(const ComparedEstimates& compared, const FoundNumbers& found,
                    AnalysisOutcome& outcome) {
   const GatheredAnswers& gathered = compared.gathered;
   const EstimateCells cells = cells_of(compared.estimates);
-  NamedTable curves{
+  using namespace columns;
+  ResultTable curves{
       kRoughness,
       phrase("Analysis", "Roughness by spacing and condition"),
-      {{"condition", "spacing_m", "persons", "left_out", "normalised", "normalised_low",
-        "normalised_high", "raw"},
-       {}},
+      {kCondition, kSpacing, kPersons, kLeftOut, kNormalisedEstimate,
+       interval_of(kNormalisedEstimate), kRawEstimate},
       phrase("Analysis",
              "Geometric means of the estimates. normalised: each participant's scale removed (the "
              "mean of the logarithms of all cells). raw: not normalised. left out: number of "
@@ -53,10 +54,10 @@ void add_estimates(const ComparedEstimates& compared, const FoundNumbers& found,
             "serves to compare cells and does not include the differences between participants.")
             .with(curves.note);
   }
-  NamedTable persons{
+  ResultTable persons{
       kEstimatesOfPersons,
       phrase("Analysis", "Estimates of each participant"),
-      {{"person", "condition", "spacing_m", "answers", "raw", "normalised"}, {}},
+      {kPerson, kCondition, kSpacing, kAnswers, kRawEstimate, kNormalisedEstimate},
       phrase("Analysis",
              "Geometric means over repetitions. The estimates of participants with an empty cell "
              "are not normalised and are left out of curves and tests.")};
@@ -68,20 +69,18 @@ void add_estimates(const ComparedEstimates& compared, const FoundNumbers& found,
         if (cell == cells.end()) continue;
         raw.push_back(mean_logarithm(cell->second));
         const std::string& label = gathered.people[person].label;
-        persons.table.rows.push_back(
-            {label, condition, *number_in(spacing), static_cast<std::int64_t>(cell->second.size()),
-             std::pow(10.0, raw.back()),
-             found.cell("norm.estimate", label + '|' + cell_key(condition, spacing))});
+        persons.add({label, condition, *number_in(spacing), count_cell(cell->second.size()),
+                     std::pow(10.0, raw.back()),
+                     found.cell("norm.estimate", label + '|' + cell_key(condition, spacing))});
       }
       if (raw.empty()) continue;
       const std::string cell = cell_key(condition, spacing);
-      const auto [low, high] = found.interval("geomean", cell);
       const Finding* mean = found.find("geomean", cell);
       const std::size_t counted = mean == nullptr || !mean->value ? 0 : mean->n;
-      curves.table.rows.push_back(
-          {condition, *number_in(spacing), static_cast<std::int64_t>(raw.size()),
-           static_cast<std::int64_t>(raw.size() - std::min(counted, raw.size())),
-           found.cell("geomean", cell), low, high, std::pow(10.0, mean_logarithm(raw))});
+      curves.add({condition, *number_in(spacing), count_cell(raw.size()),
+                  count_cell(raw.size() - std::min(counted, raw.size())),
+                  found.cell("geomean", cell), found.interval("geomean", cell),
+                  std::pow(10.0, mean_logarithm(raw))});
     }
   }
   outcome.tables.push_back(std::move(curves));

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "analysis/numbers/number_text.h"
+#include "app/findings/methods/magnitude/magnitude_sentences.h"
 #include "app/findings/outcome/reading_number.h"
 
 namespace asperity {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "analysis/numbers/number_text.h"
+#include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/test_sentences.h"
 
@@ -33,6 +34,13 @@ std::string peak_status(const FoundNumbers& found, const std::string& condition,
   return has_interior_maximum(found, condition) ? status->word : kNoInterior;
 }
 
+const ResultColumn kFieller =
+    interval_of({.id = "fieller_m", .unit = "m", .digits = Digits::length},
+                phrase("AnalysisWords", "Fieller 95 % CI"));
+const ResultColumn kDescending{.id = "descending",
+                               .heading = phrase("AnalysisWords", "descending")};
+const ResultColumn kInvertedU{.id = "inverted_u", .heading = phrase("AnalysisWords", "inverted U")};
+
 }  // namespace
 
 bool has_interior_maximum(const FoundNumbers& found, const std::string& condition) {
@@ -42,12 +50,12 @@ bool has_interior_maximum(const FoundNumbers& found, const std::string& conditio
 
 void add_peaks(const std::vector<std::string>& conditions, const std::vector<std::string>& spacings,
                const FoundNumbers& found, AnalysisOutcome& outcome) {
-  NamedTable peaks{
-      "peaks",
+  using namespace columns;
+  ResultTable peaks{
+      kPeaks,
       phrase("Analysis", "Spacing of maximum roughness: one parabola per condition"),
-      {{"condition", "status", "peak_m", "peak_m_low", "peak_m_high", "fieller_m_low",
-        "fieller_m_high", "height", "descending", "inverted_u", "other", "p_interior", "r_squared"},
-       {}},
+      {kCondition, kStatus, kPeakSpacing, interval_of(kPeakSpacing), kFieller, kHeight, kDescending,
+       kInvertedU, kOther, kInteriorP, kRSquared},
       phrase(
           "Analysis",
           "Parabolas of log estimate on log spacing, one per participant; "
@@ -60,25 +68,25 @@ void add_peaks(const std::vector<std::string>& conditions, const std::vector<std
     const std::string status = peak_status(found, condition, spacings);
     if (status.empty()) continue;
     const bool is_reported = status != kTooFew && status != kNoInterior;
-    const auto [low, high] = found.interval("peak", condition);
     const auto reported = [&](const char* quantity) {
-      return is_reported ? found.cell(quantity, condition) : Cell{};
+      return is_reported ? found.value(quantity, condition) : std::nullopt;
     };
-    peaks.table.rows.push_back(
-        {condition, status == "ok" ? Cell{} : Cell{status}, reported("peak"),
-         is_reported ? low : Cell{}, is_reported ? high : Cell{}, reported("peak.fieller.lower"),
-         reported("peak.fieller.upper"), reported("peak.height"),
-         found.count("curve.descending", condition), found.count("curve.inverted_u", condition),
-         found.count("curve.other", condition), found.cell("invU.p", condition),
-         found.cell("pooled.quad.r2", condition)});
+    peaks.add({condition, status == "ok" ? ResultCell{} : ResultCell{status},
+               cell_of(reported("peak")),
+               is_reported ? found.interval("peak", condition) : ResultCell{},
+               interval_cell(reported("peak.fieller.lower"), reported("peak.fieller.upper")),
+               cell_of(reported("peak.height")), found.count("curve.descending", condition),
+               found.count("curve.inverted_u", condition), found.count("curve.other", condition),
+               found.cell("invU.p", condition), found.cell("pooled.quad.r2", condition)});
   }
-  if (!peaks.table.rows.empty()) outcome.tables.push_back(std::move(peaks));
-  NamedTable shifts{"peak_ratios",
-                    phrase("Analysis", "Ratios of the peaks"),
-                    {{"first", "second", "ratio", "ratio_low", "ratio_high", "p", "status"}, {}},
-                    phrase("Analysis",
-                           "Ratio of the spacing of the first peak to that of the second, with the "
-                           "same participants in both; delta method. p is uncorrected.")};
+  if (!peaks.rows.empty()) outcome.tables.push_back(std::move(peaks));
+  ResultTable shifts{
+      "peak_ratios",
+      phrase("Analysis", "Ratios of the peaks"),
+      {kFirst, kSecond, kRatio, interval_of(kRatio), kP, kStatus},
+      phrase("Analysis",
+             "Ratio of the spacing of the first peak to that of the second, with the "
+             "same participants in both; delta method. p is uncorrected.")};
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     for (std::size_t j = i + 1; j < conditions.size(); ++j) {
       for (const auto& [a, b] : {std::pair(i, j), std::pair(j, i)}) {
@@ -87,21 +95,19 @@ void add_peaks(const std::vector<std::string>& conditions, const std::vector<std
         if (const Finding* p = found.find("peakratio.p", key)) {
           outcome.tests_in_tables.insert(name_of(*p));
         }
-        std::vector<Cell>& row =
-            shifts.table.rows.emplace_back(std::vector<Cell>{conditions[a], conditions[b]});
+        ResultRow& row = shifts.rows.emplace_back(ResultRow{conditions[a], conditions[b]});
         if (has_interior_maximum(found, conditions[a]) &&
             has_interior_maximum(found, conditions[b])) {
-          const auto [low, high] = found.interval("peakratio", key);
-          row.insert(row.end(), {found.cell("peakratio", key), low, high,
-                                 found.cell("peakratio.p", key), Cell{}});
+          row.insert(row.end(), {found.cell("peakratio", key), found.interval("peakratio", key),
+                                 found.cell("peakratio.p", key), ResultCell{}});
         } else {
-          row.resize(shifts.table.columns.size());
+          row.resize(shifts.columns.size());
           row.back() = kNotBothPeaks;
         }
       }
     }
   }
-  if (!shifts.table.rows.empty()) outcome.tables.push_back(std::move(shifts));
+  if (!shifts.rows.empty()) outcome.tables.push_back(std::move(shifts));
 }
 
 void ask_peaks(const std::vector<std::string>& conditions, const std::vector<std::string>& spacings,
@@ -152,7 +158,7 @@ void ask_peaks(const std::vector<std::string>& conditions, const std::vector<std
              "delta method. It is reported where the test for an interior maximum by Lind and "
              "Mehlum is significant: the mean curve rises at the smallest and falls at the largest "
              "spacing."),
-      "peaks", first);
+      kPeaks, first);
 }
 
 void ask_peak_ratios(const FoundNumbers& found, const StudyTests& tests, AnalysisOutcome& outcome) {
@@ -205,7 +211,7 @@ void ask_types(const std::vector<std::string>& conditions, const FoundNumbers& f
                phrase("Analysis",
                       "The shape is determined by the slopes of each participant's own parabola at "
                       "the smallest and the largest spacing; there is no test."),
-               "peaks", found.find(kTypes[0], conditions.front()));
+               kPeaks, found.find(kTypes[0], conditions.front()));
 }
 
 }  // namespace asperity

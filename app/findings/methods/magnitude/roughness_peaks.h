@@ -5,10 +5,20 @@
 #include <string>
 #include <vector>
 
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/study_findings.h"
-#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
+
+/// The table of the maxima of the curves, their spacings, and the p of their being maxima.
+inline constexpr const char* kPeaks = "peaks";
+inline const ResultColumn kPeakSpacing{.id = "peak_m",
+                                       .heading = phrase("AnalysisWords", "peak"),
+                                       .unit = "m",
+                                       .digits = Digits::length};
+inline const ResultColumn kInteriorP{.id = "p_interior",
+                                     .heading = phrase("AnalysisWords", "p, interior maximum"),
+                                     .digits = Digits::p};
 
 /// Whether the test for an interior maximum of the curve of a condition is significant.
 bool has_interior_maximum(const FoundNumbers& found, const std::string& condition);

@@ -10,6 +10,7 @@
 
 #include "app/findings/outcome/drawn_table.h"
 #include "app/findings/outcome/finding_parts.h"
+#include "app/words/text_parts.h"
 #include "results_schema/tables/table.h"
 
 namespace asperity {

@@ -13,6 +13,7 @@
 #include "app/findings/methods/matching/matching_analysis.h"
 #include "app/findings/methods/matching/matching_questions.h"
 #include "app/findings/methods/matching/matching_tables.h"
+#include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/tally.h"
 #include "app/findings/outcome/test_sentences.h"
@@ -138,7 +139,7 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   add_confused_pairs({felt.begin(), felt.end()}, found, outcome);
   if (equal_size) add_right_items(items, found, outcome);
   const std::array<PersonsRow, 1> persons{PersonsRow{"all", ""}};
-  add_persons(found, persons, "answers", "share_of_items_correct", outcome);
+  add_persons(found, persons, columns::kAllAnswers, "share_of_items_correct", outcome);
   const std::size_t people = gathered.people.size();
   const std::array measures{
       Measure{"right_items_per_go", "mean.correct"}, Measure{"by_chance_in_all", "null.mean"},

@@ -8,6 +8,9 @@
 #include <variant>
 #include <vector>
 
+#include "app/findings/methods/matching/matching_tables.h"
+#include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/drawn_table.h"
 #include "app/findings/outcome/tally.h"
 #include "app/findings/outcome/test_sentences.h"
 
@@ -96,27 +99,25 @@ void ask_whole(const FoundNumbers& found, const StudyTests& tests, AnalysisOutco
 }
 
 void ask_confused_pairs(const AnalysisOutcome& made, std::size_t people, AnalysisOutcome& outcome) {
-  const auto table = std::find_if(made.tables.begin(), made.tables.end(),
-                                  [](const auto& each) { return each.name == "confused_pairs"; });
-  if (table == made.tables.end() || table->table.rows.empty()) return;
-  const std::vector<Cell>& worst = table->table.rows.front();
-  const auto times_of = [](const std::vector<Cell>& pair) {
-    return std::get<std::int64_t>(pair[2]) + std::get<std::int64_t>(pair[3]);
-  };
-  const std::int64_t times = times_of(worst);
-  const auto as_often = std::count_if(table->table.rows.begin(), table->table.rows.end(),
-                                      [&](const auto& pair) { return times_of(pair) == times; });
+  const ResultTable* const table = table_named(made, kConfusedPairs);
+  if (table == nullptr || table->rows.empty()) return;
+  const RowReader worst(*table, table->rows.front());
+  const std::int64_t times = confusions_of(*table, table->rows.front());
+  const auto as_often =
+      std::count_if(table->rows.begin(), table->rows.end(),
+                    [&](const ResultRow& pair) { return confusions_of(*table, pair) == times; });
   constexpr std::size_t kMostNamed = 6;
   Phrase names{};
-  for (const auto& pair : table->table.rows) {
-    if (times_of(pair) != times) continue;
-    const Phrase one = phrase("Analysis", "%1 and %2")
-                           .with(std::get<std::string>(pair[0]), std::get<std::string>(pair[1]));
+  for (const ResultRow& pair : table->rows) {
+    if (confusions_of(*table, pair) != times) continue;
+    const RowReader row(*table, pair);
+    const Phrase one =
+        phrase("Analysis", "%1 and %2").with(row.text(columns::kFelt), row.text(columns::kOther));
     names = names.empty() ? one : phrase("Analysis", "%1; %2").with(names, one);
   }
   Finding finding{};
   finding.quantity = "confusions";
-  finding.key = std::get<std::string>(worst[0]) + '|' + std::get<std::string>(worst[1]);
+  finding.key = worst.text(columns::kFelt) + '|' + worst.text(columns::kOther);
   finding.value = static_cast<double>(times);
   finding.unit = "1";
   finding.method = "items of one texture that were assigned the picture of the other";
@@ -138,10 +139,10 @@ void ask_confused_pairs(const AnalysisOutcome& made, std::size_t people, Analysi
           : phrase("Analysis",
                    "%1 and %2 are confused most often; number of confusions, counted in both "
                    "directions: %3.")
-                .with(std::get<std::string>(worst[0]), std::get<std::string>(worst[1]),
+                .with(worst.text(columns::kFelt), worst.text(columns::kOther),
                       std::to_string(times)),
       phrase("Analysis", "Counts of all responses; a CI would require a model of the confusions."),
-      "confused_pairs", &finding, CountedUnit::participants);
+      kConfusedPairs, &finding, CountedUnit::participants);
 }
 
 }  // namespace asperity

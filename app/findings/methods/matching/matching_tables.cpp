@@ -3,23 +3,31 @@
 #include "app/findings/methods/matching/matching_tables.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <set>
 #include <utility>
-#include <variant>
 
+#include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/tally.h"
+#include "app/findings/shared/choice_tables.h"
 
 namespace asperity {
 
 namespace {
 
+const ResultColumn kUnderGuessing =
+    interval_of(columns::kChance, phrase("AnalysisWords", "95 % interval under guessing"));
+const ResultColumn kMatchingTrials{.id = "goes", .heading = phrase("AnalysisWords", "trials")};
+const ResultColumn kByChance{.id = "by_chance",
+                             .heading = phrase("AnalysisWords", "expected under guessing")};
+
 /// A row of the table of items: the number correct, tested against one relabelling of the pictures
 /// per participant.
 void add_item_row(const GatheredAnswers& gathered, const std::string& column,
-                  const std::string& person, MatchedTrials assignments, NamedTable& table,
+                  const std::string& person, MatchedTrials assignments, ResultTable& table,
                   AnalysisOutcome& outcome) {
   std::set<std::uint32_t> persons{};
   std::set<std::size_t> sizes{};
@@ -31,7 +39,7 @@ void add_item_row(const GatheredAnswers& gathered, const std::string& column,
     right += static_cast<std::int64_t>(assignment->right * assignment->times);
     of += static_cast<std::int64_t>(assignment->items() * assignment->times);
   }
-  std::vector<Cell>& cells = table.table.rows.emplace_back();
+  ResultRow& cells = table.rows.emplace_back();
   Finding finding{};
   finding.quantity = "share_of_items_correct";
   finding.key = "column=" + column + " person=" + person;
@@ -39,7 +47,7 @@ void add_item_row(const GatheredAnswers& gathered, const std::string& column,
   finding.n = persons.size();
   cells.insert(cells.end(), {column, person, right});
   if (sizes.size() != 1) {
-    cells.resize(table.table.columns.size());
+    cells.resize(table.columns.size());
     finding.status =
         sizes.empty()
             ? "there are no responses that count"
@@ -55,9 +63,10 @@ void add_item_row(const GatheredAnswers& gathered, const std::string& column,
     return found.value(quantity).value_or(0.0) / static_cast<double>(of);
   };
   const double p = found.value("relabel.p.greater").value_or(1.0);
-  cells.insert(cells.end(), {of, static_cast<std::int64_t>(persons.size()),
-                             found.cell("prop.correct"), 1.0 / static_cast<double>(items),
-                             share("relabel.null.lower"), share("relabel.null.upper"), p});
+  cells.insert(cells.end(),
+               {of, static_cast<std::int64_t>(persons.size()), found.cell("prop.correct"),
+                1.0 / static_cast<double>(items),
+                interval_cell(share("relabel.null.lower"), share("relabel.null.upper")), p});
   finding.value = found.value("prop.correct");
   finding.method = "proportion of correctly matched items; chance level 1/" + std::to_string(items);
   outcome.findings.push_back(finding);
@@ -108,20 +117,20 @@ void add_matching_tables(const GatheredAnswers& gathered, std::span<const Matche
                     phrase("Analysis",
                            "The chance level is 1/m! for m items. p: exact binomial test, "
                            "two-sided, uncorrected for the number of rows."),
-                    {"column", "person"},
-                    "correct",
+                    {columns::kRepetition, columns::kSex},
+                    columns::kCorrect,
                     "share_of_permutations_correct",
                     {}};
-  NamedTable items{"items",
-                   phrase("Analysis", "Proportion of correctly matched items"),
-                   {{"column", "person", "correct", "of", "persons", "share", "chance",
-                     "chance_low", "chance_high", "p"},
-                    {}},
-                   phrase("Analysis",
-                          "The chance level is 1/m. p: exact permutation test, one-sided, "
-                          "uncorrected for the number of rows: the pictures are relabelled at "
-                          "random once per participant, in all of the participant's trials alike. "
-                          "The interval contains 95 % of the permutation distribution.")};
+  ResultTable items{
+      "items",
+      phrase("Analysis", "Proportion of correctly matched items"),
+      {columns::kRepetition, columns::kSex, columns::kCorrect, columns::kOf, columns::kPersons,
+       columns::kShare, columns::kChance, kUnderGuessing, columns::kP},
+      phrase("Analysis",
+             "The chance level is 1/m. p: exact permutation test, one-sided, "
+             "uncorrected for the number of rows: the pictures are relabelled at "
+             "random once per participant, in all of the participant's trials alike. "
+             "The interval contains 95 % of the permutation distribution.")};
   for (std::size_t column = 0; column < cells.columns().size(); ++column) {
     for (std::size_t sex = 0; sex < sexes; ++sex) {
       add_item_row(gathered, cells.columns()[column], cells.sexes()[sex],
@@ -152,13 +161,13 @@ void add_confusions(const GatheredAnswers& gathered, std::span<const MatchedTria
     options.insert(gathered.option_lists[list].begin(), gathered.option_lists[list].end());
   }
   ShareTable textures{
-      "shares_by_texture",
+      kSharesByTexture,
       phrase("Analysis", "Proportion of correctly matched items, by texture"),
       phrase(
           "Analysis",
           "The chance level of each texture is 1/m. The rows are not independent of each other."),
-      {"felt"},
-      "correct",
+      {columns::kFelt},
+      columns::kCorrect,
       "share_of_items_correct",
       {}};
   for (const auto& [texture, tally] : by_texture) textures.rows.push_back({{texture}, tally});
@@ -168,41 +177,45 @@ void add_confusions(const GatheredAnswers& gathered, std::span<const MatchedTria
 
 void add_confused_pairs(const std::vector<std::string>& felt, const FoundNumbers& found,
                         AnalysisOutcome& outcome) {
-  NamedTable made{"confused_pairs",
-                  phrase("Analysis", "Confused pairs of textures, the most frequent first"),
-                  {{"felt", "other", "felt_as_other", "other_as_felt"}, {}},
-                  phrase("Analysis",
-                         "Number of times that one texture was assigned the picture of the other, "
-                         "in each direction.")};
+  ResultTable made{kConfusedPairs,
+                   phrase("Analysis", "Confused pairs of textures, the most frequent first"),
+                   {columns::kFelt, columns::kOther, kFeltAsOther, kOtherAsFelt},
+                   phrase("Analysis",
+                          "Number of times that one texture was assigned the picture of the other, "
+                          "in each direction.")};
   for (std::size_t i = 0; i < felt.size(); ++i) {
     for (std::size_t j = i + 1; j < felt.size(); ++j) {
       const auto count = [&](const std::string& a, const std::string& b) {
         return static_cast<std::int64_t>(found.value("confusion", a + '|' + b).value_or(0.0));
       };
-      made.table.rows.push_back(
-          {felt[i], felt[j], count(felt[i], felt[j]), count(felt[j], felt[i])});
+      made.add({felt[i], felt[j], count(felt[i], felt[j]), count(felt[j], felt[i])});
     }
   }
-  const auto both = [](const std::vector<Cell>& row) {
-    return std::get<std::int64_t>(row[2]) + std::get<std::int64_t>(row[3]);
-  };
-  std::stable_sort(made.table.rows.begin(), made.table.rows.end(),
-                   [&both](const auto& a, const auto& b) { return both(a) > both(b); });
+  std::stable_sort(made.rows.begin(), made.rows.end(),
+                   [&made](const ResultRow& one, const ResultRow& other) {
+                     return confusions_of(made, one) > confusions_of(made, other);
+                   });
   outcome.tables.push_back(std::move(made));
 }
 
+std::int64_t confusions_of(const ResultTable& table, const ResultRow& pair) {
+  const RowReader row(table, pair);
+  return std::llround(row.number(kFeltAsOther).value_or(0.0) +
+                      row.number(kOtherAsFelt).value_or(0.0));
+}
+
 void add_right_items(std::size_t items, const FoundNumbers& found, AnalysisOutcome& outcome) {
-  NamedTable made{
+  ResultTable made{
       "right_items",
       phrase("Analysis", "Trials by their number of correctly matched items"),
-      {{"right", "goes", "by_chance"}, {}},
+      {columns::kCorrectCount, kMatchingTrials, kByChance},
       phrase("Analysis",
              "Expected under guessing: number of trials if every assignment is equally likely.")};
   const double goes = found.value("n.trials").value_or(0.0);
   for (std::size_t k = 0; k <= items; ++k) {
     const std::string key = "n=" + std::to_string(items) + ";k=" + std::to_string(k);
-    made.table.rows.push_back(
-        {static_cast<std::int64_t>(k),
+    made.add(
+        {count_cell(k),
          static_cast<std::int64_t>(found.value("trials.with.k", std::to_string(k)).value_or(0.0)),
          found.value("null.pmf", key).value_or(0.0) * goes});
   }

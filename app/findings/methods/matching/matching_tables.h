@@ -3,14 +3,24 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/shared/matched_trials.h"
-#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
+
+/// The table of pairs of textures, and its counts.
+inline constexpr const char* kConfusedPairs = "confused_pairs";
+inline const ResultColumn kFeltAsOther{
+    .id = "felt_as_other", .heading = phrase("AnalysisWords", "confusions with the other")};
+inline const ResultColumn kOtherAsFelt{.id = "other_as_felt",
+                                       .heading = phrase("AnalysisWords", "reverse confusions")};
+/// How often both textures of a row were confused.
+std::int64_t confusions_of(const ResultTable& table, const ResultRow& pair);
 
 /// Adds the correct trials and items by column and sex, and their tests.
 void add_matching_tables(const GatheredAnswers& gathered, std::span<const MatchedTrial> assignments,

@@ -15,6 +15,7 @@
 #include "analysis/tests/pooled_share.h"
 #include "app/findings/gathering/answer_columns.h"
 #include "app/findings/methods/paired_comparison/paired_comparison_analysis.h"
+#include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/estimate_sentences.h"
 #include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
@@ -97,6 +98,14 @@ PairedStudy::PairedStudy(const Selection& of) : choices(of), by_person(of.gather
   }
 }
 
+const ResultColumn kTies{.id = "ties", .heading = phrase("AnalysisWords", "ties")};
+const ResultColumn kStatistic{
+    .id = "statistic", .heading = phrase("AnalysisWords", "statistic"), .digits = Digits::of_row};
+const ResultColumn kRounds{.id = "rounds", .heading = phrase("AnalysisWords", "rounds")};
+const ResultColumn kCircularTriads{.id = "circular_triads",
+                                   .heading = phrase("AnalysisWords", "circular triads")};
+const ResultColumn kZeta{.id = "zeta", .heading = phrase("AnalysisWords", "ζ")};
+
 void add_pair_tables(const PairedStudy& study, AnalysisOutcome& outcome) {
   const std::vector<std::string>& items = study.choices.items;
   ShareTable pairs{"pairs",
@@ -104,8 +113,8 @@ void add_pair_tables(const PairedStudy& study, AnalysisOutcome& outcome) {
                    phrase("Analysis",
                           "Ties are left out. The chance level is 1/2. p: exact binomial test, "
                           "two-sided, uncorrected, all responses treated as independent."),
-                   {"item", "against"},
-                   "chosen",
+                   {columns::kItem, kAgainst},
+                   columns::kChosen,
                    "share_of_pair",
                    {}};
   for (const auto& [key, tally] : study.shares) {
@@ -118,12 +127,11 @@ void add_pair_tables(const PairedStudy& study, AnalysisOutcome& outcome) {
                              "presentation. Ties are left out."),
                       outcome);
   if (study.ties == 0) return;
-  NamedTable ties{
-      "ties", phrase("Analysis", "Ties"), {{"item", "against", "responses", "ties"}, {}}, {}};
+  ResultTable ties{
+      "ties", phrase("Analysis", "Ties"), {columns::kItem, kAgainst, columns::kResponses, kTies}};
   for (const auto& [key, count] : study.counts) {
-    ties.table.rows.push_back({items[key.first], items[key.second],
-                               static_cast<std::int64_t>(count.all()),
-                               static_cast<std::int64_t>(count.ties)});
+    ties.add(
+        {items[key.first], items[key.second], count_cell(count.all()), count_cell(count.ties)});
   }
   outcome.tables.push_back(std::move(ties));
 }
@@ -188,10 +196,11 @@ void limit_to_proportions(Finding& mean, std::span<const double> trials) {
 }
 
 void add_scores(const PairedStudy& study, const FoundNumbers& found, AnalysisOutcome& outcome) {
-  NamedTable scores{
+  ResultTable scores{
       kScores,
       phrase("Analysis", "Proportion of the comparisons in which each item was chosen"),
-      {{"item", "persons", "mean", "mean_low", "mean_high", "mean_rank"}, {}},
+      {columns::kItem, columns::kPersons, columns::kMean, interval_of(columns::kMean),
+       columns::kMeanRank},
       phrase("Analysis",
              "Means over the participants who compared every pair equally often, with t-based "
              "95 % CIs, truncated at 0 and 1 (on the logit scale where the proportions of all "
@@ -200,11 +209,10 @@ void add_scores(const PairedStudy& study, const FoundNumbers& found, AnalysisOut
   for (const std::string& item : study.choices.items) {
     const Finding* const mean = found.find("mean.score", item);
     if (mean == nullptr) continue;
-    const auto [low, high] = found.interval("mean.score", item);
-    scores.table.rows.push_back({item, static_cast<std::int64_t>(mean->n), cell_of(mean->value),
-                                 low, high, found.cell("mean.rank", item)});
+    scores.add({item, count_cell(mean->n), cell_of(mean->value), found.interval("mean.score", item),
+                found.cell("mean.rank", item)});
   }
-  if (!scores.table.rows.empty()) outcome.tables.push_back(std::move(scores));
+  if (!scores.rows.empty()) outcome.tables.push_back(std::move(scores));
 }
 
 void add_pair_scale(const PairedStudy& study, const FoundNumbers& found, AnalysisOutcome& outcome) {
@@ -282,10 +290,11 @@ void add_model(const PairedStudy& study, const FoundNumbers& found, AnalysisOutc
   if (is_fit_unreliable(found) && study.choices.items.size() > 2) {
     add(phrase("Analysis", "Goodness of fit has no p: %1.").with(expected_counts_text(found)));
   }
-  NamedTable model{kModel,
-                   phrase("Analysis", "Order effect, ties and goodness of fit of the scale"),
-                   {{"measure", "value", "value_low", "value_high", "statistic", "df", "p"}, {}},
-                   note};
+  ResultTable model{kModel,
+                    phrase("Analysis", "Order effect, ties and goodness of fit of the scale"),
+                    {columns::kMeasure, columns::kValue, interval_of(columns::kValue), kStatistic,
+                     columns::kDf, columns::kP},
+                    note};
   struct Row {
     const char* shown;
     const char* quantity;
@@ -297,10 +306,9 @@ void add_model(const PairedStudy& study, const FoundNumbers& found, AnalysisOutc
     if (found.find(quantity) == nullptr && found.find(quantity + ".lr") == nullptr) continue;
     // Two items always lie on one scale.
     if (quantity == "model.fit" && study.choices.items.size() < 3) continue;
-    const auto [low, high] = found.interval(quantity);
-    model.table.rows.push_back({std::string(shown), found.cell(quantity), low, high,
-                                found.cell(quantity + ".lr"), found.count(quantity + ".df"),
-                                found.cell(quantity + ".p")});
+    model.add({std::string(shown), found.cell(quantity), found.interval(quantity),
+               found.cell(quantity + ".lr"), found.count(quantity + ".df"),
+               found.cell(quantity + ".p")});
   }
   outcome.tables.push_back(std::move(model));
 }
@@ -333,10 +341,10 @@ ConsistencyOfPeople add_people_consistency(const PairedStudy& study, AnalysisOut
   const bool is_exact = items <= kMostItemsForExactTriads;
   const IntegerDistribution of_round =
       is_exact ? circular_triad_distribution(items) : IntegerDistribution{};
-  NamedTable table{
+  ResultTable table{
       kConsistency,
       phrase("Analysis", "Consistency of the participants"),
-      {{"participant", "rounds", "circular_triads", "zeta", "p"}, {}},
+      {columns::kParticipant, kRounds, kCircularTriads, kZeta, columns::kP},
       phrase("Analysis",
              "A round is one comparison of every pair, with the same levels of all other factors; "
              "rounds with a tie or without one of the pairs are left out. A triad is circular if a "
@@ -346,8 +354,8 @@ ConsistencyOfPeople add_people_consistency(const PairedStudy& study, AnalysisOut
              "most as many circular triads in these rounds under guessing, uncorrected.")
           .with(reading_bounded(found.under_guessing))};
   for (const auto& [person, rounds] : of_people) {
-    std::vector<Cell> row{study.choices.gathered.people[person].label,
-                          static_cast<std::int64_t>(rounds.evaluated), Cell{}, Cell{}, Cell{}};
+    ResultRow row{
+        study.choices.gathered.people[person].label, count_cell(rounds.evaluated), {}, {}, {}};
     if (rounds.evaluated > 0) {
       const auto n = static_cast<double>(rounds.evaluated);
       found.zetas.push_back(rounds.zetas / n);
@@ -358,7 +366,7 @@ ConsistencyOfPeople add_people_consistency(const PairedStudy& study, AnalysisOut
                      .lower_tail(static_cast<std::int64_t>(rounds.triads));
       }
     }
-    table.table.rows.push_back(std::move(row));
+    table.add(std::move(row));
   }
   if (!found.zetas.empty()) outcome.tables.push_back(std::move(table));
   return found;

@@ -12,8 +12,8 @@ namespace asperity {
 
 namespace {
 
-constexpr const char* kFirst = "C1";
-constexpr const char* kSecond = "C2";
+constexpr const char* kFirstComponent = "C1";
+constexpr const char* kSecondComponent = "C2";
 constexpr double kRoomForLabels = 0.2;  // at both ends, in proportion to the range of the marks
 constexpr double kLowestOfWidth = 0.5;  // height in proportion to the width
 
@@ -25,12 +25,12 @@ struct PlacedName {
 
 /// Scores or loadings on the first two components.
 std::vector<PlacedName> places_in_plane(const FoundNumbers& found, const std::string& quantity) {
-  const std::string of_first = std::string("|") + kFirst;
+  const std::string of_first = std::string("|") + kFirstComponent;
   std::vector<PlacedName> places{};
   for (const Finding* one : found.all(quantity)) {
     if (!one->value || !one->key.ends_with(of_first)) continue;
     const std::string name = one->key.substr(0, one->key.size() - of_first.size());
-    const std::optional<double> second = found.value(quantity, name + '|' + kSecond);
+    const std::optional<double> second = found.value(quantity, name + '|' + kSecondComponent);
     if (second) places.push_back({.name = name, .at = {.x = *one->value, .y = *second}});
   }
   return places;
@@ -110,15 +110,15 @@ Figure biplot_figure(const FoundNumbers& found) {
                      "There are fewer than two components, and a biplot requires two; add scales.");
     return figure;
   }
-  if (!(found.value("eigenvalue", kSecond).value_or(0.0) > 0.0)) {
+  if (!(found.value("eigenvalue", kSecondComponent).value_or(0.0) > 0.0)) {
     figure.instead = phrase("Figures",
                             "The mean ratings vary along one component only, so that there is no "
                             "second axis; add scales or items.");
     return figure;
   }
   // Scores of unit variance: their products with the loadings, over all components, are the standardised ratings.
-  const double first_sd = std::sqrt(found.value("eigenvalue", kFirst).value_or(1.0));
-  const double second_sd = std::sqrt(*found.value("eigenvalue", kSecond));
+  const double first_sd = std::sqrt(found.value("eigenvalue", kFirstComponent).value_or(1.0));
+  const double second_sd = std::sqrt(*found.value("eigenvalue", kSecondComponent));
   for (PlacedName& item : items) item.at = {item.at.x / first_sd, item.at.y / second_sd};
   const double length = length_of_arrows(farthest(items), farthest(scales));
   figure.note = note_of_biplot(found, length);
@@ -146,9 +146,9 @@ Figure biplot_figure(const FoundNumbers& found) {
   const double height = room * (along.high - along.low);
   const double width = std::max(room * (across.high - across.low), height);
   figure.x = axis_of(across, width);
-  figure.x.name = name_of_component(found, kFirst);
+  figure.x.name = name_of_component(found, kFirstComponent);
   figure.y = axis_of(along, std::max(height, kLowestOfWidth * width));
-  figure.y.name = name_of_component(found, kSecond);
+  figure.y.name = name_of_component(found, kSecondComponent);
   figure.series.push_back(std::move(points));
   figure.series.push_back(std::move(arrows));
   return figure;

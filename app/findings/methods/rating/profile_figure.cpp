@@ -6,10 +6,9 @@
 #include <set>
 #include <tuple>
 #include <utility>
-#include <variant>
 
 #include "app/findings/outcome/cell_words.h"
-#include "app/findings/outcome/reading_table.h"
+#include "app/findings/outcome/columns.h"
 
 namespace asperity {
 
@@ -18,6 +17,13 @@ namespace {
 /// Styles whose marks are filled; as many have outlined marks.
 constexpr std::size_t kFilledStyles = 6;
 constexpr std::size_t kMostProfiles = 2 * kFilledStyles;
+
+/// Where there are both ends.
+std::optional<FigureSpan> span_of(const std::optional<double>& low,
+                                  const std::optional<double>& high) {
+  if (!low || !high) return {};
+  return FigureSpan{.low = *low, .high = *high};
+}
 
 /// A row of the table of means.
 struct RatedMean {
@@ -36,50 +42,23 @@ struct ShownScale {
   std::optional<FigureSpan> range{};
 };
 
-/// The cells of a table by the names of its columns.
-class NamedCells final {
- public:
-  NamedCells(const Table& table, std::size_t row) : table_(table), row_(table.rows[row]) {}
-
-  std::string text(const char* column) const {
-    const auto* const text = std::get_if<std::string>(&cell(column));
-    return text == nullptr ? std::string() : *text;
-  }
-  std::optional<double> number(const char* column) const { return number_of(cell(column)); }
-  /// Where it has both ends.
-  std::optional<FigureSpan> span(const char* low, const char* high) const {
-    const std::optional<double> from = number(low);
-    const std::optional<double> to = number(high);
-    if (!from || !to) return {};
-    return FigureSpan{.low = *from, .high = *to};
-  }
-
- private:
-  const Cell& cell(const char* column) const {
-    static const Cell kMissing{};
-    const std::optional<std::size_t> at = column_of(table_, column);
-    return at ? row_[*at] : kMissing;
-  }
-
-  const Table& table_;
-  const std::vector<Cell>& row_;
-};
-
-std::vector<RatedMean> means_in(const Table& table) {
+std::vector<RatedMean> means_in(const ResultTable& table) {
   std::vector<RatedMean> means{};
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const NamedCells cells(table, row);
-    means.push_back({.scale = cells.text("scale"),
-                     .item = cells.text("item"),
-                     .mean = cells.number("mean"),
-                     .interval = cells.span("mean_low", "mean_high"),
-                     .persons = static_cast<std::int64_t>(cells.number("persons").value_or(0.0))});
+  for (const ResultRow& cells : table.rows) {
+    const RowReader row(table, cells);
+    const Interval interval = row.interval(columns::kMean);
+    means.push_back(
+        {.scale = row.text(columns::kScale),
+         .item = row.text(columns::kItem),
+         .mean = row.number(columns::kMean),
+         .interval = span_of(interval.low, interval.high),
+         .persons = static_cast<std::int64_t>(row.number(columns::kPersons).value_or(0.0))});
   }
   return means;
 }
 
 /// Those that the means are of, in their order.
-std::vector<ShownScale> scales_of(const std::vector<RatedMean>& means, const NamedTable* shown) {
+std::vector<ShownScale> scales_of(const std::vector<RatedMean>& means, const ResultTable* shown) {
   std::vector<ShownScale> scales{};
   for (const RatedMean& mean : means) {
     const bool is_known =
@@ -88,13 +67,13 @@ std::vector<ShownScale> scales_of(const std::vector<RatedMean>& means, const Nam
     if (!is_known) scales.push_back({.name = mean.scale});
   }
   if (shown == nullptr) return scales;
-  for (std::size_t row = 0; row < shown->table.rows.size(); ++row) {
-    const NamedCells cells(shown->table, row);
+  for (const ResultRow& cells : shown->rows) {
+    const RowReader row(*shown, cells);
     for (ShownScale& scale : scales) {
-      if (scale.name != cells.text("scale")) continue;
-      scale.low_label = cells.text("low_label");
-      scale.high_label = cells.text("high_label");
-      scale.range = cells.span("minimum", "maximum");
+      if (scale.name != row.text(columns::kScale)) continue;
+      scale.low_label = row.text(kLowLabel);
+      scale.high_label = row.text(kHighLabel);
+      scale.range = span_of(row.number(columns::kMinimum), row.number(columns::kMaximum));
     }
   }
   return scales;
@@ -238,12 +217,12 @@ bool continues_beyond(const Figure& figure) {
 
 }  // namespace
 
-Figure profile_figure(const NamedTable& ratings, const NamedTable* shown) {
+Figure profile_figure(const ResultTable& ratings, const ResultTable* shown) {
   Figure figure{.name = "profile",
                 .table = ratings.name,
                 .title = phrase("Figures", "Profiles of the items: mean ratings on each scale"),
                 .shape = FigureShape::rows};
-  const std::vector<RatedMean> means = means_in(ratings.table);
+  const std::vector<RatedMean> means = means_in(ratings);
   const bool has_mean = std::any_of(means.begin(), means.end(),
                                     [](const RatedMean& mean) { return mean.mean.has_value(); });
   if (!has_mean) {

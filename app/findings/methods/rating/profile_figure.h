@@ -7,8 +7,14 @@
 
 namespace asperity {
 
+/// The ends of a scale, as labelled for participants.
+inline const ResultColumn kLowLabel{.id = "low_label",
+                                    .heading = phrase("AnalysisWords", "label of the minimum")};
+inline const ResultColumn kHighLabel{.id = "high_label",
+                                     .heading = phrase("AnalysisWords", "label of the maximum")};
+
 /// Mean ratings of the items on several scales, a row per scale and a line per item. `shown`: the
 /// table of the ends and ranges of the scales; may be null.
-Figure profile_figure(const NamedTable& ratings, const NamedTable* shown);
+Figure profile_figure(const ResultTable& ratings, const ResultTable* shown);
 
 }  // namespace asperity

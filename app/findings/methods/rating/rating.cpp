@@ -10,14 +10,15 @@
 #include <vector>
 
 #include "app/findings/gathering/answer_columns.h"
+#include "app/findings/methods/rating/profile_figure.h"
 #include "app/findings/methods/rating/rating_analysis.h"
 #include "app/findings/methods/rating/rating_components.h"
 #include "app/findings/methods/rating/rating_constructs.h"
 #include "app/findings/methods/rating/rating_models.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/estimate_sentences.h"
 #include "app/findings/outcome/reading_number.h"
-#include "app/findings/outcome/reading_table.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/test_sentences.h"
 #include "app/findings/shared/accompanying_scales.h"
@@ -33,6 +34,8 @@ constexpr const char* kRatings = "ratings";
 constexpr const char* kScales = "scales";
 constexpr const char* kAgreement = "agreement";
 
+const ResultColumn kPoints{.id = "points", .heading = phrase("AnalysisWords", "points")};
+
 /// The table of the families `rating` and `icc`, which call its columns by other names.
 TidyInput table_of(const GatheredAnswers& gathered, const RatedScale& scale, const char* rater,
                    const char* rated) {
@@ -42,31 +45,29 @@ TidyInput table_of(const GatheredAnswers& gathered, const RatedScale& scale, con
 }
 
 /// The scales as shown to participants.
-NamedTable table_of_scales(const GatheredAnswers& gathered, const std::vector<RatedScale>& scales,
-                           const AccompanyingScales& accompanying) {
-  NamedTable shown{kScales,
-                   phrase("Analysis", "The scales"),
-                   {{"scale", "minimum", "low_label", "maximum", "high_label", "points"}, {}},
-                   phrase("Analysis",
-                          "The ends of each scale as numbers and as labelled for participants; a "
-                          "scale without points is a continuous line.")};
+ResultTable table_of_scales(const GatheredAnswers& gathered, const std::vector<RatedScale>& scales,
+                            const AccompanyingScales& accompanying) {
+  ResultTable shown{
+      kScales,
+      phrase("Analysis", "The scales"),
+      {columns::kScale, columns::kMinimum, kLowLabel, columns::kMaximum, kHighLabel, kPoints},
+      phrase("Analysis",
+             "The ends of each scale as numbers and as labelled for participants; a "
+             "scale without points is a continuous line.")};
   // Whole numbers are displayed without decimals.
   const auto whole_cell = [](const std::optional<double>& number) {
     return number && std::floor(*number) == *number
-               ? Cell{static_cast<std::int64_t>(std::llround(*number))}
+               ? ResultCell{static_cast<std::int64_t>(std::llround(*number))}
                : cell_of(number);
-  };
-  const auto label_cell = [](const std::string& label) {
-    return label.empty() ? Cell{} : Cell{label};
   };
   for (const StoredProtocol::TrialQuestion& question : gathered.questions) {
     const bool is_rated = std::any_of(scales.begin(), scales.end(), [&question](const auto& scale) {
       return scale.name == question.name;
     });
     if (!is_rated && !accompanying.has(question.name)) continue;
-    shown.table.rows.push_back({question.name, whole_cell(question.minimum),
-                                label_cell(question.low_label), whole_cell(question.maximum),
-                                label_cell(question.high_label), whole_cell(question.points)});
+    shown.add({question.name, whole_cell(question.minimum), word_cell(question.low_label),
+               whole_cell(question.maximum), word_cell(question.high_label),
+               whole_cell(question.points)});
   }
   return shown;
 }
@@ -96,27 +97,24 @@ std::vector<RepeatedEstimate> repeated_ratings(const RatedScale& scale) {
   return ratings;
 }
 
-void add_means(const RatedScale& scale, const FoundNumbers& found, Table& table) {
+void add_means(const RatedScale& scale, const FoundNumbers& found, ResultTable& table) {
   for (const std::string& item : scale.items) {
     const std::string key = scale.name + '|' + item;
     const Finding* const mean = found.find("mean.score", key);
     if (mean == nullptr) continue;
-    const auto [low, high] = found.interval("mean.score", key);
-    table.rows.push_back({scale.name, item, static_cast<std::int64_t>(mean->n),
-                          cell_of(mean->value), low, high, found.cell("mean.rank", key)});
+    table.add({scale.name, item, count_cell(mean->n), cell_of(mean->value),
+               found.interval("mean.score", key), found.cell("mean.rank", key)});
   }
 }
 
-void add_agreement(const RatedScale& scale, const FoundNumbers& found, Table& table) {
+void add_agreement(const RatedScale& scale, const FoundNumbers& found, ResultTable& table) {
   const Finding* const none = found.find("icc", scale.name);
   for (const char* const form : {"ICC2", "ICC3", "ICC2k", "ICC3k"}) {
     const std::string key = scale.name + '|' + form;
     const Finding* const icc = none == nullptr ? found.find("icc", key) : none;
     if (icc == nullptr) continue;
-    const auto [low, high] = found.interval("icc", key);
-    table.rows.push_back({scale.name, std::string(form), cell_of(icc->value), low, high,
-                          static_cast<std::int64_t>(icc->n),
-                          none == nullptr ? Cell{} : Cell{none->word}});
+    table.add({scale.name, std::string(form), cell_of(icc->value), found.interval("icc", key),
+               count_cell(icc->n), none == nullptr ? ResultCell{} : ResultCell{none->word}});
   }
 }
 
@@ -223,17 +221,18 @@ std::vector<StudyTest> test_ratings(const GatheredAnswers& gathered) {
 void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   const std::vector<RatedScale> scales = rated_scales(gathered);
   const AccompanyingScales accompanying(gathered);
-  NamedTable ratings{
+  using namespace columns;
+  ResultTable ratings{
       kRatings,
       phrase("Analysis", "Mean ratings of the items on each scale"),
-      {{"scale", "item", "persons", "mean", "mean_low", "mean_high", "mean_rank"}, {}},
+      {kScale, kItem, kPersons, kMean, interval_of(kMean), kMeanRank},
       phrase("Analysis",
              "Means of the participants' mean ratings, over the participants who rated every item, "
              "with t-based 95 % CIs; mean rank: 1 for a participant's lowest rating.")};
-  NamedTable agreement{
+  ResultTable agreement{
       kAgreement,
       phrase("Analysis", "Agreement of the participants on each scale"),
-      {{"scale", "measure", "value", "value_low", "value_high", "items", "status"}, {}},
+      {kScale, kMeasure, kValue, interval_of(kValue), kItems, kStatus},
       phrase("Analysis",
              "Intraclass correlations with the items as targets and the participants as raters: "
              "ICC2 measures agreement, ICC3 consistency; k: of the mean of all participants.")};
@@ -247,7 +246,7 @@ void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
     }
     std::vector<Finding> findings = findings_of_items(gathered, scale);
     const FoundNumbers found(findings);
-    add_means(scale, found, ratings.table);
+    add_means(scale, found, ratings);
     add_tests(scale, scales.size() == 1, found, tests);
     keep_findings(findings, outcome);
     models.add(gathered, scale, tests, outcome);
@@ -255,19 +254,19 @@ void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
         findings_of(kAgreement, "icc", scale, table_of(gathered, scale, "rater", "target"));
     withhold_few_targets(correlations,
                          {.counted = "items that all participants rated", .key = scale.name});
-    add_agreement(scale, FoundNumbers(correlations), agreement.table);
+    add_agreement(scale, FoundNumbers(correlations), agreement);
     // The family's α is ICC3k with the raters as test items; that of a construct is of its scales (add_constructs).
     keep_findings(correlations, outcome,
                   [](const Finding& one) { return one.quantity != "cronbach.alpha"; });
     all.emplace_back(&scale, std::move(findings));
   }
-  const bool has_ratings = !ratings.table.rows.empty();
+  const bool has_ratings = !ratings.rows.empty();
   if (has_ratings) outcome.tables.push_back(std::move(ratings));
   if (has_ratings || !accompanying.empty()) {
     outcome.tables.push_back(table_of_scales(gathered, scales, accompanying));
   }
-  drop_empty_columns(agreement.table, 2);
-  if (!agreement.table.rows.empty()) outcome.tables.push_back(std::move(agreement));
+  agreement.drop_empty_columns(2);
+  if (!agreement.rows.empty()) outcome.tables.push_back(std::move(agreement));
   std::move(models).report(outcome);
   add_rating_components(gathered, scales, outcome);
   accompanying.add_tests(tests);

@@ -7,8 +7,9 @@
 #include <utility>
 
 #include "app/findings/gathering/answer_columns.h"
+#include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/study_findings.h"
-#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
 
@@ -101,6 +102,35 @@ std::size_t components_with_loadings(std::size_t items) noexcept {
   return items / kItemsPerComponent;
 }
 
+namespace {
+
+Phrase words_of_loaded_quantity(const std::string& code) {
+  return code == "loading" ? phrase("CellWords", "loading of the scale")
+         : code == "score" ? phrase("CellWords", "score of the item")
+                           : words_of_name(code);
+}
+
+Phrase words_of_retained(const std::string& code) {
+  return code == "yes" ? phrase("CellWords", "yes") : phrase("CellWords", "no");
+}
+
+const ResultColumn kComponent{.id = "component", .heading = phrase("AnalysisWords", "component")};
+const ResultColumn kEigenvalue{.id = "eigenvalue",
+                               .heading = phrase("AnalysisWords", "eigenvalue")};
+const ResultColumn kProportion{.id = "proportion",
+                               .heading = phrase("AnalysisWords", "proportion")};
+const ResultColumn kProportionCorrected{
+    .id = "proportion_corrected", .heading = phrase("AnalysisWords", "proportion, corrected")};
+const ResultColumn kLimit{.id = "limit", .heading = phrase("AnalysisWords", "limit")};
+const ResultColumn kRetained{
+    .id = "retained", .heading = phrase("AnalysisWords", "retained"), .words = words_of_retained};
+const ResultColumn kLoadedQuantity{
+    .id = "of", .heading = phrase("AnalysisWords", "quantity"), .words = words_of_loaded_quantity};
+const ResultColumn kName{.id = "name", .heading = phrase("AnalysisWords", "name")};
+const ResultColumn kCorrected{.id = "corrected", .heading = phrase("AnalysisWords", "corrected")};
+
+}  // namespace
+
 void add_rating_components(const GatheredAnswers& gathered, const std::vector<RatedScale>& scales,
                            AnalysisOutcome& outcome) {
   if (scales.size() < 2) return;
@@ -117,36 +147,34 @@ void add_rating_components(const GatheredAnswers& gathered, const std::vector<Ra
   keep_findings(findings, outcome);
   const std::vector<const Finding*> eigenvalues = found.all("eigenvalue");
   if (eigenvalues.empty() || !eigenvalues.front()->value) return;
-  NamedTable components{
-      kComponents,
-      phrase("Analysis", "Principal components of the scales"),
-      {{"component", "eigenvalue", "proportion", "proportion_corrected", "proportion_corrected_low",
-        "proportion_corrected_high", "limit", "retained"},
-       {}},
-      note_on_components(items.size(), loaded)};
+  using namespace columns;
+  ResultTable components{kComponents,
+                         phrase("Analysis", "Principal components of the scales"),
+                         {kComponent, kEigenvalue, kProportion, kProportionCorrected,
+                          interval_of(kProportionCorrected), kLimit, kRetained},
+                         note_on_components(items.size(), loaded)};
   const double retained = found.value("retained").value_or(0.0);
   for (const Finding* const eigenvalue : eigenvalues) {
-    const auto number = static_cast<double>(components.table.rows.size() + 1);
-    const auto [low, high] = found.interval("proportion.corrected", eigenvalue->key);
-    components.table.rows.push_back({eigenvalue->key, cell_of(eigenvalue->value),
-                                     found.cell("proportion", eigenvalue->key),
-                                     found.cell("proportion.corrected", eigenvalue->key), low, high,
-                                     found.cell("parallel.limit", eigenvalue->key),
-                                     std::string(number <= retained ? "yes" : "no")});
+    const auto number = static_cast<double>(components.rows.size() + 1);
+    components.add({eigenvalue->key, cell_of(eigenvalue->value),
+                    found.cell("proportion", eigenvalue->key),
+                    found.cell("proportion.corrected", eigenvalue->key),
+                    found.interval("proportion.corrected", eigenvalue->key),
+                    found.cell("parallel.limit", eigenvalue->key),
+                    std::string(number <= retained ? "yes" : "no")});
   }
   outcome.tables.push_back(std::move(components));
   if (loaded == 0) return;
-  NamedTable loadings{kLoadings,
-                      phrase("Analysis", "Loadings of the scales and scores of the items"),
-                      {{"of", "name", "component", "value", "corrected"}, {}},
-                      note_on_loadings(items.size(), loaded, eigenvalues.size())};
+  ResultTable loadings{kLoadings,
+                       phrase("Analysis", "Loadings of the scales and scores of the items"),
+                       {kLoadedQuantity, kName, kComponent, kValue, kCorrected},
+                       note_on_loadings(items.size(), loaded, eigenvalues.size())};
   for (const char* const quantity : {"loading", "score"}) {
     for (const Finding* const finding : found.all(quantity)) {
       const std::string corrected = std::string(quantity) + ".corrected";
-      loadings.table.rows.push_back({std::string(quantity),
-                                     finding->key.substr(0, finding->key.rfind('|')),
-                                     component_in(finding->key), cell_of(finding->value),
-                                     found.cell(corrected, finding->key)});
+      loadings.add({std::string(quantity), finding->key.substr(0, finding->key.rfind('|')),
+                    component_in(finding->key), cell_of(finding->value),
+                    found.cell(corrected, finding->key)});
     }
   }
   outcome.tables.push_back(std::move(loadings));

@@ -11,10 +11,11 @@
 #include <utility>
 
 #include "analysis/scales/cronbach_alpha.h"
+#include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/tidy/finding_list.h"
-#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
 
@@ -119,18 +120,25 @@ void ask(const std::string& name, const ConstructDeclaration& construct, const F
       kConstructs, &alpha);
 }
 
+const ResultColumn kConstruct{.id = "construct", .heading = phrase("AnalysisWords", "construct")};
+const ResultColumn kScalesOfConstruct{.id = "scales", .heading = phrase("AnalysisWords", "scales")};
+const ResultColumn kReverseKeyed{.id = "reverse_keyed",
+                                 .heading = phrase("AnalysisWords", "reverse-keyed")};
+const ResultColumn kCells{.id = "cells", .heading = phrase("AnalysisWords", "cells")};
+const ResultColumn kCronbachAlpha{.id = "alpha",
+                                  .heading = phrase("AnalysisWords", "Cronbach’s α")};
+
 }  // namespace
 
 void add_constructs(const GatheredAnswers& gathered, const std::vector<RatedScale>& scales,
                     AnalysisOutcome& outcome) {
-  NamedTable table{kConstructs,
-                   phrase("Analysis", "Internal consistency of the declared constructs"),
-                   {{"construct", "scales", "reverse_keyed", "persons", "cells", "alpha",
-                     "alpha_low", "alpha_high"},
-                    {}},
-                   phrase("Analysis",
-                          "Cronbach’s α of the scales of each construct. cells: combinations of a "
-                          "participant and an item that were rated on all of its scales.")};
+  ResultTable table{kConstructs,
+                    phrase("Analysis", "Internal consistency of the declared constructs"),
+                    {kConstruct, kScalesOfConstruct, kReverseKeyed, columns::kPersons, kCells,
+                     kCronbachAlpha, interval_of(kCronbachAlpha)},
+                    phrase("Analysis",
+                           "Cronbach’s α of the scales of each construct. cells: combinations of a "
+                           "participant and an item that were rated on all of its scales.")};
   for (const auto& [name, construct] : gathered.declared.constructs) {
     std::vector<const RatedScale*> own{};
     for (const RatedScale& scale : scales) {
@@ -151,15 +159,14 @@ void add_constructs(const GatheredAnswers& gathered, const std::vector<RatedScal
     const Finding* const alpha = found.find(kAlpha, name);
     keep_findings(findings, outcome);
     if (alpha == nullptr) continue;
-    const auto [low, high] = found.interval(kAlpha, name);
-    table.table.rows.push_back(
+    table.add(
         {name, listed_scales(construct.scales),
-         construct.reverse_keyed.empty() ? Cell{} : Cell{listed_scales(construct.reverse_keyed)},
-         static_cast<std::int64_t>(alpha->n), found.count("n.cells", name), cell_of(alpha->value),
-         low, high});
+         word_cell(construct.reverse_keyed.empty() ? "" : listed_scales(construct.reverse_keyed)),
+         count_cell(alpha->n), found.count("n.cells", name), cell_of(alpha->value),
+         found.interval(kAlpha, name)});
     ask(name, construct, *alpha, outcome);
   }
-  if (!table.table.rows.empty()) outcome.tables.push_back(std::move(table));
+  if (!table.rows.empty()) outcome.tables.push_back(std::move(table));
 }
 
 }  // namespace asperity

@@ -12,10 +12,11 @@
 #include <vector>
 
 #include "app/findings/gathering/answer_columns.h"
+#include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/shared/magnitude_effects.h"
 #include "app/findings/tidy/finding_list.h"
-#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
 
@@ -26,6 +27,8 @@ constexpr const char* kDifferences = "rated_differences";
 constexpr const char* kModelTest = "rating_model";
 /// The factor of the analysis of variance, and the column of the items.
 constexpr const char* kRatedItem = "item";
+
+const ResultColumn kLogOdds{.id = "log_odds", .heading = phrase("AnalysisWords", "log odds ratio")};
 
 /// The single responses.
 TidyInput responses_of(const GatheredAnswers& gathered, const RatedScale& scale) {
@@ -47,27 +50,27 @@ TidyInput means_of(const GatheredAnswers& gathered, const RatedScale& scale) {
   return input;
 }
 
-void add_odds(const RatedScale& scale, const FoundNumbers& found, Table& table) {
+void add_odds(const RatedScale& scale, const FoundNumbers& found, ResultTable& table) {
   for (const std::string& item : scale.items) {
     const std::string key = both(scale.name, item);
     const Finding* const odds = found.find("logodds", key);
     if (odds == nullptr) continue;
-    table.rows.push_back({scale.name, item, scale.items.front(), cell_of(odds->value)});
+    table.add({scale.name, item, scale.items.front(), cell_of(odds->value)});
   }
 }
 
 /// The family has the differences first − second; the table has those to the first item.
-void add_differences(const RatedScale& scale, const FoundNumbers& found, Table& table) {
+void add_differences(const RatedScale& scale, const FoundNumbers& found, ResultTable& table) {
   const std::string& reference = scale.items.front();
   for (const std::string& item : scale.items) {
     const Finding* const pair =
         found.find("pair.diff", both(scale.name, both(kRatedItem, both(reference, item))));
     if (pair == nullptr || !pair->value) continue;
     const auto negated = [](const std::optional<double>& number) {
-      return number ? Cell{0.0 - *number} : Cell{};
+      return number ? std::optional(0.0 - *number) : std::nullopt;
     };
-    table.rows.push_back({scale.name, item, reference, static_cast<std::int64_t>(pair->n),
-                          negated(pair->value), negated(pair->high), negated(pair->low)});
+    table.add({scale.name, item, reference, count_cell(pair->n), cell_of(negated(pair->value)),
+               interval_cell(negated(pair->high), negated(pair->low))});
   }
 }
 
@@ -89,7 +92,7 @@ bool is_of_odds(const Finding& finding) {
 RatingModels::RatingModels()
     : ordinal_{kOrdinal,
                phrase("Analysis", "Cumulative link mixed model of the ratings on each scale"),
-               {{"scale", "item", "reference", "log_odds"}, {}},
+               {columns::kScale, columns::kItem, columns::kReference, kLogOdds},
                phrase("Analysis",
                       "Log odds ratio of a higher rating, relative to the reference: proportional "
                       "odds, items as fixed effects, participants as random intercepts. Every "
@@ -103,9 +106,8 @@ RatingModels::RatingModels()
       differences_{
           kDifferences,
           phrase("Analysis", "Differences of the mean ratings on each scale"),
-          {{"scale", "item", "reference", "persons", "difference", "difference_low",
-            "difference_high"},
-           {}},
+          {columns::kScale, columns::kItem, columns::kReference, columns::kPersons,
+           columns::kDifference, interval_of(columns::kDifference)},
           phrase("Analysis",
                  "Differences of the participants’ mean ratings to the reference, over the "
                  "participants who rated every item, with t-based 95 % CIs of the paired "
@@ -121,11 +123,11 @@ void RatingModels::add(const GatheredAnswers& gathered, const RatedScale& scale,
       if (!finding.low) return std::nullopt;
       return "without an interval, which would assume the same effects for all participants";
     });
-    add_odds(scale, FoundNumbers(model), ordinal_.table);
+    add_odds(scale, FoundNumbers(model), ordinal_);
     keep_findings(model, outcome, is_of_odds);
   }
   const std::vector<Finding> anova = add_rating_model_test(gathered, scale, tests);
-  add_differences(scale, FoundNumbers(anova), differences_.table);
+  add_differences(scale, FoundNumbers(anova), differences_);
   keep_findings(anova, outcome, is_of_differences);
 }
 
@@ -144,8 +146,8 @@ std::vector<Finding> add_rating_model_test(const GatheredAnswers& gathered, cons
 }
 
 void RatingModels::report(AnalysisOutcome& outcome) && {
-  for (NamedTable* const table : {&differences_, &ordinal_}) {
-    if (!table->table.rows.empty()) outcome.tables.push_back(std::move(*table));
+  for (ResultTable* const table : {&differences_, &ordinal_}) {
+    if (!table->rows.empty()) outcome.tables.push_back(std::move(*table));
   }
 }
 

@@ -27,8 +27,8 @@ class RatingModels final {
   void report(AnalysisOutcome& outcome) &&;
 
  private:
-  NamedTable ordinal_{};
-  NamedTable differences_{};
+  ResultTable ordinal_{};
+  ResultTable differences_{};
 };
 
 /// The analysis of variance of a scale with at least two items: adds the test `rating_model`, and returns the findings.

@@ -14,10 +14,12 @@
 #include "app/findings/methods/recognition/recognition_analysis.h"
 #include "app/findings/methods/recognition/recognition_confusions.h"
 #include "app/findings/methods/recognition/recognition_similarity.h"
+#include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/tally.h"
 #include "app/findings/outcome/test_sentences.h"
+#include "app/findings/shared/choice_tables.h"
 #include "app/findings/shared/crossed_textures.h"
 #include "app/findings/shared/judged_answers.h"
 #include "app/findings/shared/participant_pairs.h"
@@ -53,23 +55,23 @@ void add_recognition_tables(const GatheredAnswers& gathered,
             chance_note(all, phrase("Analysis", "Chance level: 1/%1 of the responses correct.")),
             outcome);
   ShareTable shares{
-      "shares",
+      kAllShares,
       phrase("Analysis", "Proportion correct"),
       phrase(
           "Analysis",
           "The chance level is 1 divided by the number of pictures shown; “cannot tell” counts as "
           "incorrect. p: exact binomial test, two-sided, uncorrected for the number of rows."),
-      {"column", "person"},
-      "correct",
+      {columns::kRepetition, columns::kSex},
+      columns::kCorrect,
       "share_correct",
       {}};
   right.add_rows(shares);
   add_shares(shares, outcome);
-  ShareTable textures{"shares_by_texture",
+  ShareTable textures{kSharesByTexture,
                       phrase("Analysis", "Proportion correct, by texture"),
                       {},
-                      {"felt"},
-                      "correct",
+                      {columns::kFelt},
+                      columns::kCorrect,
                       "share_correct",
                       {}};
   for (const std::string& texture : pictures.felt) {
@@ -106,7 +108,7 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
                "chance level of %3; all participants have the same proportion correct, so there is "
                "no test.")
             .with(percent(*mean->value), interval_text(*mean), chance),
-        method, "shares", mean);
+        method, kAllShares, mean);
     return;
   }
   const auto with_numbers = [&](const Phrase& words) {
@@ -144,7 +146,7 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
       mean->n == 1                                                ? of_one
       : test->is_significant() && holds_in_interval(*mean, level) ? with_contradiction(plain)
                                                                   : plain};
-  add_question(outcome, "right", question, said_of(*test, sayings), method, "shares", mean);
+  add_question(outcome, "right", question, said_of(*test, sayings), method, kAllShares, mean);
 }
 
 void ask_information(const FoundNumbers& found, AnalysisOutcome& outcome) {
@@ -282,7 +284,7 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   const FoundNumbers found(findings);
   const FoundNumbers found_similarity(similarity);
   const std::array<PersonsRow, 1> persons{PersonsRow{"all", ""}};
-  add_persons(found, persons, "answers", "share_correct", outcome);
+  add_persons(found, persons, columns::kAllAnswers, "share_correct", outcome);
   constexpr std::array kMeasures{Measure{"share_of_pictures_right", "pc"},
                                  Measure{"d_prime", "dprime"},
                                  Measure{"kappa", "kappa"},

@@ -10,8 +10,16 @@
 #include <utility>
 
 #include "analysis/numbers/number_text.h"
+#include "app/findings/outcome/columns.h"
 
 namespace asperity {
+
+namespace {
+
+const ResultColumn kSimilarity{.id = "similarity",
+                               .heading = phrase("AnalysisWords", "similarity")};
+
+}  // namespace
 
 bool is_about_similarity(const Finding& finding) {
   constexpr std::array<std::string_view, 4> kStarts{"scm.", "dis.", "mds.", "hclust."};
@@ -49,45 +57,44 @@ void add_similarity_tables(const std::vector<std::string>& felt, const FoundNumb
             .with(count("scm.confusions"), count("scm.pairs.never"), count("scm.pairs")));
   }
   if (felt.size() < 2 || found.find("dis.shepard", felt[0] + '|' + felt[1]) == nullptr) return;
-  NamedTable pairs{
+  using namespace columns;
+  ResultTable pairs{
       "similarity",
       phrase("Analysis", "Similarity of the textures"),
-      {{"felt", "other", "similarity", "dissimilarity"}, {}},
+      {kFelt, kOther, kSimilarity, kDissimilarity},
       phrase("Analysis",
              "Similarity η: Luce's choice model, 1 for indistinguishable textures, with response "
              "biases separated; above 1: according to the model, confused more often than "
              "recognised. Dissimilarity: Shepard's −ln √(n_ij n_ji / (n_ii n_jj)) of the counts "
              "plus ½, not below 0; it is not the −ln of this similarity.")};
-  NamedTable map{"map",
-                 phrase("Analysis", "MDS configuration of the textures"),
-                 {{"item", "x", "y"}, {}},
-                 phrase("Analysis",
-                        "Classical scaling of the dissimilarities. Only distances can be "
-                        "interpreted: the configuration may be rotated and mirrored.")};
-  NamedTable tree{"tree",
-                  phrase("Analysis", "Dendrogram of the textures"),
-                  {{"join", "first", "second", "height"}, {}},
+  ResultTable map{"map",
+                  phrase("Analysis", "MDS configuration of the textures"),
+                  {kItem, kX, kY},
                   phrase("Analysis",
-                         "Average linkage of the dissimilarities. Each row joins the cluster of "
-                         "the first texture with that of the second.")};
+                         "Classical scaling of the dissimilarities. Only distances can be "
+                         "interpreted: the configuration may be rotated and mirrored.")};
+  ResultTable tree{"tree",
+                   phrase("Analysis", "Dendrogram of the textures"),
+                   {kJoin, kFirst, kSecond, kHeight},
+                   phrase("Analysis",
+                          "Average linkage of the dissimilarities. Each row joins the cluster of "
+                          "the first texture with that of the second.")};
   for (std::size_t i = 0; i < felt.size(); ++i) {
     for (std::size_t j = i + 1; j < felt.size(); ++j) {
       const std::string key = felt[i] + '|' + felt[j];
-      pairs.table.rows.push_back(
-          {felt[i], felt[j], found.cell("scm.eta", key), found.cell("dis.shepard", key)});
+      pairs.add({felt[i], felt[j], found.cell("scm.eta", key), found.cell("dis.shepard", key)});
     }
-    map.table.rows.push_back(
-        {felt[i], found.cell("mds.shepard.x", felt[i]), found.cell("mds.shepard.y", felt[i])});
+    map.add({felt[i], found.cell("mds.shepard.x", felt[i]), found.cell("mds.shepard.y", felt[i])});
   }
   for (std::size_t join = 1; join < felt.size(); ++join) {
     const std::string key = std::to_string(join);
     const Finding* first = found.find("hclust.shepard.average.first", key);
     const Finding* second = found.find("hclust.shepard.average.second", key);
     if (first == nullptr || second == nullptr) break;
-    tree.table.rows.push_back({static_cast<std::int64_t>(join), first->word, second->word,
-                               found.cell("hclust.shepard.average.height", key)});
+    tree.add({count_cell(join), first->word, second->word,
+              found.cell("hclust.shepard.average.height", key)});
   }
-  for (NamedTable* table : {&pairs, &map, &tree}) outcome.tables.push_back(std::move(*table));
+  for (ResultTable* table : {&pairs, &map, &tree}) outcome.tables.push_back(std::move(*table));
 }
 
 }  // namespace asperity

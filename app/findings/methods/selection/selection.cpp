@@ -7,6 +7,7 @@
 #include "app/findings/methods/selection/selection_analysis.h"
 #include "app/findings/methods/selection/target_choices.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/estimate_sentences.h"
 #include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
@@ -76,14 +77,14 @@ SelectionCounts::SelectionCounts(const Selection& selection, const ChapterCells&
 void add_share_tables(const Selection& selection, const SelectionCounts& counts,
                       const ChapterCells& cells, AnalysisOutcome& outcome) {
   const std::size_t items = selection.items.size();
-  ShareTable shares{"shares",
+  ShareTable shares{kAllShares,
                     phrase("Analysis", "Proportion of choices of each model"),
                     phrase("Analysis",
                            "The chance level is 1 divided by the number of surfaces presented. p: "
                            "exact binomial test, two-sided, uncorrected for the number of rows; "
                            "the proportions of one column are not independent of each other."),
-                    {"column", "item"},
-                    "chosen",
+                    {columns::kRepetition, columns::kItem},
+                    columns::kChosen,
                     "share_chosen",
                     {}};
   if (selection.can_abstain) {
@@ -96,8 +97,8 @@ void add_share_tables(const Selection& selection, const SelectionCounts& counts,
       "pairs",
       phrase("Analysis", "Pairwise comparisons of the models, among the choices of either model"),
       phrase("Analysis", "The chance level is 1/2: choices of a third model are not counted."),
-      {"column", "item", "against"},
-      "chosen",
+      {columns::kRepetition, columns::kItem, kAgainst},
+      columns::kChosen,
       "share_of_pair",
       {}};
   for (std::size_t column = 0; column < cells.columns().size(); ++column) {
@@ -113,11 +114,11 @@ void add_share_tables(const Selection& selection, const SelectionCounts& counts,
   }
   add_shares(shares, outcome);
   add_shares(pairs, outcome);
-  ShareTable textures{"shares_by_texture",
+  ShareTable textures{kSharesByTexture,
                       phrase("Analysis", "Proportion of choices of each model, by texture"),
                       {},
-                      {"texture", "item"},
-                      "chosen",
+                      {columns::kTexture, columns::kItem},
+                      columns::kChosen,
                       "share_chosen",
                       {}};
   for (std::size_t texture = 0; texture < selection.textures.size(); ++texture) {
@@ -236,14 +237,14 @@ void add_shares_of_persons(const Selection& selection, const FoundNumbers& found
   std::vector<PersonsRow> rows{};
   if (selection.all_offered) {
     for (const std::string& item : selection.items) rows.push_back({item, item});
-    add_persons(found, rows, "item", "share_chosen", outcome);
+    add_persons(found, rows, columns::kItem, "share_chosen", outcome);
     return;
   }
   for (const ItemPair& pair : pairs_offered(selection)) {
     const std::string key = both(selection.items[pair.first], selection.items[pair.second]);
     rows.push_back({key, key});
   }
-  add_persons(found, rows, "pair", "share_of_pair", outcome, "persons_by_pair");
+  add_persons(found, rows, columns::kPair, "share_of_pair", outcome, "persons_by_pair");
 }
 
 /// Tests of a declared family that would compare all choices.
@@ -327,7 +328,7 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
       gathered.compared_parameter
           ? phrase("Analysis", "Choices (counts)")
           : phrase("Analysis", "Choices of the most realistic rendering (counts)");
-  counts.table_1.label_column = "item";
+  counts.table_1.label_column = columns::kItem;
   if (gathered.compared_parameter) {
     outcome.remarks.push_back(
         phrase("Analysis",
@@ -382,8 +383,8 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
     for (const std::string& place : numbers_up_to(selection.positions)) {
       places.push_back({place, place});
     }
-    add_persons(found_position, places, "position", "share_of_position", outcome,
-                "persons_by_position");
+    add_persons(found_position, places, columns::kPosition, "share_of_position", outcome,
+                kPersonsByPosition);
   }
   const std::vector<Finding> scale =
       selection.two_offered ? analysis_of("scale", "paired", comparisons_of(selection))

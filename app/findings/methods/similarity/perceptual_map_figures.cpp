@@ -83,7 +83,7 @@ Phrase why_no_configuration(const FoundNumbers& found) {
   const Finding* const stress = found.find("stress.ordinal");
   return stress != nullptr && !stress->word.empty()
              ? phrase("Figures", "There is no configuration: %1.")
-                   .with(words_of_cell("status", stress->word))
+                   .with(words_of_status(stress->word))
              : phrase("Figures",
                       "There are no ratings from which to make a configuration; collect "
                       "responses first.");

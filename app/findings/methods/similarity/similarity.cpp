@@ -14,6 +14,7 @@
 #include "app/findings/methods/similarity/similarity_analysis.h"
 #include "app/findings/methods/similarity/similarity_configuration.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/test_sentences.h"
@@ -77,16 +78,51 @@ TidyTable table_of_judgements(const GatheredAnswers& gathered) {
           "the ratings"};
 }
 
-std::string dimension_column(std::size_t dimension) {
-  return "dimension_" + std::to_string(dimension);
+const ResultColumn kDistance{.id = "distance", .heading = phrase("AnalysisWords", "distance")};
+const ResultColumn kDisparity{.id = "disparity", .heading = phrase("AnalysisWords", "disparity")};
+const ResultColumn kHalfAxisMajor{.id = "half_axis_major",
+                                  .heading = phrase("AnalysisWords", "ellipse, major half axis")};
+const ResultColumn kHalfAxisMinor{.id = "half_axis_minor",
+                                  .heading = phrase("AnalysisWords", "ellipse, minor half axis")};
+const ResultColumn kAngle{
+    .id = "angle_deg", .heading = phrase("AnalysisWords", "angle"), .unit = "°"};
+const ResultColumn kDimensions{.id = "dimensions",
+                               .heading = phrase("AnalysisWords", "dimensions")};
+const ResultColumn kStress{.id = "stress_1", .heading = phrase("AnalysisWords", "stress-1")};
+const ResultColumn kMetricStress{.id = "metric_stress_1",
+                                 .heading = phrase("AnalysisWords", "stress-1, metric")};
+const ResultColumn kPredictionError{.id = "prediction_error",
+                                    .heading = phrase("AnalysisWords", "prediction error")};
+const ResultColumn kAboveSmallest{
+    .id = "above_smallest", .heading = phrase("AnalysisWords", "squared error above the smallest")};
+const ResultColumn kRepeatedR{.id = "repeated_r",
+                              .heading = phrase("AnalysisWords", "r of repeated ratings")};
+const ResultColumn kOrdersR{.id = "orders_r",
+                            .heading = phrase("AnalysisWords", "r of both orders")};
+const ResultColumn kAgreementR{.id = "agreement_r",
+                               .heading = phrase("AnalysisWords", "r with the other participants")};
+const ResultColumn kFit{.id = "fit", .heading = phrase("AnalysisWords", "fit")};
+const ResultColumn kProperty{
+    .id = "property", .heading = phrase("AnalysisWords", "property"), .words = words_of_property};
+
+ResultColumn dimension_column(std::size_t dimension) {
+  const std::string number = std::to_string(dimension);
+  return {.id = "dimension_" + number,
+          .heading = phrase("AnalysisWords", "dimension %1").with(number)};
+}
+
+ResultColumn weight_column(std::size_t dimension) {
+  const std::string number = std::to_string(dimension);
+  return {.id = "weight_" + number, .heading = phrase("AnalysisWords", "weight %1").with(number)};
 }
 
 void add_pairs_table(const std::vector<std::string>& items, const FoundNumbers& found,
                      AnalysisOutcome& outcome) {
-  NamedTable pairs{
+  using namespace columns;
+  ResultTable pairs{
       kDissimilarities,
       phrase("Analysis", "Mean dissimilarities of the pairs"),
-      {{"item", "other", "persons", "mean", "mean_low", "mean_high", "distance", "disparity"}, {}},
+      {kItem, kOther, kPersons, kMean, interval_of(kMean), kDistance, kDisparity},
       phrase(
           "Analysis",
           "Dissimilarity: the distance of the rating from the end of the scale for identical "
@@ -98,41 +134,38 @@ void add_pairs_table(const std::vector<std::string>& items, const FoundNumbers& 
       const std::string key = items[i] + '|' + items[j];
       const Finding* const mean = found.find("dissimilarity", key);
       if (mean == nullptr) continue;
-      const auto [low, high] = found.interval("dissimilarity", key);
-      pairs.table.rows.push_back({items[i], items[j], static_cast<std::int64_t>(mean->n),
-                                  cell_of(mean->value), low, high, found.cell("distance", key),
-                                  found.cell("disparity", key)});
+      pairs.add({items[i], items[j], count_cell(mean->n), cell_of(mean->value),
+                 found.interval("dissimilarity", key), found.cell("distance", key),
+                 found.cell("disparity", key)});
     }
   }
-  if (!pairs.table.rows.empty()) outcome.tables.push_back(std::move(pairs));
+  if (!pairs.rows.empty()) outcome.tables.push_back(std::move(pairs));
 }
 
 void add_identical_table(const FoundNumbers& found, AnalysisOutcome& outcome) {
   const Finding* const mean = found.find("identical.mean");
   if (mean == nullptr || !mean->value) return;
-  const auto [low, high] = found.interval("identical.mean");
-  const auto [difference_low, difference_high] = found.interval("identical.difference");
-  outcome.tables.push_back(
-      {kIdenticalPairs,
-       phrase("Analysis", "Dissimilarity of identical pairs"),
-       {{"persons", "mean", "mean_low", "mean_high", "difference", "difference_low",
-         "difference_high"},
-        {{static_cast<std::int64_t>(mean->n), cell_of(mean->value), low, high,
-          found.cell("identical.difference"), difference_low, difference_high}}},
-       phrase("Analysis",
-              "Mean dissimilarity of a surface and itself; 0 is the end of the scale for identical "
-              "surfaces. Difference: mean dissimilarity of different surfaces minus that of "
-              "identical ones. Means over participants with t-based 95 % CIs.")});
+  using namespace columns;
+  ResultTable& table = outcome.tables.emplace_back(ResultTable{
+      kIdenticalPairs,
+      phrase("Analysis", "Dissimilarity of identical pairs"),
+      {kPersons, kMean, interval_of(kMean), kDifference, interval_of(kDifference)},
+      phrase("Analysis",
+             "Mean dissimilarity of a surface and itself; 0 is the end of the scale for identical "
+             "surfaces. Difference: mean dissimilarity of different surfaces minus that of "
+             "identical ones. Means over participants with t-based 95 % CIs.")});
+  table.add({count_cell(mean->n), cell_of(mean->value), found.interval("identical.mean"),
+             found.cell("identical.difference"), found.interval("identical.difference")});
 }
 
 void add_configuration_table(const std::vector<std::string>& items, const FoundNumbers& found,
                              AnalysisOutcome& outcome) {
   const std::size_t dimensions = dimensions_in(found);
   if (dimensions == 0) return;
-  NamedTable map{
+  ResultTable map{
       kConfiguration,
       phrase("Analysis", "Configuration of the items"),
-      {{"item"}, {}},
+      {columns::kItem},
       phrase("Analysis",
              "%1 Only distances can be interpreted. Half axes and angle: the 95 % ellipse of the "
              "position in the first two dimensions, from a bootstrap over participants.")
@@ -144,29 +177,27 @@ void add_configuration_table(const std::vector<std::string>& items, const FoundN
                     : phrase("Analysis",
                              "Non-metric multidimensional scaling, along the principal axes; the "
                              "mean square distance of two items is 1."))};
-  for (std::size_t d = 1; d <= dimensions; ++d) map.table.columns.push_back(dimension_column(d));
-  for (const char* const column : {"half_axis_major", "half_axis_minor", "angle_deg"})
-    map.table.columns.emplace_back(column);
+  for (std::size_t d = 1; d <= dimensions; ++d) map.columns.push_back(dimension_column(d));
+  map.columns.insert(map.columns.end(), {kHalfAxisMajor, kHalfAxisMinor, kAngle});
   for (const std::string& item : items) {
-    std::vector<Cell>& row = map.table.rows.emplace_back();
+    ResultRow& row = map.rows.emplace_back();
     row.emplace_back(item);
     for (std::size_t d = 1; d <= dimensions; ++d)
       row.push_back(found.cell("position", item + '|' + std::to_string(d)));
     row.push_back(found.cell("region.major", item));
     row.push_back(found.cell("region.minor", item));
     const std::optional<double> angle_rad = found.value("region.angle", item);
-    row.push_back(angle_rad ? Cell{*angle_rad * 180.0 / std::numbers::pi} : Cell{});
+    row.push_back(angle_rad ? ResultCell{*angle_rad * 180.0 / std::numbers::pi} : ResultCell{});
   }
   outcome.tables.push_back(std::move(map));
 }
 
 void add_stress_table(const FoundNumbers& found, AnalysisOutcome& outcome) {
-  NamedTable stress{
+  ResultTable stress{
       "stress",
       phrase("Analysis", "Stress by the number of dimensions"),
-      {{"dimensions", "stress_1", "metric_stress_1", "prediction_error", "above_smallest",
-        "above_smallest_se"},
-       {}},
+      {kDimensions, kStress, kMetricStress, kPredictionError, kAboveSmallest,
+       standard_error_of(kAboveSmallest, phrase("AnalysisWords", "its standard error"))},
       phrase("Analysis",
              "Kruskal’s stress-1 of non-metric and of metric (ratio) scaling; 0 is a perfect fit. "
              "Prediction error: root mean square error of the prediction of each participant’s "
@@ -176,83 +207,81 @@ void add_stress_table(const FoundNumbers& found, AnalysisOutcome& outcome) {
   for (const Finding* const one : found.all("stress.ordinal")) {
     if (!one->value) return;
     const std::string& key = one->key;
-    stress.table.rows.push_back({static_cast<std::int64_t>(stress.table.rows.size() + 1),
-                                 cell_of(one->value), found.cell("stress.ratio", key),
-                                 found.cell("cv.error", key), found.cell("cv.above", key),
-                                 found.cell("cv.above.se", key)});
+    stress.add({count_cell(stress.rows.size() + 1), cell_of(one->value),
+                found.cell("stress.ratio", key), found.cell("cv.error", key),
+                found.cell("cv.above", key), found.cell("cv.above.se", key)});
   }
-  if (!stress.table.rows.empty()) outcome.tables.push_back(std::move(stress));
+  if (!stress.rows.empty()) outcome.tables.push_back(std::move(stress));
 }
 
 void add_raters_table(const GatheredAnswers& gathered, const FoundNumbers& found,
                       AnalysisOutcome& outcome) {
   const std::size_t dimensions = dimensions_in(found);
-  NamedTable raters{
+  ResultTable raters{
       "weights",
       phrase("Analysis", "Participants: reliability, agreement, and weights of the dimensions"),
-      {{"participant", "repeated_r", "orders_r", "agreement_r", "fit"}, {}},
+      {columns::kParticipant, kRepeatedR, kOrdersR, kAgreementR, kFit},
       phrase("Analysis",
              "Correlations of the first and the last rating of a pair, of the ratings in its two "
              "orders, and of the participant’s mean ratings with those of the others. Fit: the "
              "proportion of the participant’s scalar products that the INDSCAL model explains; "
              "the weights are those of its dimensions, which differ from the axes of the "
              "configuration.")};
-  for (std::size_t d = 1; d <= dimensions; ++d)
-    raters.table.columns.push_back("weight_" + std::to_string(d));
+  for (std::size_t d = 1; d <= dimensions; ++d) raters.columns.push_back(weight_column(d));
   for (const AnsweringPerson& person : gathered.people) {
     if (found.find("agreement.r", person.label) == nullptr &&
         found.find("retest.r", person.label) == nullptr)
       continue;
-    std::vector<Cell>& row = raters.table.rows.emplace_back();
+    ResultRow& row = raters.rows.emplace_back();
     row.emplace_back(person.label);
     for (const char* const quantity : {"retest.r", "orders.r", "agreement.r", "indscal.fit"})
       row.push_back(found.cell(quantity, person.label));
     for (std::size_t d = 1; d <= dimensions; ++d)
       row.push_back(found.cell("indscal.weight", person.label + '|' + std::to_string(d)));
   }
-  if (!raters.table.rows.empty()) outcome.tables.push_back(std::move(raters));
+  if (!raters.rows.empty()) outcome.tables.push_back(std::move(raters));
 }
 
 void add_tree_table(const FoundNumbers& found, AnalysisOutcome& outcome) {
-  NamedTable tree{"tree",
-                  phrase("Analysis", "Dendrogram of the items"),
-                  {{"join", "first", "second", "height"}, {}},
-                  phrase("Analysis",
-                         "Average linkage of the mean dissimilarities. Each row joins the cluster "
-                         "of the first item with that of the second.")};
+  using namespace columns;
+  ResultTable tree{"tree",
+                   phrase("Analysis", "Dendrogram of the items"),
+                   {kJoin, kFirst, kSecond, kHeight},
+                   phrase("Analysis",
+                          "Average linkage of the mean dissimilarities. Each row joins the cluster "
+                          "of the first item with that of the second.")};
   for (std::size_t join = 1;; ++join) {
     const std::string key = std::to_string(join);
     const Finding* const first = found.find("hclust.average.first", key);
     const Finding* const second = found.find("hclust.average.second", key);
     if (first == nullptr || second == nullptr) break;
-    tree.table.rows.push_back({static_cast<std::int64_t>(join), first->word, second->word,
-                               found.cell("hclust.average.height", key)});
+    tree.add(
+        {count_cell(join), first->word, second->word, found.cell("hclust.average.height", key)});
   }
-  if (!tree.table.rows.empty()) outcome.tables.push_back(std::move(tree));
+  if (!tree.rows.empty()) outcome.tables.push_back(std::move(tree));
 }
 
 void add_properties_table(const FoundNumbers& found, AnalysisOutcome& outcome) {
   const std::size_t dimensions = dimensions_in(found);
-  NamedTable properties{
+  ResultTable properties{
       "properties",
       phrase("Analysis", "Measured properties of the items in the configuration"),
-      {{"property", "r_squared"}, {}},
+      {kProperty, columns::kRSquared},
       phrase("Analysis",
              "R² of the regression of the property on the positions, and the direction in which it "
              "increases (of length 1). Forces and speeds are means over the participants’ contacts "
              "with the item: they depend on how it was explored. Texture force: the RMS along the "
              "participants’ paths.")};
-  for (std::size_t d = 1; d <= dimensions; ++d)
-    properties.table.columns.push_back(dimension_column(d));
+  for (std::size_t d = 1; d <= dimensions; ++d) properties.columns.push_back(dimension_column(d));
   for (const Finding* const one : found.all("property.r2")) {
     if (!one->value) continue;
-    std::vector<Cell>& row = properties.table.rows.emplace_back();
+    ResultRow& row = properties.rows.emplace_back();
     row.emplace_back(one->key);
     row.push_back(cell_of(one->value));
     for (std::size_t d = 1; d <= dimensions; ++d)
       row.push_back(found.cell("property.direction", one->key + '|' + std::to_string(d)));
   }
-  if (properties.table.rows.empty()) return;
+  if (properties.rows.empty()) return;
   if (const std::optional<double> together = found.value("protest.r2")) {
     properties.note = phrase("Analysis",
                              "%1 All properties together, as a configuration of their standardised "
@@ -279,8 +308,8 @@ void ask_about_configuration(const FoundNumbers& found, const StudyTests& tests,
   if (test == nullptr || !test->p || stress == nullptr || !stress->value) {
     const std::string reason = test == nullptr ? "no_responses" : test->status;
     add_question(outcome, kConfiguration, question,
-                 phrase("Analysis", "Not tested: %1.").with(words_of_cell("status", reason)),
-                 method, kDissimilarities, nullptr);
+                 phrase("Analysis", "Not tested: %1.").with(words_of_status(reason)), method,
+                 kDissimilarities, nullptr);
     return;
   }
   const auto with_numbers = [&](const Phrase& words) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/words/phrase.h"
 
 namespace asperity {

@@ -11,44 +11,61 @@
 #include <utility>
 
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/drawn_table.h"
 #include "app/findings/outcome/single_participants.h"
 #include "app/findings/shared/anchors.h"
+#include "protocols/design/protocol.h"
 
 namespace asperity {
 
 namespace {
 
 constexpr double kRoomAroundResponses = 0.06;  // as a fraction of their range
-constexpr std::array kColumnsOfPlaces{"start", "middle", "end"};
 
-/// The places that have a response, in order, from 0.
-std::map<std::string, double> places_of(const RowOfTable& trend) {
+/// A place, with the column of its means.
+struct PlaceOfAnchors {
+  AnchorPlace place = AnchorPlace::start;
+  const ResultColumn& means;
+  Phrase name{};
+};
+
+const std::array<PlaceOfAnchors, 3>& all_places() {
+  static const std::array<PlaceOfAnchors, 3> kPlacesOfAnchors{
+      PlaceOfAnchors{AnchorPlace::start, kAnchorStart, phrase("Figures", "start")},
+      PlaceOfAnchors{AnchorPlace::middle, kAnchorMiddle, phrase("Figures", "middle")},
+      PlaceOfAnchors{AnchorPlace::end, kAnchorEnd, phrase("Figures", "end")}};
+  return kPlacesOfAnchors;
+}
+
+/// The places that have a response, in order, from 0; by their words in the table of responses.
+std::map<std::string, double> places_of(const RowReader& trend) {
   std::map<std::string, double> places{};
-  for (const char* const column : kColumnsOfPlaces) {
-    if (trend.number(column)) {
+  for (const PlaceOfAnchors& each : all_places()) {
+    if (trend.number(each.means)) {
       const auto next = static_cast<double>(places.size());
-      places.emplace(column, next);
+      places.emplace(text_of(each.place), next);
     }
   }
   return places;
 }
 
 /// A line for each run of a participant; none for a single line, or for too many.
-FigureSeries lines_of_runs(const Table& anchors, const RowOfTable& trend,
+FigureSeries lines_of_runs(const ResultTable& anchors, const RowReader& trend,
                            const std::map<std::string, double>& places) {
-  const bool are_proportions = trend.text("measure") == kAnchorCorrect;
-  const bool are_estimates = trend.text("measure") == kAnchorEstimate;
+  using namespace columns;
+  const bool are_proportions = trend.text(kMeasure) == kAnchorCorrect;
+  const bool are_estimates = trend.text(kMeasure) == kAnchorEstimate;
   std::map<std::tuple<std::string, double, double>, std::vector<FigurePlace>> lines{};
-  for (const std::vector<Cell>& cells : anchors.rows) {
-    const RowOfTable row(anchors, cells);
-    if (row.text("block") != trend.text("block") || row.text("question") != trend.text("question"))
+  for (const ResultRow& cells : anchors.rows) {
+    const RowReader row(anchors, cells);
+    if (row.text(kBlock) != trend.text(kBlock) || row.text(kQuestion) != trend.text(kQuestion))
       continue;
-    const std::optional<double> value = row.number(are_proportions ? "correct" : "response");
-    const auto place = places.find(row.text("place"));
+    const std::optional<double> value = row.number(are_proportions ? kCorrect : kAnchorResponse);
+    const auto place = places.find(row.text(kAnchorPlace));
     if (!value || place == places.end() || (are_estimates && *value <= 0.0)) continue;
-    lines[{row.text("participant"), row.number("session").value_or(0.0),
-           row.number("block_ordinal").value_or(0.0)}]
+    lines[{row.text(kParticipant), row.number(kSession).value_or(0.0),
+           row.number(kBlockOrdinal).value_or(0.0)}]
         .push_back({.x = place->second, .y = *value});
   }
   FigureSeries series{.single = true};
@@ -83,30 +100,28 @@ Phrase name_of_values(const std::string& measure) {
                                   : phrase("Figures", "proportion correct, mean");
 }
 
-Figure anchor_figure(const Table& anchors, const RowOfTable& trend) {
+Figure anchor_figure(const ResultTable& anchors, const RowReader& trend) {
+  using namespace columns;
   const std::map<std::string, double> places = places_of(trend);
-  const std::string measure = trend.text("measure");
-  Figure figure{
-      .name = figure_file_name("anchors_" + trend.text("block") + '_' + trend.text("question")),
-      .table = kAnchorTrend,
-      .title = phrase("Figures", "Responses to the anchors of the block %1, question %2")
-                   .with(trend.text("block"), trend.text("question"))};
+  const std::string measure = trend.text(kMeasure);
+  const std::string block = trend.text(kBlock);
+  const std::string question = trend.text(kQuestion);
+  Figure figure{.name = figure_file_name("anchors_" + block + '_' + question),
+                .table = kAnchorTrend,
+                .title = phrase("Figures", "Responses to the anchors of the block %1, question %2")
+                             .with(block, question)};
   figure.x.name = phrase("Figures", "place of the anchor in the block");
   figure.x.places.resize(places.size());
   FigureSeries means{};
   std::vector<FigurePlace>& line = means.lines.emplace_back();
-  for (const auto& [name, place] : places) {
-    figure.x.places[static_cast<std::size_t>(place)] = name == "start" ? phrase("Figures", "start")
-                                                       : name == "middle"
-                                                           ? phrase("Figures", "middle")
-                                                           : phrase("Figures", "end");
-    const double mean = *trend.number(name);
-    means.points.push_back({.x = place, .y = mean});
-    line.push_back({.x = place, .y = mean});
+  for (const PlaceOfAnchors& each : all_places()) {
+    const std::optional<double> mean = trend.number(each.means);
+    if (!mean) continue;
+    const double place = places.at(text_of(each.place));
+    figure.x.places[static_cast<std::size_t>(place)] = each.name;
+    means.points.push_back({.x = place, .y = *mean});
+    line.push_back({.x = place, .y = *mean});
   }
-  const auto by_place = [](const auto& a, const auto& b) { return a.x < b.x; };
-  std::sort(means.points.begin(), means.points.end(), by_place);
-  std::sort(line.begin(), line.end(), by_place);
   figure.series.push_back(std::move(means));
   figure.series.push_back(lines_of_runs(anchors, trend, places));
   figure.y.name = name_of_values(measure);
@@ -130,11 +145,11 @@ Figure anchor_figure(const Table& anchors, const RowOfTable& trend) {
 
 std::vector<Figure> anchor_figures(const AnalysisOutcome& outcome) {
   std::vector<Figure> figures{};
-  const NamedTable* const anchors = table_named(outcome, kAnchors);
-  const NamedTable* const trend = table_named(outcome, kAnchorTrend);
+  const ResultTable* const anchors = table_named(outcome, kAnchors);
+  const ResultTable* const trend = table_named(outcome, kAnchorTrend);
   if (anchors == nullptr || trend == nullptr) return figures;
-  for (const std::vector<Cell>& row : trend->table.rows) {
-    figures.push_back(anchor_figure(anchors->table, RowOfTable(trend->table, row)));
+  for (const ResultRow& row : trend->rows) {
+    figures.push_back(anchor_figure(*anchors, RowReader(*trend, row)));
   }
   return figures;
 }

@@ -8,6 +8,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/findings/outcome/finding_parts.h"
+#include "app/words/text_parts.h"
 
 namespace asperity {
 
@@ -83,10 +84,12 @@ Figure confusion_figure(const FoundNumbers& found) {
   return figure_of(confusions);
 }
 
-Figure confusion_figure(const NamedTable& table) {
+Figure confusion_figure(const ResultTable& table) {
   Confusions confusions{};
-  confusions.chosen.assign(table.table.columns.begin() + 1, table.table.columns.end());
-  for (const std::vector<Cell>& cells : table.table.rows) {
+  for (std::size_t i = 1; i < table.columns.size(); ++i) {
+    confusions.chosen.push_back(table.columns[i].id);
+  }
+  for (const ResultRow& cells : table.rows) {
     const auto* felt = std::get_if<std::string>(&cells.front());
     confusions.felt.push_back(felt == nullptr ? "–" : *felt);
     std::vector<double>& counts = confusions.counts.emplace_back();

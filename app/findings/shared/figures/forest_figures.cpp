@@ -9,10 +9,14 @@
 #include <variant>
 
 #include "analysis/numbers/number_text.h"
+#include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/drawn_table.h"
 #include "app/findings/outcome/finding_parts.h"
 #include "app/findings/outcome/reading_number.h"
-#include "app/findings/outcome/reading_table.h"
 #include "app/findings/outcome/single_participants.h"
+#include "app/findings/outcome/tally.h"
+#include "app/findings/shared/choice_tables.h"
+#include "app/words/text_parts.h"
 
 namespace asperity {
 
@@ -97,7 +101,7 @@ void add_rows(const std::vector<ForestRow>& rows, const std::vector<ForestKind>&
 }
 
 /// Translates the program's words among the names of a table.
-Phrase word_of_cell(const Cell& cell) {
+Phrase word_of_cell(const ResultCell& cell) {
   if (const auto* number = std::get_if<std::int64_t>(&cell)) return reading_whole(*number);
   const auto* text = std::get_if<std::string>(&cell);
   if (text == nullptr) return "–";
@@ -110,17 +114,18 @@ Phrase word_of_cell(const Cell& cell) {
 }
 
 /// The combined names of a row: "column 1 · height_map over sinusoid".
-Phrase label_of_row(const std::vector<std::string>& columns, const std::vector<Cell>& cells,
-                    std::size_t keys) {
+Phrase label_of_row(const ResultTable& table, const ResultRow& cells, std::size_t keys) {
   Phrase label{};
   for (std::size_t i = 0; i < keys; ++i) {
+    const ResultColumn& column = table.columns[i];
     Phrase word = word_of_cell(cells[i]);
-    const bool is_level = columns[i] == "column" && cells[i] != Cell{"all"};
+    const bool is_level =
+        column.is_same(columns::kRepetition) && cells[i] != ResultCell{kAllColumns};
     if (is_level) word = phrase("Figures", "repetition %1").with(word);
-    if (columns[i] == "position") word = phrase("Figures", "position %1").with(word);
+    if (column.is_same(columns::kPosition)) word = phrase("Figures", "position %1").with(word);
     if (label.empty()) {
       label = std::move(word);
-    } else if (columns[i] == "against") {
+    } else if (column.is_same(kAgainst)) {
       label = phrase("Figures", "%1 over %2").with(label, word);
     } else {
       label = phrase("Figures", "%1 · %2").with(label, word);
@@ -130,10 +135,10 @@ Phrase label_of_row(const std::vector<std::string>& columns, const std::vector<C
 }
 
 /// Whether the data of a row are contained in other rows of the table.
-bool is_part(const NamedTable& table, const std::vector<Cell>& row, std::size_t keys) {
+bool is_part(const ResultTable& table, const ResultRow& row, std::size_t keys) {
   for (std::size_t i = 0; i < keys; ++i) {
-    const std::string& column = table.table.columns[i];
-    if (column != "column" && column != "person") continue;
+    const ResultColumn& column = table.columns[i];
+    if (!column.is_same(columns::kRepetition) && !column.is_same(columns::kSex)) continue;
     const auto* word = std::get_if<std::string>(&row[i]);
     if (word == nullptr || (*word != "all" && *word != "Total")) return true;
   }
@@ -147,11 +152,11 @@ const std::vector<ForestKind>& pooled_and_people() {
   return kKinds;
 }
 
-/// The column of a table of proportions with this name; the number of columns where there is none.
-std::size_t column_of(const NamedTable& table, const char* name) {
-  const std::vector<std::string>& columns = table.table.columns;
-  return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) -
-                                  columns.begin());
+/// The limits that belong to a column; nothing where one is missing.
+std::optional<FigureSpan> span_of(const RowReader& row, const ResultColumn& column) {
+  const Interval interval = row.interval(column);
+  if (!interval.low || !interval.high) return {};
+  return FigureSpan{.low = *interval.low, .high = *interval.high};
 }
 
 /// The participants' proportions, by the row of the table of their means. In some analyses there is
@@ -169,33 +174,27 @@ SinglesByCondition own_shares(const AnalysisOutcome& outcome,
 
 /// A table of means over participants, and the values of single participants.
 struct MeansOfPersons {
-  const NamedTable* table = nullptr;  ///< null: there is none
+  const ResultTable* table = nullptr;  ///< null: there is none
   SinglesByCondition singles{};
 };
 
 /// A row for each mean of the participants' proportions, or none. `with_name`: adds the quantity
 /// that is averaged.
 std::vector<ForestRow> rows_of_persons(const MeansOfPersons& means, bool with_name) {
-  const NamedTable& table = *means.table;
-  const std::size_t persons = column_of(table, "persons");
-  const std::size_t mean = column_of(table, "mean");
-  const std::size_t low = column_of(table, "mean_low");
-  const std::size_t high = column_of(table, "mean_high");
+  using namespace columns;
+  const ResultTable& table = *means.table;
   std::vector<ForestRow> rows{};
-  if (persons == 0 || std::max({persons, mean, low, high}) >= table.table.columns.size())
+  // The name of the row precedes the number of participants.
+  if (table.find(kPersons).value_or(0) == 0 || !table.has(kMean) || !table.has(interval_of(kMean)))
     return rows;
-  for (const std::vector<Cell>& cells : table.table.rows) {
-    const auto people = static_cast<std::size_t>(number_of(cells[persons]).value_or(0.0));
-    const Phrase of = mean_of(people);
+  for (const ResultRow& cells : table.rows) {
+    const RowReader reader(table, cells);
+    const Phrase of = mean_of(static_cast<std::size_t>(reader.number(kPersons).value_or(0.0)));
     ForestRow row{
         .label =
-            with_name
-                ? phrase("Figures", "%1 · %2").with(label_of_row(table.table.columns, cells, 1), of)
-                : of,
-        .share = number_of(cells[mean])};
-    const auto from = number_of(cells[low]);
-    const auto to = number_of(cells[high]);
-    if (from && to) row.interval = FigureSpan{.low = *from, .high = *to};
+            with_name ? phrase("Figures", "%1 · %2").with(label_of_row(table, cells, 1), of) : of,
+        .share = reader.number(kMean),
+        .interval = span_of(reader, kMean)};
     const auto* name = std::get_if<std::string>(&cells.front());
     const bool is_whole = name == nullptr || *name == "all";
     const auto own = means.singles.find(is_whole ? std::string() : *name);
@@ -211,39 +210,29 @@ bool has_intervals(const std::vector<ForestRow>& rows) {
 }
 
 /// The means over participants that correspond to this table of proportions, if any.
-std::vector<ForestRow> means_beside(const NamedTable& table, const MeansOfPersons& persons) {
-  if (persons.table == nullptr || persons.table->table.columns.empty()) return {};
-  const bool of_all = persons.table->table.columns.front() == "answers";
-  const bool belongs = table.name == "shares" || table.name == "positions" ||
-                       (table.name == "shares_by_texture" && of_all);
+std::vector<ForestRow> means_beside(const ResultTable& table, const MeansOfPersons& persons) {
+  if (persons.table == nullptr || persons.table->columns.empty()) return {};
+  const bool of_all = persons.table->columns.front().is_same(columns::kAllAnswers);
+  const bool belongs = table.name == kAllShares || table.name == kPositions ||
+                       (table.name == kSharesByTexture && of_all);
   return belongs ? rows_of_persons(persons, !of_all) : std::vector<ForestRow>{};
 }
 
-std::optional<Figure> table_forest(const NamedTable& table, const MeansOfPersons& persons) {
-  const std::vector<std::string>& columns = table.table.columns;
-  const auto place = [&columns](const char* name) -> std::optional<std::size_t> {
-    const auto found = std::find(columns.begin(), columns.end(), name);
-    if (found == columns.end()) return {};
-    return static_cast<std::size_t>(found - columns.begin());
-  };
-  const auto share = place("share");
-  const auto of = place("of");
-  const auto low = place("wilson_low");
-  const auto high = place("wilson_high");
-  const auto chance = place("chance");
-  if (!share || !of || *of == 0 || !low || !high) return {};
+std::optional<Figure> table_forest(const ResultTable& table, const MeansOfPersons& persons) {
+  using namespace columns;
+  const std::optional<std::size_t> of = table.find(kOf);
+  if (!table.has(kShare) || !table.has(kWilson) || !of || *of == 0) return {};
   const std::size_t hits = *of - 1;  // the names of the row precede it
   std::vector<ForestRow> rows{};
-  for (const std::vector<Cell>& cells : table.table.rows) {
+  for (const ResultRow& cells : table.rows) {
+    const RowReader reader(table, cells);
     ForestRow row{};
-    row.label = count_phrase(label_of_row(columns, cells, hits),
+    row.label = count_phrase(label_of_row(table, cells, hits),
                              static_cast<std::size_t>(number_of(cells[hits]).value_or(0.0)),
-                             static_cast<std::size_t>(number_of(cells[*of]).value_or(0.0)));
-    row.share = number_of(cells[*share]);
-    const auto from = number_of(cells[*low]);
-    const auto to = number_of(cells[*high]);
-    if (from && to) row.interval = FigureSpan{.low = *from, .high = *to};
-    if (chance) row.chance = number_of(cells[*chance]);
+                             static_cast<std::size_t>(reader.number(kOf).value_or(0.0)));
+    row.share = reader.number(kShare);
+    row.interval = span_of(reader, kWilson);
+    row.chance = reader.number(kChance);
     row.kind = is_part(table, cells, hits) ? 1 : 0;
     rows.push_back(std::move(row));
   }
@@ -300,7 +289,7 @@ std::optional<Figure> table_forest(const NamedTable& table, const MeansOfPersons
 std::optional<Figure> people_forest(const MeansOfPersons& means, std::optional<double> chance) {
   std::vector<ForestRow> rows = rows_of_persons(means, true);
   if (rows.empty()) return {};
-  const NamedTable& table = *means.table;
+  const ResultTable& table = *means.table;
   for (ForestRow& row : rows) row.chance = chance;
   Figure figure{
       .name = table.name + "_forest",
@@ -325,12 +314,11 @@ std::optional<Figure> people_forest(const MeansOfPersons& means, std::optional<d
 }
 
 /// The chance level, where it is the same in all rows of a table of proportions.
-std::optional<double> one_chance(const NamedTable& table) {
-  const std::size_t place = column_of(table, "chance");
+std::optional<double> one_chance(const ResultTable& table) {
   std::set<double> chances{};
-  for (const std::vector<Cell>& cells : table.table.rows) {
-    if (place >= cells.size()) return {};
-    if (const auto chance = number_of(cells[place])) chances.insert(*chance);
+  for (const ResultRow& cells : table.rows) {
+    if (const auto chance = RowReader(table, cells).number(columns::kChance))
+      chances.insert(*chance);
   }
   return chances.size() == 1 ? std::optional(*chances.begin()) : std::nullopt;
 }
@@ -374,24 +362,20 @@ void add_mean_of_people(const FoundNumbers& found, std::optional<double> chance,
 }  // namespace
 
 std::vector<Figure> table_forests(const AnalysisOutcome& outcome) {
-  const std::vector<NamedTable>& tables = outcome.tables;
-  const auto named = [&tables](const char* name) {
-    const auto found = std::find_if(tables.begin(), tables.end(),
-                                    [&](const NamedTable& one) { return one.name == name; });
-    return found == tables.end() ? nullptr : &*found;
-  };
-  const MeansOfPersons persons{named("persons"),
+  const std::vector<ResultTable>& tables = outcome.tables;
+  const MeansOfPersons persons{table_named(outcome, kPersonMeans),
                                own_shares(outcome, {"choice", "matching", "recognition"})};
-  const MeansOfPersons by_position{named("persons_by_position"), own_shares(outcome, {"position"})};
-  const NamedTable* shares = named("shares");
+  const MeansOfPersons by_position{table_named(outcome, kPersonsByPosition),
+                                   own_shares(outcome, {"position"})};
+  const ResultTable* shares = table_named(outcome, kAllShares);
   std::vector<Figure> figures{};
-  for (const NamedTable& table : tables) {
+  for (const ResultTable& table : tables) {
     if (std::optional<Figure> figure =
-            table_forest(table, table.name == "positions" ? by_position : persons)) {
+            table_forest(table, table.name == kPositions ? by_position : persons)) {
       figures.push_back(std::move(*figure));
     }
     // A single mean is shown together with the proportions that it averages.
-    const bool stands_alone = tables.size() == 1 || table.table.rows.size() > 1;
+    const bool stands_alone = tables.size() == 1 || table.rows.size() > 1;
     if (&table != persons.table || !stands_alone) continue;
     const std::optional<double> chance = shares == nullptr ? std::nullopt : one_chance(*shares);
     if (std::optional<Figure> figure = people_forest(persons, chance)) {

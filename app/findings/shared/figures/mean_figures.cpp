@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/findings/outcome/finding_parts.h"
+#include "app/words/text_parts.h"
 
 namespace asperity {
 

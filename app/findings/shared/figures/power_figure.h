@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/findings/outcome/figure.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {

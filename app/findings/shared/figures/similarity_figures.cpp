@@ -8,6 +8,7 @@
 #include "analysis/dissimilarity/dissimilarity.h"
 #include "analysis/numbers/number_text.h"
 #include "app/findings/outcome/finding_parts.h"
+#include "app/words/text_parts.h"
 
 namespace asperity {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/findings/outcome/figure.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/words/phrase.h"
 
 namespace asperity {

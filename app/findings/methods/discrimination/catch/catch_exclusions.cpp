@@ -9,7 +9,10 @@
 #include <variant>
 
 #include "app/findings/methods/discrimination/thresholds/discrimination_results.h"
+#include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/drawn_table.h"
 #include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/result_table.h"
 #include "app/findings/outcome/study_tests.h"
 #include "protocols/file/stored_protocol.h"
 
@@ -29,8 +32,11 @@ bool is_main_result(const std::string& name) {
   return name == kThresholds || name == kMeanThresholds || name == StudyTests::kTable;
 }
 
+const ResultColumn kErrors{.id = "errors", .heading = phrase("AnalysisWords", "errors")};
+const ResultColumn kExcluded{.id = "excluded", .heading = phrase("AnalysisWords", "excluded")};
+
 void add_results_of_all(AnalysisOutcome of_all, AnalysisOutcome& outcome) {
-  for (NamedTable& table : of_all.tables) {
+  for (ResultTable& table : of_all.tables) {
     if (!is_main_result(table.name)) continue;
     table.name += kWithExcluded;
     table.title = phrase("Analysis", "%1, with the excluded participants").with(table.title);
@@ -45,19 +51,18 @@ void add_results_of_all(AnalysisOutcome of_all, AnalysisOutcome& outcome) {
 
 void add_exclusions(const CatchExclusion& rule, const std::vector<CatchErrors>& all,
                     AnalysisOutcome& outcome) {
-  NamedTable made{kExclusions,
-                  phrase("Analysis", "Exclusions by errors in catch trials"),
-                  {{"participant", "errors", "of", "share", "excluded"}, {}},
-                  phrase("Analysis",
-                         "Rule that the protocol declares: participants with %1 are excluded, all "
-                         "types of catch trials and all blocks together. Their stored responses "
-                         "are unchanged.")
-                      .with(words_of_rule(rule))};
+  ResultTable made{kExclusions,
+                   phrase("Analysis", "Exclusions by errors in catch trials"),
+                   {columns::kParticipant, kErrors, columns::kOf, columns::kShare, kExcluded},
+                   phrase("Analysis",
+                          "Rule that the protocol declares: participants with %1 are excluded, all "
+                          "types of catch trials and all blocks together. Their stored responses "
+                          "are unchanged.")
+                       .with(words_of_rule(rule))};
   for (const CatchErrors& each : all) {
-    made.table.rows.push_back({each.participant, static_cast<std::int64_t>(each.errors),
-                               static_cast<std::int64_t>(each.trials),
-                               static_cast<double>(each.errors) / static_cast<double>(each.trials),
-                               std::string(is_excluded(rule, each) ? "yes" : "no")});
+    made.add({each.participant, count_cell(each.errors), count_cell(each.trials),
+              static_cast<double>(each.errors) / static_cast<double>(each.trials),
+              std::string(is_excluded(rule, each) ? "yes" : "no")});
   }
   outcome.tables.push_back(std::move(made));
 }
@@ -186,15 +191,15 @@ void analyze_with_exclusions(const GatheredAnswers& gathered, AnalysisOutcome& o
 }
 
 std::set<std::string> excluded_participants(const AnalysisOutcome& outcome) {
-  const auto made = std::find_if(outcome.tables.begin(), outcome.tables.end(),
-                                 [](const NamedTable& each) { return each.name == kExclusions; });
+  const ResultTable* const made = table_named(outcome, kExclusions);
   const bool has_results_of_all =
       std::any_of(outcome.tables.begin(), outcome.tables.end(),
-                  [](const NamedTable& each) { return each.name.ends_with(kWithExcluded); });
+                  [](const ResultTable& each) { return each.name.ends_with(kWithExcluded); });
   std::set<std::string> excluded{};
-  if (made == outcome.tables.end() || !has_results_of_all) return excluded;
-  for (const std::vector<Cell>& row : made->table.rows) {
-    if (row.back() == Cell{std::string("yes")}) excluded.insert(std::get<std::string>(row.front()));
+  if (made == nullptr || !has_results_of_all) return excluded;
+  for (const ResultRow& cells : made->rows) {
+    const RowReader row(*made, cells);
+    if (row.text(kExcluded) == "yes") excluded.insert(row.text(columns::kParticipant));
   }
   return excluded;
 }
@@ -202,17 +207,11 @@ std::set<std::string> excluded_participants(const AnalysisOutcome& outcome) {
 std::string exclusions_sentence(const AnalysisOutcome& outcome) {
   const std::size_t excluded = excluded_participants(outcome).size();
   if (excluded == 0) return {};
-  const auto made = std::find_if(outcome.tables.begin(), outcome.tables.end(),
-                                 [](const NamedTable& each) { return each.name == kExclusions; });
+  const ResultTable* const made = table_named(outcome, kExclusions);
   return " By the rule that the protocol declares for errors in catch trials, " +
-         std::to_string(excluded) + " of " + std::to_string(made->table.rows.size()) +
+         std::to_string(excluded) + " of " + std::to_string(made->rows.size()) +
          (excluded == 1 ? " participants was" : " participants were") +
          " excluded; the results with all participants are reported in separate tables.";
-}
-
-std::string name_without_ending(const std::string& table) {
-  const std::string ending = kWithExcluded;
-  return table.ends_with(ending) ? table.substr(0, table.size() - ending.size()) : table;
 }
 
 }  // namespace asperity

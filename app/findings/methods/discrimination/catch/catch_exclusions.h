@@ -73,7 +73,4 @@ std::set<std::string> excluded_participants(const AnalysisOutcome& outcome);
 /// `kExclusions`; empty without it and without an excluded participant.
 std::string exclusions_sentence(const AnalysisOutcome& outcome);
 
-/// The name of a table without `kWithExcluded`.
-std::string name_without_ending(const std::string& table);
-
 }  // namespace asperity

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/findings/methods/discrimination/thresholds/discrimination_results.h"
+#include "app/findings/methods/discrimination/thresholds/threshold_columns.h"
 #include "app/findings/outcome/reading_number.h"
-#include "app/findings/outcome/reading_table.h"
 #include "protocols/design/protocol.h"
 
 namespace asperity {
@@ -23,27 +23,19 @@ struct CaughtResponses {
   double all = 0.0;
 };
 
-std::string text_or_empty(const Cell& cell) {
-  const auto* const text = std::get_if<std::string>(&cell);
-  return text == nullptr ? std::string() : *text;
-}
-
 /// By participant, over the blocks.
-std::map<std::string, CaughtResponses> caught_responses(const Table& table,
+std::map<std::string, CaughtResponses> caught_responses(const ResultTable& table,
                                                         const std::string& type) {
   std::map<std::string, CaughtResponses> caught{};
-  const auto participant = column_of(table, "participant");
-  const auto type_of = column_of(table, "type");  // absent where all are easy
-  const auto right = column_of(table, "right");
-  const auto of = column_of(table, "of");
-  if (!participant || !right || !of) return caught;
-  for (const std::vector<Cell>& row : table.rows) {
+  const bool has_types = table.has(kCatchTypeColumn);  // absent where all are easy
+  for (const ResultRow& cells : table.rows) {
+    const RowReader row(table, cells);
     const std::string own =
-        type_of ? text_or_empty(row[*type_of]) : std::string(text_of(CatchType::easy));
+        has_types ? row.text(kCatchTypeColumn) : std::string(text_of(CatchType::easy));
     if (own != type) continue;
-    CaughtResponses& one = caught[text_or_empty(row[*participant])];
-    one.correct += number_of(row[*right]).value_or(0.0);
-    one.all += number_of(row[*of]).value_or(0.0);
+    CaughtResponses& one = caught[row.text(columns::kParticipant)];
+    one.correct += row.number(columns::kCorrectCount).value_or(0.0);
+    one.all += row.number(columns::kOf).value_or(0.0);
   }
   return caught;
 }
@@ -63,7 +55,7 @@ std::string range_over_participants(const std::map<std::string, CaughtResponses>
                              " for single participants)";
 }
 
-std::string catch_sentence_of(CatchType type, const Table& table) {
+std::string catch_sentence_of(CatchType type, const ResultTable& table) {
   const std::map<std::string, CaughtResponses> caught = caught_responses(table, text_of(type));
   CaughtResponses sum{};
   for (const auto& [participant, one] : caught) {
@@ -74,7 +66,7 @@ std::string catch_sentence_of(CatchType type, const Table& table) {
   const auto whole = [](double number) { return reading_count(static_cast<std::size_t>(number)); };
   if (type == CatchType::easy) {
     const std::string where =
-        column_of(table, "type") ? " in easy catch trials" : " in catch trials";
+        table.has(kCatchTypeColumn) ? " in easy catch trials" : " in catch trials";
     if (sum.correct == sum.all && sum.all > 1.0) {
       return " All " + whole(sum.all) + " responses" + where + " were correct.";
     }
@@ -97,11 +89,11 @@ std::string catch_sentence_of(CatchType type, const Table& table) {
 
 std::string catch_trials_sentence(const AnalysisOutcome& outcome) {
   std::string text{};
-  for (const NamedTable& table : outcome.tables) {
+  for (const ResultTable& table : outcome.tables) {
     if (table.name != kCatchTrials) continue;
     for (const CatchType type :
          {CatchType::easy, CatchType::no_signal, CatchType::identical_pair}) {
-      text += catch_sentence_of(type, table.table);
+      text += catch_sentence_of(type, table);
     }
   }
   return text;

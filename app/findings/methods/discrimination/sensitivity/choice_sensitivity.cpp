@@ -10,9 +10,9 @@
 
 #include "app/findings/gathering/answer_columns.h"
 #include "app/findings/methods/discrimination/sensitivity/discrimination_sensitivity.h"
-#include "app/findings/outcome/reading_table.h"
+#include "app/findings/methods/discrimination/thresholds/threshold_columns.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/study_findings.h"
-#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
 
@@ -61,19 +61,19 @@ std::vector<Finding> sensitivities_of_choices(const GatheredAnswers& gathered,
 }
 
 void add_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
-              const CorrectByLevel& correct, const FoundNumbers& found, Table& table) {
+              const CorrectByLevel& correct, const FoundNumbers& found, ResultTable& table) {
   const DiscriminationTask& task = results.study.task;
   for (const auto& [place, count] : correct) {
     const auto& [condition, value, person] = place;
     const std::string& participant = gathered.people[person].label;
     const std::string key = both(id_of_level(results, {condition, value}), participant);
-    const auto [low, high] = found.interval("dprime", key);
-    table.rows.push_back({participant, results.conditions[condition], task.varied.parameter, value,
-                          value - task.standard(), static_cast<std::int64_t>(count.trials),
-                          static_cast<std::int64_t>(count.hits), proportion(count),
-                          found.cell("dprime", key), low, high,
-                          found.cell("dprime.with.guess", key), found.cell("dprime.io", key),
-                          task.varied.unit.empty() ? Cell{} : Cell{task.varied.unit}});
+    const std::string& unit = task.varied.unit;
+    table.add({participant, results.conditions[condition], task.varied.parameter,
+               quantity_cell(value, unit), quantity_cell(value - task.standard(), unit),
+               count_cell(count.trials), count_cell(count.hits), proportion(count),
+               found.cell("dprime", key), found.interval("dprime", key),
+               found.cell("dprime.with.guess", key), found.cell("dprime.io", key),
+               word_cell(unit)});
   }
 }
 
@@ -118,18 +118,20 @@ Phrase method_of_mean(const DiscriminationDesign& design) {
                       "participants, with six participants or more.");
 }
 
+const ResultColumn kDPrimeCorrected{.id = "d_prime_corrected",
+                                    .heading = phrase("AnalysisWords", "d′, corrected")};
+
 }  // namespace
 
 void add_choice_sensitivity(const GatheredAnswers& gathered,
                             const std::vector<DiscriminationResults>& all,
                             AnalysisOutcome& outcome) {
-  NamedTable choices{kSensitivityOfChoices,
-                     phrase("Analysis", "Sensitivity by level, from the proportion correct"),
-                     {{"participant", "condition", "parameter", "level", "difference", "responses",
-                       "hits", "share", "d_prime", "d_prime_low", "d_prime_high",
-                       "d_prime_corrected", "d_prime_independent", "unit"},
-                      {}},
-                     {}};
+  using namespace columns;
+  ResultTable choices{
+      kSensitivityOfChoices,
+      phrase("Analysis", "Sensitivity by level, from the proportion correct"),
+      {kParticipant, kCondition, kParameterColumn, kLevelColumn, kDifference, kResponses, kHits,
+       kShare, kDPrime, interval_of(kDPrime), kDPrimeCorrected, kDPrimeIndependent, kUnitOfLevels}};
   ShownDesigns shown{};
   for (const DiscriminationResults& results : all) {
     const DiscriminationDesign& design = *results.study.task.design;
@@ -156,7 +158,7 @@ void add_choice_sensitivity(const GatheredAnswers& gathered,
     mark_bounds(results, levels, findings);
     keep_findings(findings, outcome);
     const FoundNumbers found(findings);
-    add_rows(gathered, results, correct, found, choices.table);
+    add_rows(gathered, results, correct, found, choices);
     if (!levels.empty()) {
       ask_mean_sensitivity(results, levels, found,
                            {.table = kSensitivityOfChoices, .method = method_of_mean(design)},
@@ -165,9 +167,9 @@ void add_choice_sensitivity(const GatheredAnswers& gathered,
     shown.has_oddity = shown.has_oddity || design.asks_for_odd_one;
     shown.has_three_alternatives = shown.has_three_alternatives || !design.asks_for_odd_one;
   }
-  if (choices.table.rows.empty()) return;
+  if (choices.rows.empty()) return;
   choices.note = note_on_choices(shown);
-  drop_empty_columns(choices.table, 2);
+  choices.drop_empty_columns(2);
   outcome.tables.push_back(std::move(choices));
 }
 

@@ -13,12 +13,12 @@
 #include "analysis/choices/rating_roc.h"
 #include "analysis/numbers/number_text.h"
 #include "app/findings/gathering/answer_columns.h"
+#include "app/findings/methods/discrimination/thresholds/threshold_columns.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/reading_number.h"
-#include "app/findings/outcome/reading_table.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/tidy/finding_list.h"
-#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
 
@@ -126,18 +126,26 @@ std::vector<Finding> roc_of(const GatheredAnswers& gathered, const Discriminatio
   return findings;
 }
 
+const ResultColumn kRocArea{.id = "roc_area",
+                            .heading = phrase("AnalysisWords", "area under the ROC")};
+const ResultColumn kAreaOfModel{.id = "a_z", .heading = phrase("AnalysisWords", "A_z")};
+const ResultColumn kDistanceOfModel{.id = "d_a", .heading = phrase("AnalysisWords", "d_a")};
+const ResultColumn kSdRatio{.id = "sd_ratio",
+                            .heading = phrase("AnalysisWords", "SD of signal/noise")};
+const ResultColumn kChiSquared{
+    .id = "chi_squared", .heading = phrase("AnalysisWords", "χ²(1)"), .digits = Digits::statistic};
+
 void add_row(const DiscriminationResults& results, const std::pair<std::size_t, double>& place,
              const std::string& participant, const std::string& key, const FoundNumbers& found,
-             Table& table) {
+             ResultTable& table) {
   const DiscriminationTask& task = results.study.task;
-  const auto [area_low, area_high] = found.interval("auc", key);
-  table.rows.push_back({participant, results.conditions[place.first], task.varied.parameter,
-                        place.second, place.second - task.standard(), found.count("n.noise", key),
-                        found.count("n.signal", key), found.cell("auc", key), area_low, area_high,
-                        found.cell("uv.az", key), found.cell("uv.da", key),
-                        found.cell("uv.sigma", key), found.cell("lr.equal.variance", key),
-                        found.cell("lr.equal.variance.p", key),
-                        task.varied.unit.empty() ? Cell{} : Cell{task.varied.unit}});
+  const std::string& unit = task.varied.unit;
+  table.add({participant, results.conditions[place.first], task.varied.parameter,
+             quantity_cell(place.second, unit), quantity_cell(place.second - task.standard(), unit),
+             found.count("n.noise", key), found.count("n.signal", key), found.cell("auc", key),
+             found.interval("auc", key), found.cell("uv.az", key), found.cell("uv.da", key),
+             found.cell("uv.sigma", key), found.cell("lr.equal.variance", key),
+             found.cell("lr.equal.variance.p", key), word_cell(unit)});
 }
 
 Phrase with_interval(const Phrase& text, const Finding& finding) {
@@ -275,13 +283,13 @@ Phrase note_on_roc(const std::vector<DiscriminationResults>& all) {
 
 void add_confidence_roc(const GatheredAnswers& gathered,
                         const std::vector<DiscriminationResults>& all, AnalysisOutcome& outcome) {
-  NamedTable roc{kConfidenceRoc,
-                 phrase("Analysis", "ROC of the confidence ratings"),
-                 {{"participant", "condition", "parameter", "level", "difference", "noise_trials",
-                   "signal_trials", "roc_area", "roc_area_low", "roc_area_high", "a_z", "d_a",
-                   "sd_ratio", "chi_squared", "p", "unit"},
-                  {}},
-                 note_on_roc(all)};
+  using namespace columns;
+  ResultTable roc{kConfidenceRoc,
+                  phrase("Analysis", "ROC of the confidence ratings"),
+                  {kParticipant, kCondition, kParameterColumn, kLevelColumn, kDifference,
+                   kNoiseTrials, kSignalTrials, kRocArea, interval_of(kRocArea), kAreaOfModel,
+                   kDistanceOfModel, kSdRatio, kChiSquared, kP, kUnitOfLevels},
+                  note_on_roc(all)};
   for (const DiscriminationResults& results : all) {
     const DiscriminationTask& task = results.study.task;
     if (!task.is_performance || task.design->is_choice_of_three() ||
@@ -295,17 +303,17 @@ void add_confidence_roc(const GatheredAnswers& gathered,
     const FoundNumbers found(findings);
     for (const auto& [place, level] : levels) {
       const std::string id = id_of_rated(results, place);
-      add_row(results, place, kAllParticipants, id, found, roc.table);
+      add_row(results, place, kAllParticipants, id, found, roc);
       if (gathered.people.size() < 2) continue;
       for (const auto& [person, ratings] : level) {
         const std::string& participant = gathered.people[person].label;
-        add_row(results, place, participant, both(id, participant), found, roc.table);
+        add_row(results, place, participant, both(id, participant), found, roc);
       }
     }
     ask_roc(results, levels, found, outcome);
   }
-  if (roc.table.rows.empty()) return;
-  drop_empty_columns(roc.table, 2);
+  if (roc.rows.empty()) return;
+  roc.drop_empty_columns(2);
   outcome.tables.push_back(std::move(roc));
 }
 

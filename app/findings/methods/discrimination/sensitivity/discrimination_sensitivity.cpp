@@ -15,12 +15,12 @@
 #include "analysis/choices/signal_detection.h"
 #include "analysis/numbers/number_text.h"
 #include "app/findings/gathering/answer_columns.h"
+#include "app/findings/methods/discrimination/thresholds/threshold_columns.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/reading_number.h"
-#include "app/findings/outcome/reading_table.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/tidy/finding_list.h"
-#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
 
@@ -123,24 +123,31 @@ std::vector<Finding> sensitivity_of(const GatheredAnswers& gathered,
   return analysis_of(kSensitivity, "dprime", std::move(input));
 }
 
-Cell text_or_missing(const std::string& text) { return text.empty() ? Cell{} : Cell{text}; }
+const ResultColumn kHitRate{.id = "hit_rate", .heading = phrase("AnalysisWords", "hit rate")};
+const ResultColumn kFalseAlarmRate{.id = "false_alarm_rate",
+                                   .heading = phrase("AnalysisWords", "false-alarm rate")};
+const ResultColumn kCriterion{.id = "criterion", .heading = phrase("AnalysisWords", "criterion")};
+const ResultColumn kCriterionK{.id = "criterion_k",
+                               .heading = phrase("AnalysisWords", "criterion k, differencing")};
+const ResultColumn kDifferent{.id = "different",
+                              .heading = phrase("AnalysisWords", "responses “different”")};
 
 void add_level_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
                     const std::vector<CountsAtLevel>& levels, const FoundNumbers& found,
-                    Table& table) {
+                    ResultTable& table) {
   const DiscriminationTask& task = results.study.task;
   const std::string dprime = named_design(*task.design).dprime;
   for (const CountsAtLevel& level : levels) {
     const std::string key = both(id_of(results, level), gathered.people[level.person].label);
-    const auto [low, high] = found.interval(dprime, key);
-    table.rows.push_back(
-        {gathered.people[level.person].label, results.conditions[level.condition],
-         task.varied.parameter, level.value, level.value - task.standard(),
-         static_cast<std::int64_t>(level.counts.signal.trials), found.cell("hit", key),
-         static_cast<std::int64_t>(level.counts.noise.trials), found.cell("fa", key),
-         found.cell(dprime, key), low, high, found.cell("dprime.io.loglinear", key),
-         found.cell("criterion.loglinear", key), found.cell("k.diff.loglinear", key),
-         text_or_missing(task.varied.unit)});
+    const std::string& unit = task.varied.unit;
+    table.add({gathered.people[level.person].label, results.conditions[level.condition],
+               task.varied.parameter, quantity_cell(level.value, unit),
+               quantity_cell(level.value - task.standard(), unit),
+               count_cell(level.counts.signal.trials), found.cell("hit", key),
+               count_cell(level.counts.noise.trials), found.cell("fa", key),
+               found.cell(dprime, key), found.interval(dprime, key),
+               found.cell("dprime.io.loglinear", key), found.cell("criterion.loglinear", key),
+               found.cell("k.diff.loglinear", key), word_cell(unit)});
   }
 }
 
@@ -152,7 +159,7 @@ std::string pair_as_presented(const DiscriminationTrial& trial) {
 }
 
 void add_pair_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
-                   Table& table) {
+                   ResultTable& table) {
   if (results.study.task.design->surfaces() != 2 || !results.study.task.design->has_noise()) return;
   std::map<std::tuple<std::uint32_t, std::size_t, std::string>, HitCount> counts{};
   for (const DiscriminationTrial& trial : results.study.trials) {
@@ -161,9 +168,8 @@ void add_pair_rows(const GatheredAnswers& gathered, const DiscriminationResults&
   }
   for (const auto& [place, count] : counts) {
     const auto& [person, condition, pair] = place;
-    table.rows.push_back({gathered.people[person].label, results.conditions[condition], pair,
-                          static_cast<std::int64_t>(count.trials),
-                          static_cast<std::int64_t>(count.hits), proportion(count)});
+    table.add({gathered.people[person].label, results.conditions[condition], pair,
+               count_cell(count.trials), count_cell(count.hits), proportion(count)});
   }
 }
 
@@ -323,20 +329,19 @@ void ask_mean_sensitivity(const DiscriminationResults& results, const UnboundedA
 
 void add_sensitivity(const GatheredAnswers& gathered, const std::vector<DiscriminationResults>& all,
                      AnalysisOutcome& outcome) {
-  NamedTable sensitivity{
+  using namespace columns;
+  ResultTable sensitivity{
       kSensitivity,
       phrase("Analysis", "Sensitivity by level"),
-      {{"participant", "condition", "parameter", "level", "difference", "signal_trials", "hit_rate",
-        "noise_trials", "false_alarm_rate", "d_prime", "d_prime_low", "d_prime_high",
-        "d_prime_independent", "criterion", "criterion_k", "unit"},
-       {}},
-      {}};
-  NamedTable pairs{kResponsesByPair,
-                   phrase("Analysis", "Responses by pair of surfaces"),
-                   {{"participant", "condition", "pair", "responses", "different", "share"}, {}},
-                   phrase("Analysis",
-                          "Responses “different” to every pair of surfaces, in the order of "
-                          "presentation (side by side: A, B), over all levels together.")};
+      {kParticipant, kCondition, kParameterColumn, kLevelColumn, kDifference, kSignalTrials,
+       kHitRate, kNoiseTrials, kFalseAlarmRate, kDPrime, interval_of(kDPrime), kDPrimeIndependent,
+       kCriterion, kCriterionK, kUnitOfLevels}};
+  ResultTable pairs{kResponsesByPair,
+                    phrase("Analysis", "Responses by pair of surfaces"),
+                    {kParticipant, kCondition, kPair, kResponses, kDifferent, kShare},
+                    phrase("Analysis",
+                           "Responses “different” to every pair of surfaces, in the order of "
+                           "presentation (side by side: A, B), over all levels together.")};
   std::size_t of_correction = 0;
   std::size_t without_noise = 0;
   for (const DiscriminationResults& results : all) {
@@ -360,8 +365,8 @@ void add_sensitivity(const GatheredAnswers& gathered, const std::vector<Discrimi
     mark_bounds(results, places, findings);
     keep_findings(findings, outcome);
     const FoundNumbers found(findings);
-    add_level_rows(gathered, results, levels, found, sensitivity.table);
-    add_pair_rows(gathered, results, pairs.table);
+    add_level_rows(gathered, results, levels, found, sensitivity);
+    add_pair_rows(gathered, results, pairs);
     if (!results.study.task.design->has_noise()) continue;
     ask_mean_sensitivity(
         results, places, found,
@@ -372,7 +377,7 @@ void add_sensitivity(const GatheredAnswers& gathered, const std::vector<Discrimi
                           "participants or more.")},
         outcome);
   }
-  if (sensitivity.table.rows.empty()) return;
+  if (sensitivity.rows.empty()) return;
   sensitivity.note = note_on_sensitivity(all, of_correction);
   if (without_noise > 0) {
     sensitivity.note =
@@ -382,9 +387,9 @@ void add_sensitivity(const GatheredAnswers& gathered, const std::vector<Discrimi
                "signal.")
             .with(sensitivity.note, std::to_string(without_noise));
   }
-  drop_empty_columns(sensitivity.table, 2);
+  sensitivity.drop_empty_columns(2);
   outcome.tables.push_back(std::move(sensitivity));
-  if (!pairs.table.rows.empty()) outcome.tables.push_back(std::move(pairs));
+  if (!pairs.rows.empty()) outcome.tables.push_back(std::move(pairs));
 }
 
 }  // namespace asperity

@@ -12,9 +12,14 @@
 #include "app/findings/methods/discrimination/sensitivity/sensitivity_bounds.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_results.h"
 #include "app/findings/outcome/analysis_outcome.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 
 namespace asperity {
+
+inline const ResultColumn kDPrime{.id = "d_prime", .heading = phrase("AnalysisWords", "d′")};
+inline const ResultColumn kDPrimeIndependent{
+    .id = "d_prime_independent",
+    .heading = phrase("AnalysisWords", "d′, independent observations")};
 
 /// The tables, and the analysis of the findings of the first.
 inline constexpr const char* kSensitivity = "sensitivity";

@@ -11,6 +11,7 @@
 #include "analysis/numbers/number_text.h"
 #include "analysis/numbers/tail_probabilities.h"
 #include "app/findings/methods/discrimination/sensitivity/confidence_roc.h"
+#include "app/findings/methods/discrimination/thresholds/threshold_columns.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/drawn_table.h"
 #include "app/findings/outcome/reading_number.h"
@@ -65,14 +66,14 @@ struct DrawnRocs {
   std::vector<RocCurve> curves{};
 };
 
-std::vector<DrawnRocs> drawn_rocs(const Table& table) {
+std::vector<DrawnRocs> drawn_rocs(const ResultTable& table) {
   std::vector<DrawnRocs> all{};
-  for (const std::vector<Cell>& cells : table.rows) {
-    const RowOfTable row(table, cells);
-    const std::string participant = row.text("participant");
-    const std::string condition = row.text("condition");
-    const std::string parameter = row.text("parameter");
-    const double level = row.number("level").value_or(0.0);
+  for (const ResultRow& cells : table.rows) {
+    const RowReader row(table, cells);
+    const std::string participant = row.text(columns::kParticipant);
+    const std::string condition = row.text(columns::kCondition);
+    const std::string parameter = row.text(kParameterColumn);
+    const double level = row.number(kLevelColumn).value_or(0.0);
     auto known = std::find_if(all.begin(), all.end(), [&](const DrawnRocs& each) {
       return each.participant == participant && each.condition == condition &&
              each.parameter == parameter;
@@ -83,7 +84,7 @@ std::vector<DrawnRocs> drawn_rocs(const Table& table) {
     }
     std::string key = condition + '|' + number_text(level);
     if (participant != kAllParticipants) key += '|' + participant;
-    known->curves.push_back({.key = key, .name = stated_quantity(level, row.text("unit"))});
+    known->curves.push_back({.key = key, .name = stated_quantity(level, row.text(kUnitOfLevels))});
   }
   // Those of all participants first: they are the answer.
   std::stable_partition(all.begin(), all.end(),
@@ -148,14 +149,14 @@ Figure roc_figure(const FoundNumbers& found, std::span<const RocCurve> curves) {
 }
 
 std::vector<Figure> roc_figures(const AnalysisOutcome& outcome) {
-  const NamedTable* const table = table_named(outcome, kConfidenceRoc);
+  const ResultTable* const table = table_named(outcome, kConfidenceRoc);
   if (table == nullptr) return {};
   std::vector<Finding> rated{};
   for (const Finding& finding : outcome.findings) {
     if (finding.analysis == kConfidenceRoc) rated.push_back(finding);
   }
   const FoundNumbers found(rated);
-  const std::vector<DrawnRocs> rocs = drawn_rocs(table->table);
+  const std::vector<DrawnRocs> rocs = drawn_rocs(*table);
   const auto differ = [&rocs](std::string DrawnRocs::*member) {
     return std::any_of(rocs.begin(), rocs.end(),
                        [&](const DrawnRocs& each) { return each.*member != rocs.front().*member; });

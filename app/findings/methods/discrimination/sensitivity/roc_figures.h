@@ -8,7 +8,7 @@
 
 #include "app/findings/outcome/analysis_outcome.h"
 #include "app/findings/outcome/figure.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/words/phrase.h"
 
 namespace asperity {

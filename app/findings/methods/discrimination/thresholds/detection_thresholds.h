@@ -8,7 +8,7 @@
 
 #include "analysis/psychometric/detection_function.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_thresholds.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 
 namespace asperity {
 

@@ -10,8 +10,8 @@
 #include "analysis/tests/geometric_mean.h"
 #include "app/findings/methods/discrimination/thresholds/left_out_thresholds.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/tidy/finding_list.h"
-#include "app/findings/tidy/found_numbers.h"
 #include "app/findings/tidy/simulated_coverage.h"
 
 namespace asperity {

@@ -11,6 +11,7 @@
 #include "app/findings/methods/discrimination/thresholds/choices_by_place.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_tasks.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_thresholds.h"
+#include "app/findings/methods/discrimination/thresholds/threshold_columns.h"
 #include "app/findings/outcome/analysis_outcome.h"
 
 namespace asperity {
@@ -45,22 +46,6 @@ struct OrderOfPerson {
   /// "cannot tell" counts as in `split_hits`.
   double difference() const { return proportion_of(first) - proportion_of(second); }
 };
-
-/// A threshold of a participant: the quantity of its finding, the column of its table, and the quantities of its
-/// arithmetic and its geometric mean. A point of subjective equality has no geometric mean: it may have any sign.
-struct ThresholdColumn {
-  const char* quantity = "";
-  const char* column = "";
-  const char* mean = "";
-  const char* geometric_mean = nullptr;
-};
-inline constexpr std::array kThresholdColumns{
-    ThresholdColumn{"pse", "pse", "mean.pse", nullptr},
-    ThresholdColumn{"jnd", "jnd", "mean.jnd", "geomean.jnd"},
-    ThresholdColumn{"jnd.dprime1", "jnd_dprime1", "mean.jnd.dprime1", "geomean.jnd.dprime1"},
-    ThresholdColumn{"jnd.posterior", "jnd_posterior", "mean.jnd.posterior",
-                    "geomean.jnd.posterior"},
-    ThresholdColumn{"weber", "weber", "mean.weber", "geomean.weber"}};
 
 /// What is computed of the thresholds.
 enum class ThresholdDetail {

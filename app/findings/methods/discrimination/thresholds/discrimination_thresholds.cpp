@@ -21,9 +21,9 @@
 #include "app/findings/methods/discrimination/thresholds/discrimination_posterior.h"
 #include "app/findings/methods/discrimination/thresholds/missing_threshold.h"
 #include "app/findings/methods/discrimination/thresholds/unforced_functions.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/tidy/finding_list.h"
-#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
 

@@ -22,7 +22,7 @@ std::string condition_of_key(const std::string& key) {
 Phrase reasons_of(const LeftOutThresholds& left_out) {
   Phrase all{};
   for (const auto& [reason, count] : left_out.others) {
-    const Phrase words = words_of_cell("status", reason);
+    const Phrase words = words_of_status(reason);
     const Phrase one = left_out.others.size() == 1
                            ? words
                            : phrase("Analysis", "%1: %2").with(std::to_string(count), words);

@@ -15,7 +15,7 @@
 #include "analysis/numbers/summary.h"
 #include "analysis/numbers/tail_probabilities.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_results.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 
 namespace asperity {
 

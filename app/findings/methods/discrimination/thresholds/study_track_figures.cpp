@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/findings/methods/discrimination/thresholds/discrimination_results.h"
+#include "app/findings/methods/discrimination/thresholds/threshold_columns.h"
 #include "app/findings/methods/discrimination/thresholds/track_figure.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/drawn_table.h"
@@ -41,31 +42,31 @@ struct DrawnTracks {
 };
 
 /// By participant, in the order of the table.
-std::vector<DrawnTracks> drawn_tracks(const Table& table) {
+std::vector<DrawnTracks> drawn_tracks(const ResultTable& table) {
   std::vector<DrawnTracks> all{};
-  for (const std::vector<Cell>& cells : table.rows) {
-    const RowOfTable row(table, cells);
-    const std::string participant = row.text("participant");
+  for (const ResultRow& cells : table.rows) {
+    const RowReader row(table, cells);
+    const std::string participant = row.text(columns::kParticipant);
     auto of = std::find_if(all.begin(), all.end(), [&participant](const DrawnTracks& each) {
       return each.participant == participant;
     });
     if (of == all.end()) {
-      all.push_back({.participant = participant, .unit = row.text("unit")});
+      all.push_back({.participant = participant, .unit = row.text(kUnitOfLevels)});
       of = all.end() - 1;
     }
-    const auto whole = [&row](const char* column) {
+    const auto whole = [&row](const ResultColumn& column) {
       return static_cast<int>(row.number(column).value_or(0.0));
     };
-    DrawnTrack track{.condition = row.text("condition"),
-                     .session = whole("session"),
-                     .block_ordinal = whole("block_ordinal"),
-                     .track = whole("track")};
+    DrawnTrack track{.condition = row.text(columns::kCondition),
+                     .session = whole(columns::kSession),
+                     .block_ordinal = whole(columns::kBlockOrdinal),
+                     .track = whole(kTrackColumn)};
     auto known = std::find(of->tracks.begin(), of->tracks.end(), track);
     if (known == of->tracks.end()) known = of->tracks.insert(known, std::move(track));
-    const double level = row.number("level").value_or(0.0);
+    const double level = row.number(kLevelColumn).value_or(0.0);
     of->greatest = std::max(of->greatest, std::abs(level));
-    const double hit = row.number("hit").value_or(0.0);
-    known->trials.push_back({.step = row.number("step").value_or(0.0),
+    const double hit = row.number(kHitColumn).value_or(0.0);
+    known->trials.push_back({.step = row.number(kStepColumn).value_or(0.0),
                              .level = level,
                              .is_correct = hit == 1.0,
                              .is_unsure = hit > 0.0 && hit < 1.0});
@@ -126,7 +127,7 @@ Phrase name_of_track(const DrawnTrack& track, const std::map<std::pair<int, int>
 
 }  // namespace
 
-std::vector<Figure> track_figures(const Table& table) {
+std::vector<Figure> track_figures(const ResultTable& table) {
   std::vector<Figure> figures{};
   std::vector<DrawnTracks> all = drawn_tracks(table);
   std::map<std::string, double> greatest{};  // by unit

@@ -16,11 +16,12 @@
 #include "app/findings/methods/discrimination/thresholds/discrimination_results.h"
 #include "app/findings/methods/discrimination/thresholds/psychometric_figures.h"
 #include "app/findings/methods/discrimination/thresholds/study_track_figures.h"
+#include "app/findings/methods/discrimination/thresholds/threshold_columns.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/drawn_table.h"
 #include "app/findings/outcome/finding_parts.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/single_participants.h"
-#include "app/findings/tidy/found_numbers.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "app/words/text_parts.h"
 
@@ -58,15 +59,16 @@ const DiscriminationDesign& design_of(const FoundNumbers& functions, const std::
 }
 
 /// By participant, parameter, judgement and design, in the order of the table.
-std::vector<DrawnFunctions> drawn_functions(const Table& table, const FoundNumbers& functions) {
+std::vector<DrawnFunctions> drawn_functions(const ResultTable& table,
+                                            const FoundNumbers& functions) {
   std::vector<DrawnFunctions> all{};
-  for (const std::vector<Cell>& cells : table.rows) {
-    const RowOfTable row(table, cells);
-    const std::optional<double> difference = row.number("difference");
-    const std::string participant = row.text("participant");
-    const std::string parameter = row.text("parameter");
-    const DiscriminationDesign& design =
-        design_of(functions, participant + '|' + row.text("condition"));
+  for (const ResultRow& cells : table.rows) {
+    const RowReader row(table, cells);
+    const std::optional<double> difference = row.number(columns::kDifference);
+    const std::string participant = row.text(columns::kParticipant);
+    const std::string parameter = row.text(kParameterColumn);
+    const std::string condition = row.text(columns::kCondition);
+    const DiscriminationDesign& design = design_of(functions, participant + '|' + condition);
     auto known = std::find_if(all.begin(), all.end(), [&](const DrawnFunctions& each) {
       return each.participant == participant && each.parameter == parameter &&
              each.design == &design && each.is_performance == difference.has_value();
@@ -74,19 +76,20 @@ std::vector<DrawnFunctions> drawn_functions(const Table& table, const FoundNumbe
     if (known == all.end()) {
       all.push_back({.participant = participant,
                      .parameter = parameter,
-                     .unit = row.text("unit"),
+                     .unit = row.text(kUnitOfLevels),
                      .is_performance = difference.has_value(),
                      .design = &design});
       known = all.end() - 1;
     }
-    const double level = difference ? std::abs(*difference) : row.number("level").value_or(0.0);
+    const double level =
+        difference ? std::abs(*difference) : row.number(kLevelColumn).value_or(0.0);
     if (known->levels.empty()) known->range = {level, level};
-    known->conditions.add(row.text("condition"));
-    known->names.insert(row.text("condition"));
+    known->conditions.add(condition);
+    known->names.insert(condition);
     known->levels.push_back(level);
-    known->trials.push_back(row.number("responses"));
-    known->hits.push_back(row.number("hits"));
-    if (row.number("unsure").value_or(0.0) > 0.0) known->unsure.insert(row.text("condition"));
+    known->trials.push_back(row.number(columns::kResponses));
+    known->hits.push_back(row.number(columns::kHits));
+    if (row.number(kUnsureColumn).value_or(0.0) > 0.0) known->unsure.insert(condition);
     known->range.low = std::min(known->range.low, level);
     known->range.high = std::max(known->range.high, level);
   }
@@ -267,11 +270,11 @@ Figure figure_of_functions(DrawnFunctions drawn, const FoundNumbers& functions,
 
 /// The numbers of one threshold in the tables.
 struct DrawnThreshold {
-  const char* column = "";
+  ResultColumn threshold{};
   const char* figure = "";
   Phrase title{};
   Phrase axis{};
-  std::string mean = "mean";  ///< column of the table of means
+  ResultColumn mean{};  ///< of the table of means
 };
 
 /// Explains only the marks that are drawn. A point of subjective equality has an arithmetic mean.
@@ -292,8 +295,8 @@ Phrase note_on_mean_thresholds(bool is_arithmetic, bool has_intervals) {
 }
 
 /// Means with their intervals, a row per condition, and the participants behind them; nothing without a mean.
-std::optional<Figure> figure_of_thresholds(const DrawnThreshold& drawn, const Table& means,
-                                           const Table& thresholds) {
+std::optional<Figure> figure_of_thresholds(const DrawnThreshold& drawn, const ResultTable& means,
+                                           const ResultTable& thresholds) {
   double greatest = 0.0;
   double lowest = std::numeric_limits<double>::infinity();
   std::string unit{};
@@ -302,21 +305,22 @@ std::optional<Figure> figure_of_thresholds(const DrawnThreshold& drawn, const Ta
     greatest = std::max(greatest, *number);
     lowest = std::min(lowest, *number);
   };
-  std::vector<RowOfTable> rows{};
-  for (const std::vector<Cell>& cells : means.rows) {
-    const RowOfTable row(means, cells);
-    if (row.text("measure") != drawn.column) continue;
+  std::vector<RowReader> rows{};
+  for (const ResultRow& cells : means.rows) {
+    const RowReader row(means, cells);
+    if (row.text(columns::kMeasure) != drawn.threshold.id) continue;
     rows.push_back(row);
-    unit = row.text("unit");
-    for (const char* const end : {"", "_low", "_high"}) reach(row.number(drawn.mean + end));
+    unit = row.text(kUnitOfLevels);
+    const Interval interval = row.interval(drawn.mean);
+    for (const auto& number : {row.number(drawn.mean), interval.low, interval.high}) reach(number);
   }
   if (rows.empty()) return std::nullopt;
   std::map<std::string, std::vector<double>> singles{};
-  for (const std::vector<Cell>& cells : thresholds.rows) {
-    const RowOfTable row(thresholds, cells);
-    const std::optional<double> value = row.number(drawn.column);
+  for (const ResultRow& cells : thresholds.rows) {
+    const RowReader row(thresholds, cells);
+    const std::optional<double> value = row.number(drawn.threshold);
     if (!value) continue;
-    singles[row.text("condition")].push_back(*value);
+    singles[row.text(columns::kCondition)].push_back(*value);
     reach(value);
   }
   const DrawnUnit shown = drawn_unit(unit, std::abs(greatest));
@@ -324,7 +328,7 @@ std::optional<Figure> figure_of_thresholds(const DrawnThreshold& drawn, const Ta
                 .table = kMeanThresholds,
                 .title = drawn.title,
                 .shape = FigureShape::rows};
-  const bool is_pse = std::string(drawn.column) == "pse";
+  const bool is_pse = drawn.threshold.is_same(kPseColumn);
   const double room = 0.06 * (greatest - (is_pse ? lowest : std::min(0.0, lowest)));
   figure.x = {.unit = shown.text,
               .low = (is_pse ? lowest - room : std::min(0.0, lowest)) / shown.size,
@@ -332,25 +336,25 @@ std::optional<Figure> figure_of_thresholds(const DrawnThreshold& drawn, const Ta
   FigureSeries points{};
   bool has_bound = false;
   std::vector<SingleValues> behind{};
-  for (const RowOfTable& row : rows) {
-    const auto scaled = [&](const char* end) {
-      const std::optional<double> number = row.number(drawn.mean + end);
+  for (const RowReader& row : rows) {
+    const auto scaled = [&shown](const std::optional<double>& number) {
       return number ? std::optional(*number / shown.size) : std::nullopt;
     };
+    const Interval interval = row.interval(drawn.mean);
     const auto place = static_cast<double>(figure.y.places.size());
-    if (const auto mean = scaled("")) {
+    if (const auto mean = scaled(row.number(drawn.mean))) {
       FigurePoint point{.x = *mean, .y = place};
-      if (const auto low = scaled("_low"), high = scaled("_high"); low && high) {
+      if (const auto low = scaled(interval.low), high = scaled(interval.high); low && high) {
         point.x_interval = FigureSpan{*low, *high};
       }
       points.points.push_back(point);
     }
-    has_bound = has_bound || !row.text("status").empty();
-    const std::string condition = row.text("condition");
+    has_bound = has_bound || !row.text(columns::kStatus).empty();
+    const std::string condition = row.text(columns::kCondition);
     std::vector<double> own = singles[condition];
     for (double& value : own) value /= shown.size;
     behind.push_back({.place = place, .values = std::move(own)});
-    figure.y.places.push_back(words_of_cell("condition", condition));
+    figure.y.places.push_back(words_of_condition_or_all(condition));
   }
   const bool has_intervals = draws_intervals(std::span(&points, 1));
   figure.x.name =
@@ -373,33 +377,33 @@ std::optional<Figure> figure_of_thresholds(const DrawnThreshold& drawn, const Ta
 
 std::vector<Figure> threshold_figures(const AnalysisOutcome& outcome) {
   std::vector<Figure> figures{};
-  const NamedTable* const means = table_named(outcome, kMeanThresholds);
-  const NamedTable* const thresholds = table_named(outcome, kThresholds);
+  const ResultTable* const means = table_named(outcome, kMeanThresholds);
+  const ResultTable* const thresholds = table_named(outcome, kThresholds);
   if (means != nullptr && thresholds != nullptr) {
     const std::array kDrawn{
-        DrawnThreshold{"pse", "points_of_subjective_equality",
+        DrawnThreshold{kPseColumn, "points_of_subjective_equality",
                        phrase("Figures", "Points of subjective equality"),
-                       phrase("Figures", "point of subjective equality, mean")},
-        DrawnThreshold{"jnd", "thresholds", phrase("Figures", "Thresholds"),
-                       phrase("Figures", "threshold, geometric mean"), "geometric_mean"}};
+                       phrase("Figures", "point of subjective equality, mean"), columns::kMean},
+        DrawnThreshold{kJndColumn, "thresholds", phrase("Figures", "Thresholds"),
+                       phrase("Figures", "threshold, geometric mean"), kGeometricMean}};
     bool has_proportion = false;  // a threshold at a proportion correct
     for (const DrawnThreshold& drawn : kDrawn) {
-      auto figure = figure_of_thresholds(drawn, means->table, thresholds->table);
-      has_proportion = has_proportion || (figure && std::string_view(drawn.column) == "jnd");
+      auto figure = figure_of_thresholds(drawn, *means, *thresholds);
+      has_proportion = has_proportion || (figure && drawn.threshold.is_same(kJndColumn));
       if (figure) figures.push_back(std::move(*figure));
     }
-    const DrawnThreshold at_unit{"jnd_dprime1", "thresholds", phrase("Figures", "Thresholds"),
+    const DrawnThreshold at_unit{kJndDprime1Column, "thresholds", phrase("Figures", "Thresholds"),
                                  phrase("Figures", "difference with d′ = 1, geometric mean"),
-                                 "geometric_mean"};
+                                 kGeometricMean};
     if (!has_proportion) {
-      auto figure = figure_of_thresholds(at_unit, means->table, thresholds->table);
+      auto figure = figure_of_thresholds(at_unit, *means, *thresholds);
       if (figure) figures.push_back(std::move(*figure));
     }
   }
-  if (const NamedTable* const tracks = table_named(outcome, kTracks)) {
-    for (Figure& figure : track_figures(tracks->table)) figures.push_back(std::move(figure));
+  if (const ResultTable* const tracks = table_named(outcome, kTracks)) {
+    for (Figure& figure : track_figures(*tracks)) figures.push_back(std::move(figure));
   }
-  const NamedTable* const responses = table_named(outcome, kPsychometric);
+  const ResultTable* const responses = table_named(outcome, kPsychometric);
   if (responses == nullptr) return figures;
   std::vector<Finding> of_functions{};
   std::vector<Finding> of_thresholds{};
@@ -409,7 +413,7 @@ std::vector<Figure> threshold_figures(const AnalysisOutcome& outcome) {
   }
   const FoundNumbers found_functions(of_functions);
   const FoundNumbers found_thresholds(of_thresholds);
-  for (DrawnFunctions& drawn : drawn_functions(responses->table, found_functions)) {
+  for (DrawnFunctions& drawn : drawn_functions(*responses, found_functions)) {
     figures.push_back(figure_of_functions(std::move(drawn), found_functions, found_thresholds));
   }
   return figures;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/findings/outcome/figure.h"
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "app/words/phrase.h"
 

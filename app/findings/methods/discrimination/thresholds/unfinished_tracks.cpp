@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <set>
 
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/reading_number.h"
-#include "app/findings/tidy/found_numbers.h"
 
 namespace asperity {
 

@@ -11,13 +11,9 @@
 #include <vector>
 
 #include "analysis/numbers/finding.h"
-#include "app/words/text_parts.h"
-#include "results_schema/tables/table.h"
+#include "app/findings/outcome/result_table.h"
 
 namespace asperity {
-
-/// A missing cell where there is no number.
-Cell cell_of(const std::optional<double>& number);
 
 /// Findings by quantity and key. They must outlive this object.
 class FoundNumbers final {
@@ -32,11 +28,11 @@ class FoundNumbers final {
   /// All findings of a quantity, in their order.
   std::vector<const Finding*> all(std::string_view quantity) const;
   /// The number as a cell of a table.
-  Cell cell(std::string_view quantity, std::string_view key = {}) const;
-  /// The number rounded to a whole one, as a cell that is displayed without decimals.
-  Cell count(std::string_view quantity, std::string_view key = {}) const;
-  /// The ends of the interval of a number, as two cells.
-  std::pair<Cell, Cell> interval(std::string_view quantity, std::string_view key = {}) const;
+  ResultCell cell(std::string_view quantity, std::string_view key = {}) const;
+  /// The number rounded to a whole one, as a count.
+  ResultCell count(std::string_view quantity, std::string_view key = {}) const;
+  /// The interval of a number; missing where it has no limits.
+  ResultCell interval(std::string_view quantity, std::string_view key = {}) const;
 
  private:
   std::span<const Finding> in_order_{};

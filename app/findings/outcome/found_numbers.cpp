@@ -1,13 +1,11 @@
 // Indexes findings by quantity and key; of equal names, the first is found.
 
-#include "app/findings/tidy/found_numbers.h"
+#include "app/findings/outcome/found_numbers.h"
 
 #include <cmath>
 #include <cstdint>
 
 namespace asperity {
-
-Cell cell_of(const std::optional<double>& number) { return number ? Cell{*number} : Cell{}; }
 
 FoundNumbers::FoundNumbers(std::span<const Finding> findings) : in_order_(findings) {
   for (const Finding& finding : findings) {
@@ -34,20 +32,18 @@ std::vector<const Finding*> FoundNumbers::all(std::string_view quantity) const {
   return found;
 }
 
-Cell FoundNumbers::cell(std::string_view quantity, std::string_view key) const {
+ResultCell FoundNumbers::cell(std::string_view quantity, std::string_view key) const {
   return cell_of(value(quantity, key));
 }
 
-Cell FoundNumbers::count(std::string_view quantity, std::string_view key) const {
+ResultCell FoundNumbers::count(std::string_view quantity, std::string_view key) const {
   const std::optional<double> number = value(quantity, key);
-  return number ? Cell{static_cast<std::int64_t>(std::llround(*number))} : Cell{};
+  return number ? ResultCell{static_cast<std::int64_t>(std::llround(*number))} : ResultCell{};
 }
 
-std::pair<Cell, Cell> FoundNumbers::interval(std::string_view quantity,
-                                             std::string_view key) const {
+ResultCell FoundNumbers::interval(std::string_view quantity, std::string_view key) const {
   const Finding* finding = find(quantity, key);
-  if (finding == nullptr) return {};
-  return {cell_of(finding->low), cell_of(finding->high)};
+  return finding == nullptr ? ResultCell{} : interval_cell(finding->low, finding->high);
 }
 
 }  // namespace asperity
