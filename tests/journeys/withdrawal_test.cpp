@@ -116,9 +116,12 @@ TEST(WithdrawalWhileAnOutputIsMade, LeavesNoOutputThatItDoesNotName) {
   const SmallStudy small = simulated_study(2, 3, {"--recordings", "all"});
   const std::vector<microseconds> durations = output_durations(small);
   std::mt19937 random(64);
-  constexpr int kOutputs = 36;
+  // Some are over, or have not begun to read, when they are stopped: how many depends on the load of the computer.
+  constexpr int kOverlapping = 13;
+  constexpr int kFewest = 36;
+  constexpr int kMost = 144;
   int overlapped = 0;
-  for (int i = 0; i < kOutputs; ++i) {
+  for (int i = 0; i < kMost && (i < kFewest || overlapped < kOverlapping); ++i) {
     const fs::path study = small.place() / ("study_" + std::to_string(i));
     copy_study(small.study(), study);
     const fs::path made =
@@ -169,7 +172,7 @@ TEST(WithdrawalWhileAnOutputIsMade, LeavesNoOutputThatItDoesNotName) {
     ASSERT_FALSE(HasFailure()) << i;
     fs::remove_all(study);
   }
-  EXPECT_GT(overlapped, kOutputs / 3);
+  EXPECT_GE(overlapped, kOverlapping);
 }
 
 TEST(WithdrawalWhileAStudyIsVerified, IsNoDamage) {
