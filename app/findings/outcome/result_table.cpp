@@ -12,9 +12,10 @@ namespace {
 
 Cell cell_of_limit(const std::optional<double>& limit) { return limit ? Cell{*limit} : Cell{}; }
 
-/// Appends the values of a cell of `column`, one for each of its names.
-void store(const ResultCell& cell, const ResultColumn& column, std::vector<Cell>& row) {
-  const std::size_t end = row.size() + column.stored_names().size();
+/// Appends the values of a cell of `column`, one for each of its `names`.
+void store(const ResultCell& cell, const ResultColumn& column, std::size_t names,
+           std::vector<Cell>& row) {
+  const std::size_t end = row.size() + names;
   if (const auto* const interval = std::get_if<Interval>(&cell)) {
     row.push_back(cell_of_limit(interval->low));
     row.push_back(cell_of_limit(interval->high));
@@ -151,13 +152,16 @@ std::optional<double> number_of(const ResultCell& cell) {
 
 Table stored_table(const ResultTable& table) {
   Table stored{};
+  std::vector<std::size_t> counts{};
   for (const ResultColumn& column : table.columns) {
     const std::vector<std::string> names = column.stored_names();
+    counts.push_back(names.size());
     stored.columns.insert(stored.columns.end(), names.begin(), names.end());
   }
   for (const ResultRow& row : table.rows) {
     std::vector<Cell>& cells = stored.rows.emplace_back();
-    for (std::size_t i = 0; i < row.size(); ++i) store(row[i], table.columns.at(i), cells);
+    for (std::size_t i = 0; i < row.size(); ++i)
+      store(row[i], table.columns.at(i), counts[i], cells);
   }
   return stored;
 }
