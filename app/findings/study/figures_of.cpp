@@ -19,6 +19,7 @@
 #include "app/findings/methods/similarity/perceptual_map_figures.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/drawn_table.h"
 #include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/study_tests.h"
 #include "app/findings/shared/choice_tables.h"
@@ -137,13 +138,8 @@ void add_times(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
 /// Of one scale a row per item; of several a profile, which follows the answer for the last of them,
 /// and their components.
 void add_ratings(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
-  const auto named = [&outcome](const char* name) {
-    const auto found = std::find_if(outcome.tables.begin(), outcome.tables.end(),
-                                    [&](const ResultTable& one) { return one.name == name; });
-    return found == outcome.tables.end() ? nullptr : &*found;
-  };
   const char* const analysis = "ratings";
-  const ResultTable* const ratings = named(analysis);
+  const ResultTable* const ratings = table_named(outcome, analysis);
   if (ratings == nullptr || ratings->rows.empty()) return;
   std::string question{};
   for (const AnsweredQuestion& asked : outcome.questions) {
@@ -154,7 +150,7 @@ void add_ratings(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
     scales.insert(RowReader(*ratings, row).text(columns::kScale));
   }
   if (scales.size() > 1) {
-    figures.push_back(profile_figure(*ratings, named("scales")));
+    figures.push_back(profile_figure(*ratings, table_named(outcome, "scales")));
   } else {
     std::vector<Finding> means = part_of(outcome.findings, analysis);
     for (Finding& mean : means) mean.key.erase(0, mean.key.find('|') + 1);  // the scale
@@ -162,7 +158,7 @@ void add_ratings(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
     figures.back().table = ratings->name;
   }
   figures.back().question = question;
-  const ResultTable* const loadings = named("loadings");
+  const ResultTable* const loadings = table_named(outcome, "loadings");
   if (loadings == nullptr) return;
   const std::vector<Finding> components = part_of(outcome.findings, "components");
   const bool has_second =
