@@ -14,9 +14,9 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/psychometric/psychometric_function.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/study_analysis.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/outcome/found_numbers.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/made_up_study.h"
 
@@ -72,6 +72,25 @@ TEST(Discrimination, TestsWhetherThresholdsDifferBetweenConditions) {
   for (const Finding& finding : two.findings) {
     EXPECT_FALSE(finding.quantity.starts_with("friedman.")) << "a pair has one test";
   }
+  std::vector<double> logs{};
+  const std::vector<Finding> thresholds = part_of(two, "thresholds");
+  const FoundNumbers own(thresholds);
+  for (const Finding* const metal : own.all("jnd")) {
+    if (!metal->key.ends_with("|metal")) continue;
+    const std::string label = metal->key.substr(0, metal->key.find('|'));
+    logs.push_back(std::log(*own.value("jnd", label + "|wood") / *metal->value));
+  }
+  ASSERT_EQ(logs.size(), 8U);
+  double mean = 0.0;
+  for (const double one : logs) mean += one / 8.0;
+  double squares = 0.0;
+  for (const double one : logs) squares += (one - mean) * (one - mean);
+  const double half = 2.3646242515927844 * std::sqrt(squares / 7.0 / 8.0);  // t of 7 df, 97.5 %
+  const std::vector<Finding> compared = part_of(two, "compared_thresholds");
+  const Finding* const ratio = FoundNumbers(compared).find("ratio.jnd", "wood|metal");
+  ASSERT_TRUE(ratio != nullptr && ratio->low) << "no threshold is left out";
+  EXPECT_NEAR(*ratio->low, std::exp(mean - half), 1e-9);
+  EXPECT_NEAR(*ratio->high, std::exp(mean + half), 1e-9);
   const AnalysisOutcome three = outcome_with({"metal", "stone", "wood"});
   EXPECT_THAT(sentence_about(three, "conditions", "JND"), HasSubstr("Friedman test"));
   EXPECT_THAT(find_analysis("discrimination")->estimates(three).text, HasSubstr("stone, JND "));
@@ -99,30 +118,27 @@ TEST(Discrimination, ComparesConditionsOverTheParticipantsWhoHaveAll) {
       });
   const std::vector<Finding> thresholds = part_of(outcome, "thresholds");
   const FoundNumbers own(thresholds);
-  std::vector<double> logs{};
+  double log_of_ratio = 0.0;
   double log_of_wood = 0.0;
+  std::size_t complete = 0;
   for (const Finding* const metal : own.all("jnd")) {
     if (!metal->key.ends_with("|metal")) continue;
     const std::string label = metal->key.substr(0, metal->key.find('|'));
     const auto wood = own.value("jnd", label + "|wood");
     if (!wood || !metal->value) continue;
-    logs.push_back(std::log(*wood / *metal->value));
+    log_of_ratio += std::log(*wood / *metal->value) / 5.0;
     log_of_wood += std::log(*wood) / 5.0;
+    ++complete;
   }
-  ASSERT_EQ(logs.size(), 5U);
-  double mean = 0.0;
-  for (const double one : logs) mean += one / 5.0;
-  double squares = 0.0;
-  for (const double one : logs) squares += (one - mean) * (one - mean);
-  const double half = 2.7764451051977987 * std::sqrt(squares / 4.0 / 5.0);  // t of 4 df, 97.5 %
+  ASSERT_EQ(complete, 5U);
   const std::vector<Finding> compared = part_of(outcome, "compared_thresholds");
   const FoundNumbers found(compared);
   const Finding* const ratio = found.find("ratio.jnd", "wood|metal");
-  ASSERT_TRUE(ratio != nullptr && ratio->low);
+  ASSERT_NE(ratio, nullptr);
   EXPECT_EQ(ratio->n, 5U);
-  EXPECT_NEAR(*ratio->value, std::exp(mean), 1e-9);
-  EXPECT_NEAR(*ratio->low, std::exp(mean - half), 1e-9);
-  EXPECT_NEAR(*ratio->high, std::exp(mean + half), 1e-9);
+  EXPECT_NEAR(*ratio->value, std::exp(log_of_ratio), 1e-9);
+  EXPECT_FALSE(ratio->low) << "an interval would describe the other five";
+  EXPECT_THAT(ratio->method, HasSubstr("without an interval: 1 of those with trials in both"));
   const Finding* const wood = found.find("geomean.jnd", "wood");
   ASSERT_NE(wood, nullptr);
   EXPECT_EQ(wood->n, 5U);
@@ -132,6 +148,7 @@ TEST(Discrimination, ComparesConditionsOverTheParticipantsWhoHaveAll) {
   EXPECT_THAT(answer, HasSubstr("geometric mean thresholds of 5 participants: metal: "));
   EXPECT_THAT(answer, HasSubstr("ratio wood / metal: "));
   EXPECT_THAT(answer, HasSubstr("Left out: 1 of 6 participants"));
+  EXPECT_THAT(answer, HasSubstr("The ratio therefore has no CI"));
   EXPECT_THAT(find_analysis("discrimination")->estimates(outcome).text,
               HasSubstr("The ratio of the JNDs (wood / metal) was "));
 }

@@ -157,7 +157,7 @@ void test_conditions(const GatheredAnswers& gathered, const DiscriminationResult
     if (scores.complete < 2) {
       tests.add_untested("conditions", about,
                          gathered.people.size() == 1 ? StudyTests::kOneParticipantAlone
-                         : results.has_participant_in_all_conditions()
+                         : results.participants_in_all_conditions() > 0
                              ? "no_thresholds"
                              : "conditions_between_participants");
       continue;

@@ -83,11 +83,18 @@ Phrase with_left_out_participants(const Phrase& answer, const DiscriminationResu
   std::set<std::uint32_t> people{};
   for (const auto& function : results.functions) people.insert(function.person);
   if (people.size() == complete) return answer;
-  return phrase(
-             "Analysis",
+  const Phrase left_out =
+      phrase("Analysis",
              "%1 Left out: %2 of %3 participants, who do not have a threshold within the presented "
              "levels in every condition; the comparison does not describe them.")
-      .with(answer, std::to_string(people.size() - complete), std::to_string(people.size()));
+          .with(answer, std::to_string(people.size() - complete), std::to_string(people.size()));
+  const bool has_ratio_without_interval = results.conditions.size() == 2 && complete > 0 &&
+                                          complete < results.participants_in_all_conditions();
+  if (!has_ratio_without_interval) return left_out;
+  return phrase("Analysis",
+                "%1 The ratio therefore has no CI, and underestimates the difference if they are "
+                "left out for one of the conditions.")
+      .with(left_out);
 }
 
 /// The answer, and after it that its thresholds depend on a lapse rate that is fixed, where it is.
@@ -286,7 +293,7 @@ void ask_conditions(const DiscriminationResults& results, const StudyTests& test
   }
   if (test == nullptr || !test->p) {
     add_question(outcome, name.c_str(), question,
-                 results.has_participant_in_all_conditions()
+                 results.participants_in_all_conditions() > 0
                      ? phrase("Analysis",
                               "Not tested: fewer than two participants have a threshold in every "
                               "condition.")

@@ -79,8 +79,8 @@ struct DiscriminationResults {
   std::vector<Finding> means{};
   /// Of two or more conditions, analysis `compared_thresholds`, over the participants with the threshold in every condition:
   /// geomean.Q by condition, Q being `quantity_of_threshold`, without intervals, because participants are left out; and of
-  /// two conditions ratio.Q, key "SECOND|FIRST", the geometric mean of the participants' ratios with a t-based interval on the
-  /// logarithmic scale.
+  /// two conditions ratio.Q, key "SECOND|FIRST", the geometric mean of the participants' ratios, with a t-based interval on the
+  /// logarithmic scale where every participant with trials in both has both.
   std::vector<Finding> compared{};
   /// Of the participants with trials; only of two alternatives.
   std::vector<OrderOfPerson> orders{};
@@ -91,8 +91,8 @@ struct DiscriminationResults {
   /// responses to these trials, with Wilson's interval.
   std::vector<Finding> unsure{};
 
-  /// Whether conditions can be compared within participants: at least one has trials in all of them.
-  bool has_participant_in_all_conditions() const;
+  /// With trials in every condition: only within them can conditions be compared.
+  std::size_t participants_in_all_conditions() const;
 
   /// What the test of the point of subjective equality of a condition is about: "amplitude", "amplitude (wood)".
   std::string about_equality(std::size_t condition) const;
