@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <map>
 #include <optional>
 #include <string>
 #include <thread>
@@ -30,6 +31,34 @@ TEST_F(WatchedSession, StoresEveryChangeOfPhaseInOrder) {
   EXPECT_THAT(phases(), ElementsAre("ready", "iti", "fore", "contact", "fore", "contact",
                                     "response", "questions", "ready", "ended"));
   EXPECT_EQ(monitor_.snapshot().phase, SessionPhase::ended);
+}
+
+class ShownObject : public WatchedSession {
+ protected:
+  /// The slices in which a surface was felt, by whether the object was shown.
+  std::map<bool, int> slices_of_contact(const std::string& protocol) {
+    std::map<bool, int> slices{};
+    begin(protocol);
+    rig_->at_pass = [&] {
+      const SessionSnapshot snapshot = monitor_.snapshot();
+      if (snapshot.phase == SessionPhase::contact) ++slices[snapshot.scene->show_workspace];
+    };
+    run();
+    return slices;
+  }
+};
+
+TEST_F(ShownObject, IsSeenWhileItIsFeltWhereTheProtocolHasAScene) {
+  const std::map<bool, int> slices = slices_of_contact(
+      with(one_trial(), "\"textures\"", R"("environment": {"scene": {"visual_texture": "on"}}, )"));
+  EXPECT_GT(slices.at(true), 20);
+  EXPECT_FALSE(slices.contains(false));
+}
+
+TEST_F(ShownObject, IsNotSeenOtherwise) {
+  const std::map<bool, int> slices = slices_of_contact(one_trial());
+  EXPECT_GT(slices.at(false), 20);
+  EXPECT_FALSE(slices.contains(true));
 }
 
 TEST_F(WatchedSession, StoresNoPhasesWhereNobodyWatches) {
