@@ -2,6 +2,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/numbers/number_text.h"
@@ -70,6 +73,76 @@ std::vector<CheckedInterval> two_group_intervals(const CoverageSetting& setting)
 
 std::vector<CheckedTest> equivalence_tests(const CoverageSetting&) {
   return {{.quantity = "tost.p"}};
+}
+
+// --- two groups of numbers and of profiles -----------------------------------------------------------
+
+constexpr std::array kLogRatios{0.0, 0.5};
+constexpr std::array<std::string_view, 3> kItemsOfProfile{"wood", "metal", "stone"};
+constexpr std::array kLogSpreads{0.0, 0.5};
+
+/// Of the mean of a participant's trials, whose SD is 1.
+double sd_of_participant(const CoverageSetting& setting) {
+  return std::sqrt(setting.spread * setting.spread + 1.0 / static_cast<double>(setting.trials));
+}
+
+TidyInput draw_group_numbers(const CoverageSetting& setting, Random& random) {
+  DrawnTable table("subject,group,value");
+  for (std::size_t i = 0; i < setting.participants; ++i) {
+    const double level = i % 2 == 0 ? setting.effect : 0.0;
+    table.add({participant_label(i), i % 2 == 0 ? "A" : "B",
+               number_text(std::exp(level + sd_of_participant(setting) * random.normal()))});
+  }
+  TidyInput input = std::move(table).as_input();
+  input.options.add("groups", "A,B");
+  input.options.add("scale", "ratio");
+  return input;
+}
+
+std::vector<CheckedInterval> group_number_intervals(const CoverageSetting& setting) {
+  const double half = 0.5 * (static_cast<double>(setting.participants) - 2.0);
+  std::vector<CheckedInterval> intervals{
+      {.quantity = "values.ratio", .truth = std::exp(setting.effect)},
+      {.quantity = "values.mean", .key = "B", .truth = 1.0}};
+  if (half > 0.5) {
+    const double bias = std::exp(std::lgamma(half) - std::lgamma(half - 0.5)) / std::sqrt(half);
+    intervals.push_back({.quantity = "values.hedges.g",
+                         .truth = bias * setting.effect / sd_of_participant(setting)});
+  }
+  return intervals;
+}
+
+std::vector<CheckedTest> group_number_tests(const CoverageSetting& setting) {
+  if (setting.effect != 0.0) return {};
+  return {{.quantity = "values.perm.p.two"}, {.quantity = "values.welch.p.two"}};
+}
+
+/// The items of a participant of the first group differ by the effect from one to the next.
+TidyInput draw_group_profiles(const CoverageSetting& setting, Random& random) {
+  DrawnTable table("subject,group,item,value");
+  for (std::size_t i = 0; i < setting.participants; ++i) {
+    const double level = random.normal();
+    for (std::size_t item = 0; item < kItemsOfProfile.size(); ++item) {
+      const double step = i % 2 == 0 ? setting.effect * static_cast<double>(item) : 0.0;
+      table.add({participant_label(i), i % 2 == 0 ? "A" : "B", kItemsOfProfile[item],
+                 number_text(level + step + sd_of_participant(setting) * random.normal())});
+    }
+  }
+  TidyInput input = std::move(table).as_input();
+  input.options.add("groups", "A,B");
+  return input;
+}
+
+/// The first of three items lies one step below the mean of a participant's items.
+std::vector<CheckedInterval> group_profile_intervals(const CoverageSetting& setting) {
+  return {{.quantity = "profile.diff",
+           .key = std::string(kItemsOfProfile.front()),
+           .truth = -setting.effect}};
+}
+
+std::vector<CheckedTest> group_profile_tests(const CoverageSetting& setting) {
+  if (setting.effect != 0.0) return {};
+  return {{.quantity = "profile.perm.p"}};
 }
 
 // --- pairs of measurements ---------------------------------------------------------------------------
@@ -168,6 +241,7 @@ std::span<const CoveragePart> difference_parts() {
     std::erase_if(settings, [](const CoverageSetting& one) { return one.participants < 4; });
     return settings;
   }();
+  static const auto kOfGroups = all_designs(kLogRatios, kLogSpreads);
   static const auto kOfShifts = all_designs(kShifts, kShiftSpreads);
   static const auto kOfSteps = all_designs(kLevelSteps, kOwnLevelSpreads);
   static const std::array kParts{
@@ -182,6 +256,28 @@ std::span<const CoveragePart> difference_parts() {
                    .findings = equivalence_findings,
                    .intervals = two_group_intervals,
                    .tests = equivalence_tests},
+      CoveragePart{.name = "group_numbers",
+                   .model = "a positive number of each participant of two groups of half the "
+                            "participants each, compared by the ratio of the geometric means; its "
+                            "logarithm is the mean over the trials, normal with an SD of 1",
+                   .effect = "ln of the ratio",
+                   .spread = "SD of the logarithms between participants",
+                   .settings = kOfGroups,
+                   .draw = draw_group_numbers,
+                   .findings = group_values_findings,
+                   .intervals = group_number_intervals,
+                   .tests = group_number_tests},
+      CoveragePart{.name = "group_profiles",
+                   .model = "three numbers of each participant of two groups of half the "
+                            "participants each, means over the trials, normal with an SD of 1; "
+                            "levels of participants are normal",
+                   .effect = "difference of neighbouring items in the first group",
+                   .spread = "SD of the participants' own deviations of each item",
+                   .settings = kOfGroups,
+                   .draw = draw_group_profiles,
+                   .findings = group_values_findings,
+                   .intervals = group_profile_intervals,
+                   .tests = group_profile_tests},
       CoveragePart{.name = "differences",
                    .model = "pairs of measurements, each the mean over the trials; a participant's "
                             "shift is normal, the equivalence margin is its mean",

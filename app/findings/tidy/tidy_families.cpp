@@ -50,6 +50,13 @@ constexpr std::array kFamilies{
         glmm_findings, "link,random,fixed,covariates,chance,conf"},
     TidyFamily{"group", "subject,group,correct,trials: one participant per row",
                "groups: names of the two groups, in order; conf", group_findings, "groups,conf"},
+    TidyFamily{
+        "group_values",
+        "subject,group,value: one participant per row, value empty where the participant has "
+        "no number; or subject,group,item,value: one item of a participant per row",
+        "groups: names of the two groups, in order; scale, without items: difference or "
+        "ratio of the (geometric) means; conf",
+        group_values_findings, "groups,scale,conf"},
     TidyFamily{"icc",
                "target,rater,score: one rating per target and rater (or repetition), empty where "
                "there is none",

@@ -70,6 +70,7 @@ std::vector<Finding> dprime_findings(const TidyInput& input);
 std::vector<Finding> equivalence_findings(const TidyInput& input);
 std::vector<Finding> glmm_findings(const TidyInput& input);
 std::vector<Finding> group_findings(const TidyInput& input);
+std::vector<Finding> group_values_findings(const TidyInput& input);
 std::vector<Finding> icc_findings(const TidyInput& input);
 std::vector<Finding> learning_findings(const TidyInput& input);
 std::vector<Finding> lmm_findings(const TidyInput& input);

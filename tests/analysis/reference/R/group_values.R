@@ -1,0 +1,45 @@
+# Two groups of participants in a number of each, or in profiles over items without each participant's own mean. The permutation
+# tests count every division.
+divisions <- function(n, size) combn(n, size, simplify = FALSE)
+as_far <- function(statistics, observed) mean(statistics >= observed * (1 - 1e-9))
+
+group_values_results <- function(data, groups, ratio, confidence) {
+  known <- data[!is.na(data$value), ]
+  rows("values.missing", groups, sapply(groups, function(g) sum(is.na(data$value[data$group == g]))), "count")
+  complete <- nrow(known) == nrow(data)
+  scaled <- if (ratio) log(known$value) else known$value
+  a <- scaled[known$group == groups[1]]; b <- scaled[known$group == groups[2]]
+  back <- if (ratio) exp else identity
+  rows("values.mean", groups, back(c(mean(a), mean(b))))
+  row("values.shift", "", mean(a) - mean(b))
+  if (ratio) row("values.ratio", "", exp(mean(a) - mean(b)))
+  welch <- t.test(a, b, conf.level = confidence)
+  row("values.welch.t", "", welch$statistic[[1]]); row("values.welch.df", "", welch$parameter[[1]])
+  row("values.welch.p.two", "", welch$p.value, "tail")
+  n <- length(a) + length(b); pooled <- sqrt(((length(a) - 1) * var(a) + (length(b) - 1) * var(b)) / (n - 2))
+  f <- n - 2; row("values.hedges.g", "", (mean(a) - mean(b)) / pooled * exp(lgamma(f / 2) - lgamma((f - 1) / 2)) / sqrt(f / 2), "optimum")
+  all <- c(a, b); ways <- divisions(n, length(a))
+  row("values.perm.p.two", "", as_far(sapply(ways, function(w) abs(mean(all[w]) - mean(all[-w]))), abs(mean(a) - mean(b))))
+  row("values.perm.draws", "", 0, "count")
+  row("values.perm.smallest", "", (if (length(a) == length(b)) 2 else 1) / length(ways))
+}
+
+group_profiles_results <- function(data, groups, confidence) {
+  items <- unique(data$item); subjects <- unique(data$subject)
+  x <- t(sapply(subjects, function(s) data$value[data$subject == s][match(items, data$item[data$subject == s])]))
+  group <- sapply(subjects, function(s) data$group[data$subject == s][1])
+  keep <- complete.cases(x); row("profile.incomplete", "", sum(!keep), "count")
+  x <- x[keep, ]; group <- group[keep]; x <- x - rowMeans(x)
+  for (j in seq_along(items)) {
+    a <- x[group == groups[1], j]; b <- x[group == groups[2], j]
+    rows("profile.mean", paste(groups, items[j], sep = "|"), c(mean(a), mean(b)))
+    row("profile.diff", items[j], mean(a) - mean(b))
+  }
+  # sums of squares from the residuals of two linear models
+  r2 <- function(second) 1 - sum(resid(lm(x ~ second))^2) / sum(resid(lm(x ~ 1))^2)
+  observed <- r2(group == groups[2]); row("profile.r2", "", observed)
+  n <- nrow(x); first <- sum(group == groups[1]); ways <- divisions(n, first)
+  row("profile.perm.p", "", as_far(sapply(ways, function(w) r2(!(seq_len(n) %in% w))), observed))
+  row("profile.perm.draws", "", 0, "count")
+  row("profile.perm.smallest", "", (if (2 * first == n) 2 else 1) / length(ways))
+}

@@ -1,0 +1,11 @@
+source("../R/case.R"); source("../R/group_values.R")
+set.seed(33); groups <- c("a", "b"); items <- c("wood", "metal", "stone", "cork")
+data <- expand.grid(item = items, subject = paste0("P", 1:9))
+data$group <- ifelse(as.integer(data$subject) <= 4, "a", "b")
+data$value <- round(rnorm(nrow(data), 4 + as.integer(data$subject) / 3 + (data$item == "metal") * (data$group == "b"), 1), 2)
+data <- data[, c("subject", "group", "item", "value")]; data$item <- as.character(data$item); data$subject <- as.character(data$subject)
+data$value[17] <- NA
+write_table(data, "profiles.csv")
+write_case("group_values", "profiles of four items, one participant incomplete", "profiles.csv", c(groups = json_list(groups)))
+group_profiles_results(data, groups, .95)
+write_results()
