@@ -28,6 +28,21 @@ void refuse_external_levels(const Protocol::Block& block) {
   }
 }
 
+/// The comparison of groups in the family of which no parameter is the effect: its power would be that of equal groups.
+std::string group_test_without_effect(const TabulatedBlock::OfQuestion& made) {
+  const std::vector<ResponseParameter> parameters = made.table->parameters(made.asked);
+  for (const char* const test : {"groups", "group_profiles"}) {
+    const std::vector<std::string>& family = made.asked.family;
+    if (std::find(family.begin(), family.end(), test) == family.end()) continue;
+    const bool has_effect =
+        std::any_of(parameters.begin(), parameters.end(), [test](const ResponseParameter& one) {
+          return one.tests == test || one.tests.starts_with(std::string(test) + ", ");
+        });
+    if (!has_effect) return test;
+  }
+  return {};
+}
+
 TabulatedBlock::OfQuestion tabulated(const Protocol& protocol, const Protocol::Block& block,
                                      const Protocol::TrialQuestionTemplate& question,
                                      const std::vector<Trial>& possible) {
@@ -42,6 +57,9 @@ TabulatedBlock::OfQuestion tabulated(const Protocol& protocol, const Protocol::B
   if (made.table->refusal != nullptr) {
     const std::string why = made.table->refusal(made.asked);
     if (!why.empty()) refuse(block, why);
+  }
+  if (const std::string test = group_test_without_effect(made); !test.empty()) {
+    refuse(block, "response tables have no effect of the groups for the test \"" + test + '"');
   }
   return made;
 }

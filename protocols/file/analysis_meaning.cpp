@@ -48,8 +48,8 @@ void Meaning::check_analysis() {
   const auto found = root.find("analysis");
   if (found == root.end()) return;
   // Other keys are comments of the author; one that is similar to a known key is a spelling mistake.
-  const std::vector<std::string> known{"target", "family", "equivalence_margin",
-                                       "constructs", "exclude"};
+  const std::vector<std::string> known{"target", "family", "equivalence_margin", "constructs",
+                                       "exclude"};
   for (const auto& [key, value] : found->items()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const std::string guess = did_you_mean(key, known);
@@ -115,10 +115,10 @@ void Meaning::check_analysis() {
       report(pointer, "a " + kinds + " has no test " + in_quotes(name) + "; use " + one_of(tests));
     } else if (std::find(declared.family.begin(), here, name) != here) {
       report(pointer, "the test " + in_quotes(name) + " is named twice; name it once");
-    } else if (name == "groups" && !protocol_.groups) {
-      report(pointer,
-             "the test \"groups\" compares the groups of the protocol, which has none: add "
-             "the key groups");
+    } else if ((name == "groups" || name == "group_profiles") && !protocol_.groups) {
+      report(pointer, "the test " + in_quotes(name) +
+                          " compares the groups of the protocol, which has none: add the key "
+                          "groups");
     } else if (!declared.target && needs_target(name)) {
       report(pointer,
              "the test " + in_quotes(name) + " requires a target: name it with \"target\"");
@@ -161,11 +161,11 @@ void Meaning::check_constructs() {
         first = &found->second;
       } else if (found->second.minimum != first->minimum ||
                  found->second.maximum != first->maximum) {
-        report(at, "the scales of a construct are added up and have one range: " +
-                       in_quotes(scale) + " has " + digits(found->second.minimum) + " to " +
-                       digits(found->second.maximum) + ", the first scale " +
-                       digits(first->minimum) + " to " + digits(first->maximum) +
-                       "; give them the same minimum and maximum");
+        report(at,
+               "the scales of a construct are added up and have one range: " + in_quotes(scale) +
+                   " has " + digits(found->second.minimum) + " to " +
+                   digits(found->second.maximum) + ", the first scale " + digits(first->minimum) +
+                   " to " + digits(first->maximum) + "; give them the same minimum and maximum");
       }
     }
     for (std::size_t i = 0; i < construct.reverse_keyed.size(); ++i) {

@@ -300,20 +300,16 @@ class AnalysisWarnings final {
 
   void warn_of_groups() {
     if (!protocol_.groups) return;
-    std::set<std::string_view> not_compared{};
+    std::set<std::string_view> without_target{};
     for (const auto& [name, block] : protocol_.blocks) {
       if (block.phase != Phase::main || matches_roughness(protocol_, block)) continue;
       const ExperimentKind& kind = kind_of(block);
-      if (!compares_groups(kind, protocol_.analysis)) not_compared.insert(kind.name);
+      if (!compares_groups(kind, protocol_.analysis)) without_target.insert(kind.name);
     }
-    for (const std::string_view kind : not_compared) {
-      const bool lacks_target = kind == selection_kind().name;
+    for (const std::string_view kind : without_target) {
       warn("/groups", "groups are assigned and reported, and not compared: the analysis of a " +
                           std::string(kind) +
-                          (lacks_target ? " compares groups only with a declared target "
-                                          "(analysis.target)"
-                                        : " has no test between groups; to compare them, export "
-                                          "the responses"));
+                          " compares groups only with a declared target (analysis.target)");
     }
   }
 

@@ -18,8 +18,6 @@ bool is_about_target(const TabulatedQuestion& asked) {
   return target && std::find(asked.items.begin(), asked.items.end(), *target) != asked.items.end();
 }
 
-std::string difference_between(const std::string& factor) { return factor + ".difference"; }
-
 void add_choice_parameters(const TabulatedQuestion& asked, ParameterList& list) {
   if (is_about_target(asked)) {
     list.effect({.effect = {.name = kTarget,

@@ -26,7 +26,8 @@ constexpr std::array kDiscriminationTests{
     KindTest{"order", "is the comparison chosen equally often in both positions"},
     KindTest{"conditions", "do the thresholds differ between the conditions"},
     KindTest{"point_of_subjective_equality",
-             "is the point of subjective equality different from the standard"}};
+             "is the point of subjective equality different from the standard"},
+    KindTest{"groups", "for every pair of groups: do the thresholds differ"}};
 
 constexpr std::array<std::string_view, 2> kDiscriminationRoles{"standard", "comparison"};
 

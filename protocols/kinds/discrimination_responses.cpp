@@ -77,17 +77,24 @@ void add_thresholds(const TabulatedQuestion& asked, ParameterList& list) {
                 .range = ParameterRange::not_negative,
                 .meaning = "SD over participants of the natural logarithm of the threshold",
                 .value = 0.4});
+  list.varies_within_groups("threshold_sd");
   list.assumed({.name = "slope",
                 .range = ParameterRange::positive,
                 .meaning = "exponent with which d′ grows with the difference",
                 .value = 1.0});
+  const auto* const groups = groups_in(asked);
   for (const auto& [factor, levels] : asked.factors) {
-    list.effect({.effect = {.name = ratio_of(factor),
+    ResponseParameter ratio{.name = ratio_of(factor),
                             .range = ParameterRange::positive,
                             .unit = "ratio",
                             .meaning = "threshold at \"" + levels.back() +
                                        "\" divided by that at \"" + levels.front() + "\"",
-                            .null_value = 1.0},
+                            .null_value = 1.0};
+    if (groups != nullptr && groups->first == factor) {
+      list.effect_of_groups(std::move(ratio));
+      continue;
+    }
+    list.effect({.effect = std::move(ratio),
                  .tests = {"conditions"},
                  .sd_meaning = "SD over participants of the natural logarithm of this ratio",
                  .usual_sd = 0.2});
@@ -151,9 +158,11 @@ double threshold_in(const TabulatedTrial& trial) {
   Random own = trial.of_participant.split(kThreshold);
   double log_threshold =
       std::log(trial.values.at(kThreshold)) + trial.values.at("threshold_sd") * own.normal();
+  const auto* const groups = groups_in(trial.asked);
   for (const auto& [factor, levels] : trial.asked.factors) {
     const std::string ratio = ratio_of(factor);
-    const double sd = trial.values.at(ratio + "_sd");
+    const bool is_of_groups = groups != nullptr && groups->first == factor;
+    const double sd = is_of_groups ? 0.0 : trial.values.at(ratio + "_sd");
     const double own_ratio =
         std::log(trial.values.at(ratio)) + sd * Random(trial.of_participant).split(ratio).normal();
     log_threshold += own_ratio * trial.place_of(factor);

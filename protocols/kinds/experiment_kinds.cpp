@@ -53,6 +53,7 @@ std::vector<std::string> family_of(const ExperimentKind& kind, const AnalysisDec
 }
 
 bool compares_groups(const ExperimentKind& kind, const AnalysisDeclaration& analysis) noexcept {
+  if (find_test(kind, "group_profiles") != nullptr) return true;
   const KindTest* const test = find_test(kind, "groups");
   return test != nullptr && (!test->needs_target || analysis.target.has_value());
 }

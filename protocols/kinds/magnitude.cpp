@@ -26,7 +26,10 @@ constexpr std::array kMagnitudeTests{
              "with a predictor: does the exponent of the power function differ from 0, for every "
              "condition"},
     KindTest{"stimuli_by_condition",
-             "with a factor in place of the spacing: does its effect depend on the condition"}};
+             "with a factor in place of the spacing: does its effect depend on the condition"},
+    KindTest{"groups", "with a predictor, for every pair of groups: do the exponents differ"},
+    KindTest{"group_profiles",
+             "for every pair of groups: does the effect of the stimulus differ"}};
 
 constexpr const char* kStandardRole = "standard";
 constexpr std::array<std::string_view, 2> kMagnitudeRoles{"target", kStandardRole};

@@ -24,7 +24,10 @@ constexpr std::array kRatingTests{
         "ratings depend on the item"},
     KindTest{"accompanying_scales",
              "for every scale that accompanies a question with correct responses: do the ratings "
-             "differ between correct and incorrect responses"}};
+             "differ between correct and incorrect responses"},
+    KindTest{"groups", "for every scale and pair of groups: do the mean ratings differ"},
+    KindTest{"group_profiles",
+             "for every scale and pair of groups: do the differences between the items differ"}};
 
 std::string item_of_rating(const PlannedPresentation& surface) {
   return surface.stimulus.texture.empty() ? surface.stimulus.model : surface.stimulus.texture;

@@ -150,11 +150,19 @@ std::vector<ResponseParameter> parameters_of_rating(const TabulatedQuestion& of)
                  .sd_meaning = "SD over participants of this difference",
                  .usual_sd = 0.1 * range});
   }
+  if (const auto* const groups = groups_in(asked)) {
+    const auto& [factor, levels] = *groups;
+    list.effect_of_groups({.name = difference_between(factor),
+                           .unit = kScaleUnits,
+                           .meaning = "mean rating of all items in the group \"" + levels.back() +
+                                      "\" minus that in \"" + levels.front() + '"' + on_scale});
+  }
   list.scale(
       range,
       {.meaning = "mean rating of all items" + on_scale, .value = form.minimum + 0.5 * range},
       "SD over participants of the mean rating of all items",
       "SD of the ratings of one participant for one item");
+  list.varies_within_groups("level_sd");
   return list.take();
 }
 
@@ -171,6 +179,9 @@ Answer rate_surface(const TabulatedTrial& trial) {
     const double sd = trial.values.at(std::string(kItemDifference) + "_sd");
     rating += trial.values.at(kItemDifference) * item.place +
               trial.own_of(kItemDifference, item.name, sd / std::numbers::sqrt2);
+  }
+  if (const auto* const groups = groups_in(trial.asked)) {
+    rating += trial.values.at(difference_between(groups->first)) * trial.place_of(groups->first);
   }
   if (trial.is_correct && accompanies_correct_responses(trial.asked)) {
     rating += (*trial.is_correct ? 0.5 : -0.5) * trial.own("correct");

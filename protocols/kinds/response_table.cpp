@@ -186,6 +186,14 @@ void ParameterList::effect_of_groups(ResponseParameter effect) {
   parameters_.push_back(std::move(effect));
 }
 
+void ParameterList::varies_within_groups(const std::string& sd) {
+  if (in_family({"groups"}).empty()) return;
+  const auto found = std::find_if(parameters_.begin(), parameters_.end(),
+                                  [&sd](const ResponseParameter& one) { return one.name == sd; });
+  found->value.reset();
+  found->part = ResponseParameter::Part::effect_sd;
+}
+
 void ParameterList::effect(Effect effect) {
   ResponseParameter& mean = effect.effect;
   mean.tests = in_family(effect.tests);

@@ -63,6 +63,9 @@ struct TabulatedQuestion {
 const std::pair<std::string, std::vector<std::string>>* groups_in(
     const TabulatedQuestion& asked) noexcept;
 
+/// The name of the difference between the last and the first level of a factor of groups.
+inline std::string difference_between(const std::string& factor) { return factor + ".difference"; }
+
 /// Of the question of a block. `possible`: all trials that can occur (`possible_trials`).
 TabulatedQuestion tabulated_question(const Protocol& protocol, const Protocol::Block& block,
                                      const Protocol::TrialQuestionTemplate& question,
@@ -158,6 +161,9 @@ class ParameterList final {
   /// An effect between groups of participants, which has no standard deviation. It concerns the test `groups`: if the family has
   /// it, the effect has to be stated; otherwise it is assumed to be null.
   void effect_of_groups(ResponseParameter effect);
+  /// A standard deviation over participants that was added before: where the family compares groups, in which it is the error, it
+  /// has no usual value.
+  void varies_within_groups(const std::string& sd);
   void assumed(ResponseParameter parameter) { parameters_.push_back(std::move(parameter)); }
   /// A rating on a scale of this range: `level` with a value and a meaning, `level_sd`, `noise_sd` and `lapse`.
   void scale(double range, ResponseParameter level, std::string level_sd, std::string noise_sd);

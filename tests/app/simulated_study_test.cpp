@@ -16,11 +16,13 @@
 
 #include "app/power/power_model.h"
 #include "tests/protocols/protocol_files.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::SizeIs;
 
 /// The responses with these values; effects that are not stated are null, and their standard deviations 0.1.
@@ -52,6 +54,19 @@ TEST(SimulatedStudy, HasAPlanOfItsOwnForEachParticipant) {
   ASSERT_THAT(textures[0], SizeIs(24));
   EXPECT_THAT(textures[1], testing::UnorderedElementsAreArray(textures[0]));
   EXPECT_NE(textures[0], textures[1]);
+}
+
+// Without such an effect the power would be that of equal groups.
+TEST(SimulatedStudy, IsRefusedWhereTheTablesHaveNoEffectOfTheGroupsThatTheFamilyCompares) {
+  nlohmann::json file = test::library_file("roughness_of_photographs");
+  file["factors"]["training"] = {{"levels", {"none", "haptic"}}};
+  file["groups"] = {{"factor", "training"}};
+  file["analysis"]["family"] = {"groups"};
+  EXPECT_NO_THROW(study_with(file, {}, 2));
+  file["analysis"]["family"] = {"groups", "group_profiles"};
+  EXPECT_THAT(refusal_of([&file] { study_with(file, {}, 2); }),
+              testing::AllOf(HasSubstr("no effect of the groups for the test \"group_profiles\""),
+                             HasSubstr("add --physics")));
 }
 
 // Groups in turn, beginning one later in every round of an even number of them.

@@ -545,6 +545,39 @@ TEST(ResponseTable, ChoicesOfGroupsDifferInTheLogOddsOfTheTarget) {
   }
 }
 
+// 10 µm is the threshold of half the groups' ratio each: 20 µm without training and 5 µm with it, whose d′ at 10 µm are 1/2 and 2.
+TEST(ResponseTable, ThresholdsOfGroupsHaveTheirRatio) {
+  nlohmann::json file = test::without_practice(in_groups("amplitude_jnd", {"groups"}));
+  const Tabulated jnd(protocol_of(file), "comparisons", "rougher");
+  const Values values{{"threshold", 10e-6}, {"threshold_sd", 0.0}, {"training.ratio", 0.25},
+                      {"order", 0.0},       {"order_sd", 0.0},     {"lapse", 0.0}};
+  Trial trial = jnd.trials().back();
+  const Dimension& varied = *jnd.asked().block.vary;
+  trial.factors[varied.factor] = *varied.standard + 10e-6;
+  for (const auto& [group, dprime] : {std::pair("none", 0.5), std::pair("haptic", 2.0)}) {
+    trial.factors["training"] = std::string(group);
+    EXPECT_NEAR(jnd.proportion_correct(trial, values, kResponses),
+                normal_below(dprime / std::sqrt(2.0)), kTolerance)
+        << group;
+  }
+}
+
+TEST(ResponseTable, RatingsOfGroupsDifferByTheirMean) {
+  const Tabulated rating(protocol_of(in_groups("roughness_of_photographs", {"groups"})), "ratings",
+                         "rough");
+  const Values values{{"level", 50.0},   {"level_sd", 0.0}, {"training.difference", 20.0},
+                      {"noise_sd", 1.0}, {"lapse", 0.0},    {"difference_sd", 0.0}};
+  Trial trial = rating.trials().front();
+  for (const auto& [group, mean] : {std::pair("none", 40.0), std::pair("haptic", 60.0)}) {
+    trial.factors["training"] = std::string(group);
+    std::vector<double> ratings{};
+    for (std::uint64_t i = 0; i < kResponses; ++i) {
+      ratings.push_back(rating.respond(trial, values, i).front().number.value());
+    }
+    EXPECT_NEAR(described(ratings).mean, mean, 0.2) << group;
+  }
+}
+
 // A comparison of groups needs the sensitivity that differs between them, and how much it varies within them.
 TEST(ResponseTable, NeverAssumesWhatGroupsAreComparedIn) {
   const Tabulated recognition(protocol_of(in_groups("improved_recognition", {"groups"})), "main",
@@ -557,6 +590,23 @@ TEST(ResponseTable, NeverAssumesWhatGroupsAreComparedIn) {
   for (const char* const name : {"training.ratio", "sensitivity", "sensitivity_sd"}) {
     EXPECT_FALSE(parameters.at(name).value) << name;
   }
+  const auto sd_of = [](const Tabulated& tabulated, const std::string& name) {
+    const std::vector<ResponseParameter> all = tabulated.parameters();
+    return *std::find_if(all.begin(), all.end(),
+                         [&name](const ResponseParameter& each) { return each.name == name; });
+  };
+  EXPECT_FALSE(sd_of(Tabulated(protocol_of(in_groups("amplitude_jnd", {"groups"})), "comparisons",
+                               "rougher"),
+                     "threshold_sd")
+                   .value);
+  EXPECT_FALSE(sd_of(Tabulated(protocol_of(in_groups("roughness_of_photographs", {"groups"})),
+                               "ratings", "rough"),
+                     "level_sd")
+                   .value);
+  EXPECT_TRUE(sd_of(Tabulated(protocol_of(in_groups("roughness_of_photographs", {"ratings"})),
+                              "ratings", "rough"),
+                    "level_sd")
+                  .value);
 }
 
 // Ten items on one dimension: the most distant pair minus neighbours, and different minus identical pairs.

@@ -282,6 +282,7 @@ class Gathering {
         }
       }
     }
+    if (gathered.group_factor.empty()) gathered.group_factor = specified.group_factor;
     for (const std::string& group : specified.groups) {
       if (std::find(gathered.groups.begin(), gathered.groups.end(), group) ==
           gathered.groups.end()) {

@@ -194,6 +194,7 @@ struct GatheredAnswers {
   EstimationDeclaration estimation{};  ///< of a magnitude
   /// To which the protocol assigns participants, in its order, as far as they have responses.
   std::vector<std::string> groups{};
+  std::string group_factor{};           ///< whose levels the groups are; empty: none
   std::vector<std::string> pictures{};  ///< of matching and recognition, in the protocol's order
   /// Of a selection: the only parameter in which its alternatives differ, in all of those files.
   std::optional<std::string> compared_parameter{};

@@ -11,6 +11,9 @@ namespace asperity {
 namespace {
 
 constexpr std::array kReferences{
+    Reference{"Anderson 2001", "Anderson, 2001",
+              "Anderson, M. J. (2001). A new method for non-parametric multivariate analysis of "
+              "variance. Austral Ecology, 26(1), 32–46."},
     Reference{"Bakeman 2005", "Bakeman, 2005",
               "Bakeman, R. (2005). Recommended effect size statistics for repeated measures "
               "designs. Behavior Research Methods, 37(3), 379–384."},

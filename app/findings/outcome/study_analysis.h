@@ -18,8 +18,8 @@
 namespace asperity {
 
 /// The result of a test of a kind, as a clause in English. %1 and %2 are the subjects of the test,
-/// %3 is " of 25 %" after the chance level, where the test has one, and %4 " on the scale “rough”", where items
-/// are compared on one of several. Of tests that are not confirmatory the word "significantly " is left out.
+/// %3 is " of 25 %" after the chance level, where the test has one, %4 " on the scale “rough”", where items
+/// are compared on one of several, and %5 " (wood)", where groups are compared in one of several numbers. Of tests that are not confirmatory the word "significantly " is left out.
 struct TestClaim {
   std::string_view test{};    ///< a KindTest of the kind
   std::string_view method{};  ///< where the clause is for one method: its code; these come first

@@ -58,6 +58,7 @@ std::string reason_for(const std::string& name) {
   constexpr std::array kReasons{WhyNot{"accompanying_scales", "no_correct_responses"},
                                 WhyNot{"condition", "one_condition"},
                                 WhyNot{"exponent", "no_predictor"},
+                                WhyNot{"group_profiles", "one_group"},
                                 WhyNot{"groups", "one_group"},
                                 WhyNot{"identical", "no_identical_pairs"},
                                 WhyNot{"information", "pictures_differ"},

@@ -57,8 +57,10 @@ std::string claim_of(const StudyTest& test, std::string_view kind) {
   // "rough: brick|metal" compares two items on a scale.
   std::string_view about = test.about;
   std::string on_scale{};
+  std::string of_these{};
   if (const std::size_t colon = about.find(": "); colon != std::string_view::npos) {
     on_scale = " on the scale “" + std::string(about.substr(0, colon)) + "”";
+    of_these = " (" + words_of_condition(std::string(about.substr(0, colon))) + ')';
     about.remove_prefix(colon + 2);
   }
   const std::size_t bar = about.find('|');
@@ -72,7 +74,7 @@ std::string claim_of(const StudyTest& test, std::string_view kind) {
   for (const std::string_view unit : {", N", ", m/s"}) {
     if (test.name == "exponent" && named.ends_with(unit)) named.erase(named.size() - unit.size());
   }
-  return Phrase(chosen).with(named, second, chance, on_scale).english();
+  return Phrase(chosen).with(named, second, chance, on_scale, of_these).english();
 }
 
 std::string size_text(const StudyTest& test) {

@@ -200,6 +200,21 @@ EstimateCells cells_of(const std::vector<Estimated>& estimates) {
   return cells;
 }
 
+GroupProfile profile_of_estimates(const ComparedEstimates& compared) {
+  const bool are_groups = compared.gathered.estimation.condition == compared.gathered.group_factor;
+  GroupProfile profile{.words = phrase("Analysis", "how the estimates depend on the stimuli")};
+  std::set<std::string> cells{};
+  for (const auto& [of, logarithms] : cells_of(compared.estimates)) {
+    const auto& [person, condition, stimulus] = of;
+    const std::string cell =
+        are_groups || compared.conditions.size() < 2 ? stimulus : cell_key(condition, stimulus);
+    profile.values[{person, cell}] = mean_logarithm(logarithms);
+    cells.insert(cell);
+  }
+  profile.items.assign(cells.begin(), cells.end());
+  return profile;
+}
+
 double mean_logarithm(const std::vector<double>& logarithms) {
   return summary_of(logarithms)->mean;
 }

@@ -12,6 +12,7 @@
 #include "app/findings/gathering/gathered_answers.h"
 #include "app/findings/outcome/analysis_outcome.h"
 #include "app/findings/outcome/result_table.h"
+#include "app/findings/shared/group_comparisons.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "app/words/phrase.h"
 
@@ -51,6 +52,9 @@ ComparedEstimates compared_estimates(const GatheredAnswers& gathered, AnalysisOu
 using EstimateCells =
     std::map<std::tuple<std::uint32_t, std::string, std::string>, std::vector<double>>;
 EstimateCells cells_of(const std::vector<Estimated>& estimates);
+/// The logarithms of the estimates by participant and cell, as profiles in which the groups are compared. The factor of the groups
+/// is no condition: a participant is in one group.
+GroupProfile profile_of_estimates(const ComparedEstimates& compared);
 /// Of at least one logarithm.
 double mean_logarithm(const std::vector<double>& logarithms);
 

@@ -21,6 +21,7 @@
 #include "app/findings/outcome/study_tests.h"
 #include "app/findings/outcome/test_sentences.h"
 #include "app/findings/shared/estimates.h"
+#include "app/findings/shared/group_comparisons.h"
 #include "app/findings/shared/magnitude_effects.h"
 #include "app/findings/shared/similarity_properties.h"
 #include "protocols/kinds/estimation.h"
@@ -258,6 +259,43 @@ void add_exponent_tests(const ComparedEstimates& compared, const FoundNumbers& f
   }
 }
 
+/// The exponents of each condition that the groups share.
+void add_exponents_to_groups(const ComparedEstimates& compared, const FoundNumbers& found,
+                             GroupComparisons& groups) {
+  if (compared.predictor.empty()) return;
+  const GatheredAnswers& gathered = compared.gathered;
+  const bool are_groups = gathered.estimation.condition == gathered.group_factor;
+  std::map<std::string, GroupMeasure> measures{};
+  for (const Estimated& one : compared.estimates) {
+    const bool is_only = are_groups || one.condition == kOnlyCondition;
+    measures[is_only ? "" : one.condition].values[one.person] =
+        found.value("exponent.subject", one.condition + '|' + gathered.people[one.person].label);
+  }
+  for (auto& [condition, measure] : measures) {
+    measure.name = condition;
+    measure.words =
+        condition.empty()
+            ? phrase("Analysis", "the mean exponent")
+            : phrase("Analysis", "the mean exponent (%1)").with(words_of_condition(condition));
+    groups.add(measure);
+  }
+}
+
+/// Why a declared comparison of the exponents cannot be made, where there is no predictor.
+void note_no_exponents(const ComparedEstimates& compared, StudyTests& tests) {
+  if (compared.predictor.empty() && tests.is_in_family(kGroupsTest)) {
+    tests.add_untested(kGroupsTest, "", "no_predictor");
+  }
+}
+
+/// Both comparisons of the groups.
+GroupComparisons groups_of(const ComparedEstimates& compared, const FoundNumbers& found) {
+  GroupComparisons groups(compared.gathered);
+  add_exponents_to_groups(compared, found, groups);
+  if (compared.stimuli.size() > 1) groups.add(profile_of_estimates(compared));
+  return groups;
+}
+
 void ask_exponents(const ComparedEstimates& compared, const FoundNumbers& found,
                    const StudyTests& tests, AnalysisOutcome& outcome) {
   constexpr int kDecimals = 2;
@@ -321,9 +359,14 @@ std::vector<StudyTest> test_stimulus_estimates(const GatheredAnswers& gathered) 
   if (!anova.empty()) {
     add_effect_tests(FoundNumbers(anova), compared.conditions.size(), kEffectsOfStimuli, tests);
   }
-  if (tests.is_in_family("exponent")) {
+  const bool compares_groups =
+      tests.is_in_family(kGroupsTest) || tests.is_in_family(kGroupProfilesTest);
+  if (tests.is_in_family("exponent") || compares_groups) {
     const std::vector<Finding> curves = curves_of(compared);
-    add_exponent_tests(compared, FoundNumbers(curves), tests);
+    const FoundNumbers found(curves);
+    add_exponent_tests(compared, found, tests);
+    if (compares_groups) groups_of(compared, found).add_tests(tests, unused);
+    note_no_exponents(compared, tests);
   }
   return std::move(tests).take_family();
 }
@@ -347,6 +390,9 @@ void analyze_stimulus_estimates(const GatheredAnswers& gathered, AnalysisOutcome
     add_effect_tests(found_anova, compared.conditions.size(), kEffectsOfStimuli, tests);
   }
   add_exponent_tests(compared, found, tests);
+  const GroupComparisons groups = groups_of(compared, found);
+  groups.add_tests(tests, outcome);
+  note_no_exponents(compared, tests);
   tests.finish(outcome);
   ask_exponents(compared, found, tests, outcome);
   ask_effect({"stimuli",
@@ -367,6 +413,7 @@ void analyze_stimulus_estimates(const GatheredAnswers& gathered, AnalysisOutcome
               {},
               kEffectsOfStimuli},
              found_anova, tests, outcome);
+  groups.report(tests, outcome);
   ask_reliability_of_estimates(compared, outcome);
   keep_findings(means, outcome);
   keep_findings(anova, outcome);

@@ -95,12 +95,21 @@ void add_groups(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
   const std::string test = kGroupsTest;
   for (const AnsweredQuestion& asked : outcome.questions) {
     if (asked.name != test && !asked.name.starts_with(test + ':')) continue;
+    const std::vector<Finding> compared = part_of(outcome.findings, asked.name);
+    const FoundNumbers found(compared);
     GroupChoice choice = shares_of_groups();
-    if (outcome.kind == "selection") {
+    if (const auto means = found.all("values.mean"); !means.empty()) {
+      // A ratio is in the answer and the tests: its axis would not be that of a difference.
+      const bool is_ratio = found.find("values.ratio") != nullptr;
+      choice = {.means = "values.mean",
+                .difference = is_ratio ? "" : "values.shift",
+                .axis = phrase("Figures", "mean of the participants with its %1 % CI"),
+                .unit = means.front()->unit == "1" ? "" : means.front()->unit};
+    } else if (outcome.kind == "selection") {
       choice.axis = phrase("Figures", "proportion of choices of the target, mean with its %1 % CI");
     }
-    const std::vector<Finding> compared = part_of(outcome.findings, asked.name);
-    for (Figure& figure : group_figures(choice, FoundNumbers(compared))) {
+    for (Figure& figure : group_figures(choice, found)) {
+      if (figure.name == "group_difference" && choice.difference.empty()) continue;
       // "groups_means", "groups_haptic_visual_means": a file has this name.
       figure.name = asked.name + figure.name.substr(std::string("group").size());
       std::replace_if(

@@ -2807,6 +2807,134 @@
         <source>%1 The ratio therefore has no CI, and underestimates the difference if they are left out for one of the conditions.</source>
         <translation>%1 Das Verhältnis hat daher kein KI und unterschätzt den Unterschied, wenn sie wegen einer der Bedingungen ausgelassen sind.</translation>
     </message>
+    <message>
+        <source>the geometric mean of the thresholds</source>
+        <translation>das geometrische Mittel der Schwellen</translation>
+    </message>
+    <message>
+        <source>the geometric mean of the thresholds (%1)</source>
+        <translation>das geometrische Mittel der Schwellen (%1)</translation>
+    </message>
+    <message>
+        <source>which items are chosen</source>
+        <translation>welche Objekte gewählt werden</translation>
+    </message>
+    <message>
+        <source>the mean rating on the scale “%1”</source>
+        <translation>die mittlere Beurteilung auf der Skala „%1“</translation>
+    </message>
+    <message>
+        <source>how the ratings on the scale “%1” differ between the items</source>
+        <translation>wie sich die Beurteilungen der Objekte auf der Skala „%1“ unterscheiden</translation>
+    </message>
+    <message>
+        <source>which pairs of surfaces are rated as more dissimilar</source>
+        <translation>welche Paare von Oberflächen als unähnlicher beurteilt werden</translation>
+    </message>
+    <message>
+        <source>how the estimates depend on the stimuli</source>
+        <translation>wie die Schätzungen von den Stimuli abhängen</translation>
+    </message>
+    <message>
+        <source>The permutation test uses all permutations of the group labels.</source>
+        <translation>Der Permutationstest verwendet alle Permutationen der Gruppenzugehörigkeit.</translation>
+    </message>
+    <message>
+        <source>The permutation test uses %1 permutations of the group labels drawn at random, because there are too many to enumerate.</source>
+        <translation>Der Permutationstest verwendet %1 zufällig gezogene Permutationen der Gruppenzugehörigkeit, weil es zu viele sind, um sie alle zu zählen.</translation>
+    </message>
+    <message>
+        <source>Do the groups %1 and %2 differ in %3?</source>
+        <translation>Unterscheiden sich die Gruppen %1 und %2 hierin: %3?</translation>
+    </message>
+    <message>
+        <source>Participants without a number for every item are left out of the test of the profiles of the groups</source>
+        <translation>Versuchspersonen, von denen nicht zu jedem Objekt eine Zahl vorliegt, sind vom Test der Profile der Gruppen ausgenommen</translation>
+    </message>
+    <message>
+        <source>Participants without an estimate are left out of the test of the groups</source>
+        <translation>Versuchspersonen ohne Schätzwert sind vom Test der Gruppen ausgenommen</translation>
+    </message>
+    <message>
+        <source>difference (%1 − %2): %3</source>
+        <translation>Differenz (%1 − %2): %3</translation>
+    </message>
+    <message>
+        <source>%1 Left out: %2 of %3 participants, for whom there is no estimate; the comparison does not describe them and therefore has no CI.</source>
+        <translation>%1 Ausgelassen: %2 von %3 Versuchspersonen, für die es keinen Schätzwert gibt; der Vergleich beschreibt sie nicht und hat daher kein KI.</translation>
+    </message>
+    <message>
+        <source>Not established: %1; %2. Permutation test of group labels: %3. The test is significant, but the CI contains no difference; more participants are needed.</source>
+        <translation>Nicht nachgewiesen: %1; %2. Permutationstest der Gruppenzugehörigkeit: %3. Der Test ist signifikant, aber das KI schließt ein, dass es keinen Unterschied gibt; es werden mehr Versuchspersonen benötigt.</translation>
+    </message>
+    <message>
+        <source>Yes: %1; %2. Permutation test of group labels: %3.</source>
+        <translation>Ja: %1; %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
+    </message>
+    <message>
+        <source>Not significantly: %1; %2. Permutation test of group labels: %3. This does not show that they are equal.</source>
+        <translation>Nicht signifikant: %1; %2. Permutationstest der Gruppenzugehörigkeit: %3. Das zeigt nicht, dass sie gleich sind.</translation>
+    </message>
+    <message>
+        <source>For these participants, %1; %2. Permutation test of group labels: %3.</source>
+        <translation>Bei diesen Versuchspersonen: %1; %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
+    </message>
+    <message>
+        <source>%1 The CIs of the means are t-based; that of the difference or ratio is Welch&apos;s CI.</source>
+        <translation>%1 Die KIs der Mittelwerte beruhen auf der t-Verteilung; das der Differenz oder des Verhältnisses ist das KI nach Welch.</translation>
+    </message>
+    <message>
+        <source>the largest difference (%1 − %2), each participant&apos;s mean removed, is that of %3, %4</source>
+        <translation>die größte Differenz (%1 − %2), ohne den Mittelwert jeder Versuchsperson, ist die von %3, %4</translation>
+    </message>
+    <message>
+        <source>Yes: a proportion R² = %1 of the variation of the profiles is between the groups; %2. Permutation test of group labels: %3.</source>
+        <translation>Ja: ein Anteil R² = %1 der Variation der Profile liegt zwischen den Gruppen; %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
+    </message>
+    <message>
+        <source>Not significantly: a proportion R² = %1 of the variation of the profiles is between the groups; %2. Permutation test of group labels: %3. This does not show that they are equal.</source>
+        <translation>Nicht signifikant: ein Anteil R² = %1 der Variation der Profile liegt zwischen den Gruppen; %2. Permutationstest der Gruppenzugehörigkeit: %3. Das zeigt nicht, dass sie gleich sind.</translation>
+    </message>
+    <message>
+        <source>For these participants, a proportion R² = %1 of the variation of the profiles is between the groups; %2. Permutation test of group labels: %3.</source>
+        <translation>Bei diesen Versuchspersonen liegt ein Anteil R² = %1 der Variation der Profile zwischen den Gruppen; %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
+    </message>
+    <message>
+        <source>From each participant&apos;s numbers the participant&apos;s mean is subtracted, so that what is compared is how they differ between items. Whole participants are permuted. %1 The CIs of single differences are Welch&apos;s, without correction for their number.</source>
+        <translation>Von den Zahlen jeder Versuchsperson wird ihr Mittelwert abgezogen, sodass verglichen wird, wie sie sich zwischen den Objekten unterscheiden. Permutiert werden ganze Versuchspersonen. %1 Die KIs einzelner Differenzen sind die nach Welch, ohne Korrektur für ihre Anzahl.</translation>
+    </message>
+    <message>
+        <source>Means of the groups</source>
+        <translation>Mittelwerte der Gruppen</translation>
+    </message>
+    <message>
+        <source>Means of the participants of each group, geometric where a ratio is compared, with t-based 95 % CIs. left out: participants without an estimate; where there are any, there is no CI.</source>
+        <translation>Mittelwerte der Versuchspersonen jeder Gruppe, geometrisch, wo ein Verhältnis verglichen wird, mit 95-%-KIs nach der t-Verteilung. ausgelassen: Versuchspersonen ohne Schätzwert; wo es welche gibt, gibt es kein KI.</translation>
+    </message>
+    <message>
+        <source>Profiles of the groups</source>
+        <translation>Profile der Gruppen</translation>
+    </message>
+    <message>
+        <source>Means of the participants&apos; numbers, without each participant&apos;s own mean, in the first and second of the groups; their difference with Welch&apos;s 95 % CI, without correction for the number of items.</source>
+        <translation>Mittelwerte der Zahlen der Versuchspersonen, ohne den Mittelwert jeder Versuchsperson, in der ersten und der zweiten der Gruppen; ihre Differenz mit dem 95-%-KI nach Welch, ohne Korrektur für die Anzahl der Objekte.</translation>
+    </message>
+    <message>
+        <source>the mean exponent</source>
+        <translation>der mittlere Exponent</translation>
+    </message>
+    <message>
+        <source>the mean exponent (%1)</source>
+        <translation>der mittlere Exponent (%1)</translation>
+    </message>
+    <message>
+        <source>%1 in the group %2 (n = %3)</source>
+        <translation>%1 in der Gruppe %2 (n = %3)</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3</source>
+        <translation>%1: %2, %3</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisPage</name>
@@ -3572,6 +3700,18 @@
     <message>
         <source>roughness match</source>
         <translation>Rauheitsabgleich</translation>
+    </message>
+    <message>
+        <source>group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>Zahl</translation>
     </message>
 </context>
 <context>
@@ -4494,6 +4634,14 @@
     <message>
         <source>too few textures</source>
         <translation>zu wenige Texturen</translation>
+    </message>
+    <message>
+        <source>profiles of the groups</source>
+        <translation>Profile der Gruppen</translation>
+    </message>
+    <message>
+        <source>there is no estimate of any participant of one of the groups</source>
+        <translation>von keiner Versuchsperson einer der Gruppen gibt es einen Schätzwert</translation>
     </message>
 </context>
 <context>
@@ -6159,6 +6307,10 @@
     <message>
         <source>90 %</source>
         <translation>90 %</translation>
+    </message>
+    <message>
+        <source>mean of the participants with its %1 % CI</source>
+        <translation>Mittelwert der Versuchspersonen mit seinem %1-%-KI</translation>
     </message>
 </context>
 <context>
@@ -8632,6 +8784,10 @@
     <message>
         <source>difference of the mean numbers of correctly matched items per trial</source>
         <translation>Differenz der mittleren Zahlen richtig zugeordneter Items je Durchgang</translation>
+    </message>
+    <message>
+        <source>permutation test of group labels of profiles</source>
+        <translation>Permutationstest der Gruppenzugehörigkeit von Profilen</translation>
     </message>
 </context>
 <context>

@@ -114,18 +114,25 @@ bool is_another_form(const std::string& quantity) {
                                                    "p.lower",
                                                    "pairwise.binom.p.two",
                                                    "perfect.p.greater",
-                                                   "texture.p.greater"};
+                                                   "texture.p.greater",
+                                                   "values.welch.p.two"};
   return kAlternatives.contains(quantity);
 }
 
 /// The subject of a part of the analysis; its name where there is no text for it.
 std::string words_of_analysis(const std::string& analysis) {
   static const std::map<std::string, std::string> kWords{
-      {"anova", "analysis of variance"}, {"choice", "choices"},
-      {"glmm", "mixed model"},           {"groups", "groups"},
-      {"groups_equivalence", "groups"},  {"position", "positions"},
-      {"sexes", "women, men"},           {"sexes_equivalence", "women, men"},
-      {"similarity", "similarity"},      {"texture", "textures"},
+      {"anova", "analysis of variance"},
+      {"choice", "choices"},
+      {"glmm", "mixed model"},
+      {"groups", "groups"},
+      {"groups_equivalence", "groups"},
+      {"group_profiles", "profiles of the groups"},
+      {"position", "positions"},
+      {"sexes", "women, men"},
+      {"sexes_equivalence", "women, men"},
+      {"similarity", "similarity"},
+      {"texture", "textures"},
       {"textures", "textures"}};
   const std::string name = analysis.substr(0, analysis.find(':'));  // before a pair of groups
   const auto found = kWords.find(name);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,7 +16,9 @@
 #include "app/findings/methods/discrimination/sensitivity/choice_sensitivity.h"
 #include "app/findings/methods/discrimination/sensitivity/confidence_roc.h"
 #include "app/findings/methods/discrimination/sensitivity/discrimination_sensitivity.h"
+#include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/study_findings.h"
+#include "app/findings/shared/group_comparisons.h"
 #include "app/findings/tidy/finding_list.h"
 
 namespace asperity {
@@ -226,6 +229,29 @@ void test_equality(const GatheredAnswers& gathered, const DiscriminationResults&
   }
 }
 
+/// The thresholds of each condition that the groups share: a participant is in one group, and its level is no condition.
+void add_thresholds(const DiscriminationResults& results, GroupComparisons& groups) {
+  const FoundNumbers found(results.fit.thresholds);
+  const std::string quantity = results.quantity_of_threshold();
+  std::map<std::string, GroupMeasure> measures{};
+  for (const auto& function : results.functions) {
+    const std::string& condition = results.study.conditions_in_group[function.condition];
+    GroupMeasure& measure = measures[condition];
+    measure.values[function.person] = found.value(quantity, function.data.key);
+  }
+  for (auto& [condition, measure] : measures) {
+    measure.name = results.name;
+    if (!condition.empty()) measure.name += (measure.name.empty() ? "" : ", ") + condition;
+    measure.words = measure.name.empty()
+                        ? phrase("Analysis", "the geometric mean of the thresholds")
+                        : phrase("Analysis", "the geometric mean of the thresholds (%1)")
+                              .with(words_of_condition(measure.name));
+    measure.is_ratio = true;
+    if (!results.study.task.varied.unit.empty()) measure.unit = results.study.task.varied.unit;
+    groups.add(measure);
+  }
+}
+
 void remark_on_left_out(const std::vector<DiscriminationStudy>& studies, AnalysisOutcome& outcome) {
   std::size_t left_out = 0;
   for (const DiscriminationStudy& study : studies) left_out += study.left_out;
@@ -302,9 +328,11 @@ std::vector<StudyTest> test_responses(const GatheredAnswers& gathered) {
   const std::vector<DiscriminationStudy> studies = discrimination_studies(gathered);
   if (studies.empty()) return std::move(tests).take_family();
   set_default_of_designs(studies, tests);
-  const bool needs_thresholds =
-      tests.is_in_family("conditions") || tests.is_in_family("point_of_subjective_equality");
+  const bool needs_thresholds = tests.is_in_family("conditions") ||
+                                tests.is_in_family("point_of_subjective_equality") ||
+                                tests.is_in_family(kGroupsTest);
   AnalysisOutcome unused{};
+  GroupComparisons groups(gathered);
   for (const DiscriminationStudy& study : studies) {
     const DiscriminationResults results(
         gathered, study, studies.size() > 1,
@@ -313,7 +341,9 @@ std::vector<StudyTest> test_responses(const GatheredAnswers& gathered) {
     if (!needs_thresholds) continue;
     test_conditions(gathered, results, tests, unused);
     if (!study.task.is_performance) test_equality(gathered, results, tests, unused);
+    if (tests.is_in_family(kGroupsTest)) add_thresholds(results, groups);
   }
+  groups.add_tests(tests, unused);
   add_tests_without_design(studies, tests);
   return std::move(tests).take_family();
 }
@@ -335,7 +365,9 @@ void analyze_responses(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   }
   StudyTests tests(gathered);
   set_default_of_designs(studies, tests);
+  GroupComparisons groups(gathered);
   for (const DiscriminationResults& results : all) {
+    add_thresholds(results, groups);
     keep_findings(results.fit.thresholds, outcome);
     // A reason why a function could not be fitted is the status of its thresholds.
     keep_findings(results.fit.functions, outcome, [](const Finding& finding) {
@@ -355,6 +387,7 @@ void analyze_responses(const GatheredAnswers& gathered, AnalysisOutcome& outcome
     test_equality(gathered, results, tests, outcome);
   }
   add_tests_without_design(studies, tests);
+  groups.add_tests(tests, outcome);
   add_discrimination_tables(gathered, all, outcome);
   add_choice_model(gathered, studies, outcome);
   add_sensitivity(gathered, all, outcome);
@@ -362,6 +395,7 @@ void analyze_responses(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   add_confidence_roc(gathered, all, outcome);
   tests.finish(outcome);
   for (const DiscriminationResults& results : all) ask_discrimination(results, tests, outcome);
+  groups.report(tests, outcome);
 }
 
 }  // namespace

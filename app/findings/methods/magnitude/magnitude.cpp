@@ -16,6 +16,7 @@
 #include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/shared/estimates.h"
+#include "app/findings/shared/group_comparisons.h"
 #include "app/findings/shared/magnitude_effects.h"
 #include "app/findings/shared/stimulus_estimates.h"
 
@@ -131,6 +132,12 @@ std::vector<StudyTest> test_magnitude(const GatheredAnswers& gathered) {
     const std::vector<Finding> curves = curves_of(compared);
     add_peak_tests(compared.conditions, FoundNumbers(curves), tests);
   }
+  if (tests.is_in_family(kGroupProfilesTest)) {
+    GroupComparisons groups(gathered);
+    groups.add(profile_of_estimates(compared));
+    groups.add_tests(tests, unused);
+  }
+  if (tests.is_in_family(kGroupsTest)) tests.add_untested(kGroupsTest, "", "no_predictor");
   return std::move(tests).take_family();
 }
 
@@ -176,6 +183,10 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   StudyTests tests(gathered);
   add_effect_tests(found_anova, conditions.size(), kEffects, tests);
   add_peak_tests(conditions, found, tests);
+  GroupComparisons groups(gathered);
+  groups.add(profile_of_estimates(compared));
+  groups.add_tests(tests, outcome);
+  if (tests.is_in_family(kGroupsTest)) tests.add_untested(kGroupsTest, "", "no_predictor");
   tests.finish(outcome);
   ask_effect({"spacing", phrase("Analysis", "Does roughness depend on the spacing?"), kRoughness,
               spacings},
@@ -191,6 +202,7 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   ask_peaks(conditions, spacings, found, outcome);
   ask_peak_ratios(found, tests, outcome);
   ask_types(conditions, found, outcome);
+  groups.report(tests, outcome);
   ask_reliability_of_estimates(compared, outcome);
   keep_findings(roughness, outcome);
   keep_findings(anova, outcome);

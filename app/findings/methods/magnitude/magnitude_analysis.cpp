@@ -43,7 +43,17 @@ constexpr std::array kMagnitudeClaims{
               "conditions",
               "",
               "The effect of the stimulus on the estimates did not differ significantly between "
-              "the conditions"}};
+              "the conditions"},
+    TestClaim{"groups", "",
+              "The exponents%5 were significantly larger in the group %1 than in the group %2",
+              "The exponents%5 were significantly smaller in the group %1 than in the group %2",
+              "The exponents%5 of the groups %1 and %2 were not significantly different"},
+    TestClaim{"group_profiles", "",
+              "The effect of the stimulus on the estimates was significantly different in the "
+              "groups %1 and %2",
+              "",
+              "The effect of the stimulus on the estimates was not significantly different in the "
+              "groups %1 and %2"}};
 
 /// The lines by which a main block of magnitude estimation is answered; null where numbers answer it.
 const LineForm* lines_of(const Protocol& protocol) {

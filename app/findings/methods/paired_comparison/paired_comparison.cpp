@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -22,6 +23,7 @@
 #include "app/findings/outcome/tally.h"
 #include "app/findings/outcome/test_sentences.h"
 #include "app/findings/shared/choice_tables.h"
+#include "app/findings/shared/group_comparisons.h"
 #include "app/findings/shared/selection_choices.h"
 #include "app/findings/shared/selection_questions.h"
 #include "app/findings/tidy/finding_list.h"
@@ -141,7 +143,8 @@ void add_pair_tables(const PairedStudy& study, AnalysisOutcome& outcome) {
 /// exchangeable where none is preferred.
 struct PairScores {
   TidyInput input{};
-  std::size_t left_out = 0;      ///< participants
+  std::size_t left_out = 0;                                               ///< participants
+  std::map<std::pair<std::uint32_t, std::string>, double> proportions{};  ///< by person and item
   std::vector<double> trials{};  ///< of each of the other participants, of every item
 };
 
@@ -170,6 +173,7 @@ PairScores pair_scores_of(const PairedStudy& study) {
     made.trials.push_back(of_item);
     for (std::size_t item = 0; item < items.size(); ++item) {
       scores.add(person, items[item], won[item] / of_item);
+      made.proportions[{static_cast<std::uint32_t>(person), items[item]}] = won[item] / of_item;
     }
   }
   made.input = std::move(scores).take("subject", "item", "the proportions of choices");
@@ -535,6 +539,17 @@ bool add_preference_test(const PairedStudy& study, const PairScores& scores,
   return is_testable;
 }
 
+/// Which items are chosen: the mean proportion of a participant is the same for all, and no difference between groups.
+GroupComparisons groups_compared(const PairedStudy& study, const PairScores& scores) {
+  GroupComparisons groups(study.choices.gathered);
+  if (study.choices.items.size() > 1) {
+    groups.add(GroupProfile{.words = phrase("Analysis", "which items are chosen"),
+                            .items = study.choices.items,
+                            .values = scores.proportions});
+  }
+  return groups;
+}
+
 std::vector<Finding> findings_of_positions(const Selection& choices) {
   return analysis_of(
       "position", "selection",
@@ -562,6 +577,10 @@ std::vector<StudyTest> test_paired_comparison(const GatheredAnswers& gathered) {
   if (tests.is_in_family("position")) {
     const std::vector<Finding> findings = findings_of_positions(choices);
     tests.add("position", "", FoundNumbers(findings), "relabel.exact.p");
+  }
+  if (tests.is_in_family(kGroupProfilesTest)) {
+    AnalysisOutcome unused{};
+    groups_compared(study, pair_scores_of(study)).add_tests(tests, unused);
   }
   return std::move(tests).take_family();
 }
@@ -618,6 +637,8 @@ void analyze_paired_comparison(const GatheredAnswers& gathered, AnalysisOutcome&
   add_pair_scale(study, found_scale, outcome);
   add_model(study, found_scale, outcome);
   const ConsistencyOfPeople people = add_people_consistency(study, outcome);
+  const GroupComparisons groups = groups_compared(study, scores);
+  groups.add_tests(tests, outcome);
   tests.finish(outcome);
   state_means_of_items(outcome, {.analysis = kScores,
                                  .quantity = "mean.score",
@@ -649,6 +670,7 @@ void analyze_paired_comparison(const GatheredAnswers& gathered, AnalysisOutcome&
                found_positions, tests, outcome);
   ask_fit(study, found_scale, outcome);
   ask_consistency(people, outcome);
+  groups.report(tests, outcome);
   remark_on_pooling(gathered.answers.size(), gathered.people.size(), outcome);
 }
 

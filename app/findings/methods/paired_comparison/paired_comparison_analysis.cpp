@@ -27,7 +27,13 @@ constexpr std::array kPairedClaims{
               "significantly different",
               "",
               "The numbers of choices of the first and the second surface of a trial were not "
-              "significantly different"}};
+              "significantly different"},
+    TestClaim{"group_profiles", "",
+              "The proportions of choices of the items were significantly different in the groups "
+              "%1 and %2",
+              "",
+              "The proportions of choices of the items were not significantly different in the "
+              "groups %1 and %2"}};
 
 /// The questions of the main blocks of this kind in quotation marks, each once; and whether one of them has ties.
 struct PairedQuestions {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
@@ -22,6 +24,7 @@
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/test_sentences.h"
 #include "app/findings/shared/accompanying_scales.h"
+#include "app/findings/shared/group_comparisons.h"
 #include "app/findings/shared/intraclass_targets.h"
 #include "app/findings/shared/rated_scales.h"
 #include "app/findings/shared/repetition_reliability.h"
@@ -147,6 +150,32 @@ std::vector<Finding> findings_of_items(const GatheredAnswers& gathered, const Ra
   return findings_of(kRatings, "rating", scale, std::move(input));
 }
 
+/// The mean over the items of the participants who rated all of them, and how their ratings differ between items.
+void add_to_groups(const RatedScale& scale, bool is_only_scale, GroupComparisons& groups) {
+  const std::string name = is_only_scale ? "" : scale.name;
+  GroupMeasure mean{
+      .name = name,
+      .words = phrase("Analysis", "the mean rating on the scale “%1”").with(scale.name)};
+  GroupProfile profile{
+      .name = name,
+      .words = phrase("Analysis", "how the ratings on the scale “%1” differ between the items")
+                   .with(scale.name),
+      .items = scale.items,
+      .values = scale.means};
+  std::map<std::uint32_t, std::pair<double, std::size_t>> sums{};
+  for (const auto& [of, rating] : scale.means) {
+    sums[of.first].first += rating;
+    ++sums[of.first].second;
+  }
+  for (const auto& [person, sum] : sums) {
+    mean.values[person] = sum.second == scale.items.size()
+                              ? std::optional(sum.first / static_cast<double>(sum.second))
+                              : std::nullopt;
+  }
+  groups.add(mean);
+  if (scale.items.size() > 1) groups.add(profile);
+}
+
 void add_untested_scale(const RatedScale& scale, StudyTests& tests) {
   tests.add_untested("ratings", scale.name, "one_item");
 }
@@ -200,7 +229,11 @@ void ask_about(const RatedScale& scale, const FoundNumbers& found, const StudyTe
 std::vector<StudyTest> test_ratings(const GatheredAnswers& gathered) {
   const std::vector<RatedScale> scales = rated_scales(gathered);
   StudyTests tests(gathered);
+  GroupComparisons groups(gathered);
   for (const RatedScale& scale : scales) {
+    if (tests.is_in_family(kGroupsTest) || tests.is_in_family(kGroupProfilesTest)) {
+      add_to_groups(scale, scales.size() == 1, groups);
+    }
     if (scale.items.size() < 2) {
       add_untested_scale(scale, tests);
       continue;
@@ -215,6 +248,8 @@ std::vector<StudyTest> test_ratings(const GatheredAnswers& gathered) {
     if (tests.is_in_family("rating_model")) add_rating_model_test(gathered, scale, tests);
   }
   if (tests.is_in_family("accompanying_scales")) AccompanyingScales(gathered).add_tests(tests);
+  AnalysisOutcome unused{};
+  groups.add_tests(tests, unused);
   return std::move(tests).take_family();
 }
 
@@ -238,8 +273,10 @@ void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
              "ICC2 measures agreement, ICC3 consistency; k: of the mean of all participants.")};
   RatingModels models{};
   StudyTests tests(gathered);
+  GroupComparisons groups(gathered);
   std::vector<std::pair<const RatedScale*, std::vector<Finding>>> all{};
   for (const RatedScale& scale : scales) {
+    add_to_groups(scale, scales.size() == 1, groups);
     if (scale.items.size() < 2) {
       add_untested_scale(scale, tests);
       continue;
@@ -270,6 +307,7 @@ void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   std::move(models).report(outcome);
   add_rating_components(gathered, scales, outcome);
   accompanying.add_tests(tests);
+  groups.add_tests(tests, outcome);
   tests.finish(outcome);
   for (const auto& [scale, findings] : all) {
     state_means_of_items(outcome, {.analysis = kRatings,
@@ -282,6 +320,7 @@ void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
     ask_about(*scale, FoundNumbers(findings), tests, outcome);
     ask_reliability_of_ratings(gathered, scale->name, repeated_ratings(*scale), outcome);
   }
+  groups.report(tests, outcome);
   add_constructs(gathered, scales, outcome);
   accompanying.report(tests, outcome);
   if (!accompanying.empty()) {

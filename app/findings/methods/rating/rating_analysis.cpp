@@ -34,7 +34,17 @@ constexpr std::array kRatingClaims{
               "The ratings on the scale “%1” were significantly lower with correct than with "
               "incorrect responses to the question “%2”",
               "The ratings on the scale “%1” did not differ significantly between correct and "
-              "incorrect responses to the question “%2”"}};
+              "incorrect responses to the question “%2”"},
+    TestClaim{"groups", "",
+              "The mean ratings%4 were significantly higher in the group %1 than in the group %2",
+              "The mean ratings%4 were significantly lower in the group %1 than in the group %2",
+              "The mean ratings%4 of the groups %1 and %2 were not significantly different"},
+    TestClaim{"group_profiles", "",
+              "The differences between the items in the ratings%4 were significantly different in "
+              "the groups %1 and %2",
+              "",
+              "The differences between the items in the ratings%4 were not significantly different "
+              "in the groups %1 and %2"}};
 
 std::string task_of_rating(const Protocol& protocol) {
   return "Task: in each trial, ratings are given on " + scales_of_blocks(protocol, "rating") + '.';

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -18,6 +19,7 @@
 #include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/test_sentences.h"
+#include "app/findings/shared/group_comparisons.h"
 #include "app/findings/shared/similarity_properties.h"
 #include "protocols/answers/scale_form.h"
 #include "results_schema/tables/table.h"
@@ -348,6 +350,29 @@ std::vector<Finding> findings_of_judgements(const GatheredAnswers& gathered,
   return analysis_of(kConfiguration, "similarity", std::move(input));
 }
 
+/// The mean dissimilarity of each pair of different items, in both orders, of each participant.
+void add_to_groups(const GatheredAnswers& gathered, GroupComparisons& groups) {
+  GroupProfile profile{
+      .words = phrase("Analysis", "which pairs of surfaces are rated as more dissimilar")};
+  std::map<std::pair<std::uint32_t, std::string>, std::size_t> counts{};
+  std::set<std::string> pairs{};
+  for (const GatheredAnswer& answer : gathered.answers) {
+    const auto surfaces = gathered.surfaces_of(answer);
+    const std::optional<double> dissimilarity = dissimilarity_of(gathered, answer);
+    if (surfaces.size() != 2 || !dissimilarity) continue;
+    auto [first, second] =
+        std::pair(gathered.word(surfaces[0].item), gathered.word(surfaces[1].item));
+    if (first == second) continue;
+    if (precedes_by_value(second, first)) std::swap(first, second);
+    const std::string pair = first + '|' + second;
+    pairs.insert(pair);
+    double& mean = profile.values[{answer.person, pair}];
+    mean += (*dissimilarity - mean) / static_cast<double>(++counts[{answer.person, pair}]);
+  }
+  profile.items.assign(pairs.begin(), pairs.end());
+  if (profile.items.size() > 1) groups.add(profile);
+}
+
 void add_similarity_tests(const FoundNumbers& found, StudyTests& tests) {
   const Finding* const unscaled = found.find("stress.ordinal");
   if (unscaled != nullptr && !unscaled->word.empty()) {
@@ -370,6 +395,12 @@ std::vector<StudyTest> test_similarity(const GatheredAnswers& gathered) {
   const std::vector<Finding> findings =
       findings_of_judgements(gathered, rated_items(gathered), "tests");
   add_similarity_tests(FoundNumbers(findings), tests);
+  if (tests.is_in_family(kGroupProfilesTest)) {
+    GroupComparisons groups(gathered);
+    add_to_groups(gathered, groups);
+    AnalysisOutcome unused{};
+    groups.add_tests(tests, unused);
+  }
   return std::move(tests).take_family();
 }
 
@@ -387,11 +418,15 @@ void analyze_similarity(const GatheredAnswers& gathered, AnalysisOutcome& outcom
   add_properties_table(found, outcome);
   StudyTests tests(gathered);
   add_similarity_tests(found, tests);
+  GroupComparisons groups(gathered);
+  add_to_groups(gathered, groups);
+  groups.add_tests(tests, outcome);
   tests.finish(outcome);
   for (Phrase& remark : remarks_on_configuration(found)) {
     outcome.remarks.push_back(std::move(remark));
   }
   ask_about_configuration(found, tests, outcome);
+  groups.report(tests, outcome);
 }
 
 }  // namespace asperity

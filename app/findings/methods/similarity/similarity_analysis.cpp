@@ -24,7 +24,11 @@ constexpr std::array kSimilarityClaims{
               "Different surfaces were rated as significantly less dissimilar than identical ones",
               "The ratings of different and identical surfaces were not significantly different"},
     TestClaim{"properties", "", "The property “%1” was significantly related to the configuration",
-              "", "The property “%1” was not significantly related to the configuration"}};
+              "", "The property “%1” was not significantly related to the configuration"},
+    TestClaim{"group_profiles", "",
+              "The ratings of the pairs were significantly different in the groups %1 and %2", "",
+              "The ratings of the pairs were not significantly different in the groups %1 and "
+              "%2"}};
 
 /// Whether the main blocks ask for the similarity instead of the dissimilarity.
 bool asks_for_similarity(const Protocol& protocol) {

@@ -92,6 +92,7 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
     return {both, less};
   }
   both.x = {.name = choice.axis.filled({percent}),
+            .unit = choice.unit,
             .low = choice.are_shares ? 0.0 : *means[0]->value,
             .high = choice.are_shares ? 1.0 : *means[0]->value};
   for (const Finding* mean : means) {

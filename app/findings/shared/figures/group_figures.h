@@ -19,6 +19,7 @@ struct GroupChoice {
   std::string pooled_difference{};  ///< empty: none
   Phrase axis{};
   bool are_shares = false;  ///< from 0 to 1
+  std::string unit{};       ///< of the axis; empty for pure numbers
 };
 std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers& found);
 

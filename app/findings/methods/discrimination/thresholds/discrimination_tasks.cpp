@@ -20,6 +20,7 @@ namespace {
 constexpr std::string_view kComparisonRole = "comparison";
 double half_unsure(const ChoiceCount& count) { return split_hits(count, 2); }
 
+constexpr const char* kNothingVaries = "all";
 constexpr double kClearTrend = 1.96;  // two-sided, α = .05
 
 /// The block of a trial, as a word, and its levels by factor: without that of the parameter, and without those that are drawn
@@ -55,7 +56,7 @@ class ConditionNames final {
       const std::string& word = gathered.word(level);
       name += (name.empty() ? "" : ", ") + (number_in(word) ? factor + ' ' + word : word);
     }
-    return name.empty() ? "all" : name;
+    return name.empty() ? kNothingVaries : name;
   }
 
  private:
@@ -104,6 +105,15 @@ DiscriminationStudy study_of(const GatheredAnswers& gathered, const Discriminati
   const std::set<std::string> distinct(conditions.begin(), conditions.end());
   study.conditions.assign(distinct.begin(), distinct.end());
   std::sort(study.conditions.begin(), study.conditions.end(), is_before);
+  for (const std::string& condition : study.conditions) {
+    const auto first = std::find(conditions.begin(), conditions.end(), condition);
+    ConditionOfTrial in_group =
+        condition_of(gathered, *answers[static_cast<std::size_t>(first - conditions.begin())],
+                     task.varied.factor);
+    in_group.levels.erase(gathered.group_factor);
+    const std::string name = names.name(gathered, in_group);
+    study.conditions_in_group.push_back(name == kNothingVaries ? "" : name);
+  }
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const GatheredAnswer& answer = *answers[i];
     const auto place = std::find(study.conditions.begin(), study.conditions.end(), conditions[i]);

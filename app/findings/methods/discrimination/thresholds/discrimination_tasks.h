@@ -118,6 +118,9 @@ struct DiscriminationStudy {
   /// The block where several have responses, and combinations of the levels of all other factors that have several and are
   /// not drawn for every trial: "strong, wood, wavelength_m 0.0025" (words_of_condition); "all" without these.
   std::vector<std::string> conditions{};
+  /// The same without the level that the protocol's groups have, so that the groups share them; empty where nothing else
+  /// varies.
+  std::vector<std::string> conditions_in_group{};
   std::vector<DiscriminationTrial> trials{};
   /// The comparison is chosen less often as the parameter increases, as after the question which surface is smoother: the
   /// psychometric function is that of the choices of the standard. Only without correct responses.

@@ -1,0 +1,346 @@
+// Calls the family `group_values` for each pair of groups and each measure or profile.
+
+#include "app/findings/shared/group_comparisons.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "analysis/tests/two_samples.h"
+#include "app/findings/gathering/answer_columns.h"
+#include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/found_numbers.h"
+#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/study_findings.h"
+#include "app/findings/outcome/test_sentences.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kFamily = "group_values";
+
+const ResultColumn kGroup{.id = "group", .heading = phrase("AnalysisWords", "group")};
+/// "haptic − visual", as their difference.
+const ResultColumn kGroups{.id = "groups", .heading = phrase("AnalysisWords", "groups")};
+const ResultColumn kOfWhat{.id = "of", .heading = phrase("AnalysisWords", "number")};
+const ResultColumn kMeanOfUnit{
+    .id = "mean", .heading = phrase("AnalysisWords", "mean"), .digits = Digits::of_row};
+
+/// The columns that every table of the family begins with.
+struct GroupRows {
+  LabelRows subjects{};
+  LabelRows groups{};
+  NumberColumn values{};
+
+  void add(const std::string& subject, const std::string& group, std::optional<double> value) {
+    subjects.add(subject);
+    groups.add(group);
+    values.push_back(value);
+  }
+};
+
+TidyInput input_of(GroupRows rows, const ParticipantPair& pair, std::optional<LabelRows> items) {
+  std::vector<TidyTable::Column> columns{{"subject", std::move(rows.subjects).take()},
+                                         {"group", std::move(rows.groups).take()},
+                                         {"value", std::move(rows.values)}};
+  if (items) columns.push_back({"item", std::move(*items).take()});
+  TidyInput input{};
+  input.tables.emplace_back(std::move(columns), "the participants");
+  input.options.set("groups", std::vector<std::string>{pair.first, pair.second});
+  return input;
+}
+
+/// Both groups have a participant who responded.
+bool has_both(const ParticipantPair& pair, const std::set<std::uint32_t>& people) {
+  const auto has = [&](const std::string& level) {
+    return std::any_of(people.begin(), people.end(),
+                       [&](std::uint32_t person) { return pair.levels[person] == level; });
+  };
+  return has(pair.first) && has(pair.second);
+}
+
+Phrase method_of_splits(const Finding& tested) {
+  return tested.n <= kMostPermuted
+             ? phrase("Analysis", "The permutation test uses all permutations of the group labels.")
+             : phrase("Analysis",
+                      "The permutation test uses %1 permutations of the group labels drawn at "
+                      "random, because there are too many to enumerate.")
+                   .with(std::to_string(kRandomSplits));
+}
+
+/// "12.3 µm (95 % CI [10 µm, 14.6 µm])", "0.52 (95 % CI [0.41, 0.63])"
+Phrase with_interval(const Finding& number) {
+  if (number.unit != "1") return quantity_with_interval(number);
+  constexpr int kDecimals = 2;
+  const std::string value = reading_signed(*number.value, kDecimals);
+  if (!number.low || !number.high) return Phrase(value);
+  return phrase("Analysis", "%1 (95 % CI [%2, %3])")
+      .with(value, reading_signed(*number.low, kDecimals), reading_signed(*number.high, kDecimals));
+}
+
+/// The mean of a group, and how many participants it is of.
+Phrase mean_of(const FoundNumbers& found, const std::string& group) {
+  const Finding& mean = *found.find("values.mean", group);
+  return phrase("Analysis", "%1 in the group %2 (n = %3)")
+      .with(with_interval(mean), group, std::to_string(mean.n));
+}
+
+/// An item as people read it, "a / c" where it is a pair or a stimulus under a condition.
+std::string readable(std::string item) {
+  for (std::size_t bar = item.find('|'); bar != std::string::npos; bar = item.find('|')) {
+    item.replace(bar, 1, " / ");
+  }
+  return item;
+}
+
+std::size_t missing_in(const FoundNumbers& found, const ParticipantPair& pair) {
+  double missing = 0.0;
+  for (const std::string& group : {pair.first, pair.second}) {
+    missing += found.value("values.missing", group).value_or(0.0);
+  }
+  return static_cast<std::size_t>(missing);
+}
+
+Phrase question_about(const ParticipantPair& pair, const Phrase& words) {
+  return phrase("Analysis", "Do the groups %1 and %2 differ in %3?")
+      .with(pair.first, pair.second, words);
+}
+
+}  // namespace
+
+std::string GroupComparisons::Compared::analysis() const {
+  std::string text = pair.analysis;
+  if (is_profile) text.replace(0, std::string_view(kGroupsTest).size(), kGroupProfilesTest);
+  return name.empty() ? text : text + ':' + name;
+}
+
+GroupComparisons::GroupComparisons(const GatheredAnswers& gathered)
+    : gathered_(gathered), pairs_(pairs_of_groups(gathered)) {}
+
+void GroupComparisons::add(const GroupMeasure& measure) {
+  std::set<std::uint32_t> people{};
+  for (const auto& [person, value] : measure.values) people.insert(person);
+  for (const ParticipantPair& pair : pairs_) {
+    if (!has_both(pair, people)) continue;
+    GroupRows rows{};
+    for (const auto& [person, value] : measure.values) {
+      if (pair.levels[person].empty()) continue;
+      rows.add(gathered_.people[person].label, pair.levels[person], value);
+    }
+    TidyInput input = input_of(std::move(rows), pair, std::nullopt);
+    input.options.set("scale", std::string(measure.is_ratio ? "ratio" : "difference"));
+    Compared& one = compared_.emplace_back(
+        Compared{.pair = pair, .name = measure.name, .words = measure.words, .unit = measure.unit});
+    one.findings = analysis_of(one.analysis().c_str(), kFamily, std::move(input));
+    for (Finding& finding : one.findings) {
+      const bool has_unit = finding.quantity == "values.mean" ||
+                            (!measure.is_ratio && finding.quantity == "values.shift");
+      if (has_unit) finding.unit = measure.unit;
+    }
+  }
+}
+
+void GroupComparisons::add(const GroupProfile& profile) {
+  std::set<std::uint32_t> people{};
+  for (const auto& [of, value] : profile.values) people.insert(of.first);
+  for (const ParticipantPair& pair : pairs_) {
+    if (!has_both(pair, people)) continue;
+    GroupRows rows{};
+    LabelRows items{};
+    for (const std::uint32_t person : people) {
+      if (pair.levels[person].empty()) continue;
+      for (const std::string& item : profile.items) {
+        const auto value = profile.values.find({person, item});
+        rows.add(gathered_.people[person].label, pair.levels[person],
+                 value == profile.values.end() ? std::nullopt : std::optional(value->second));
+        items.add(item);
+      }
+    }
+    Compared& one = compared_.emplace_back(Compared{.pair = pair,
+                                                    .name = profile.name,
+                                                    .words = profile.words,
+                                                    .is_profile = true,
+                                                    .items = profile.items});
+    one.findings = analysis_of(one.analysis().c_str(), kFamily,
+                               input_of(std::move(rows), pair, std::move(items)));
+  }
+}
+
+void GroupComparisons::add_tests(StudyTests& tests, AnalysisOutcome& outcome) const {
+  for (const Compared& one : compared_) {
+    keep_findings(one.findings, outcome);
+    const FoundNumbers found(one.findings);
+    const char* const p = one.is_profile ? "profile.perm.p" : "values.perm.p.two";
+    if (found.find(p) == nullptr) {
+      tests.add_untested(one.test(), one.about(), "no_numbers_of_group");
+      continue;
+    }
+    tests.add(one.test(), one.about(), found, p);
+    if (one.is_profile) {
+      tests.leave_out(static_cast<std::size_t>(found.value("profile.incomplete").value_or(0.0)),
+                      phrase("Analysis",
+                             "Participants without a number for every item are left out of the "
+                             "test of the profiles of the groups"));
+      continue;
+    }
+    const Finding* const ratio = found.find("values.ratio");
+    tests.state_effect(ratio != nullptr ? ratio : found.find("values.shift"));
+    tests.leave_out(missing_in(found, one.pair),
+                    phrase("Analysis",
+                           "Participants without an estimate are left out of the test of the "
+                           "groups"));
+  }
+}
+
+void GroupComparisons::ask_measure(const Compared& one, const StudyTests& tests,
+                                   AnalysisOutcome& outcome) const {
+  const FoundNumbers found(one.findings);
+  const StudyTest* const test = tests.find(one.test(), one.about());
+  if (test == nullptr || !test->p) return;
+  const Finding* const ratio = found.find("values.ratio");
+  const Finding& effect = ratio != nullptr ? *ratio : *found.find("values.shift");
+  const bool contains_none = holds_in_interval(effect, ratio != nullptr ? 1.0 : 0.0);
+  const Phrase means =
+      phrase("Analysis", "%1: %2, %3")
+          .with(one.words, mean_of(found, one.pair.first), mean_of(found, one.pair.second));
+  const Phrase difference = (ratio != nullptr ? phrase("Analysis", "ratio %1 / %2: %3")
+                                              : phrase("Analysis", "difference (%1 − %2): %3"))
+                                .with(one.pair.first, one.pair.second, with_interval(effect));
+  state_means(outcome, test->name, means.english() + "; " + difference.english(), test->about);
+  const std::size_t missing = missing_in(found, one.pair);
+  const auto with_numbers = [&](const Phrase& words) {
+    const Phrase answer = words.with(means, difference, p_text(*test));
+    if (missing == 0) return answer;
+    return phrase("Analysis",
+                  "%1 Left out: %2 of %3 participants, for whom there is no estimate; the "
+                  "comparison does not describe them and therefore has no CI.")
+        .with(answer, std::to_string(missing), std::to_string(missing + test->n));
+  };
+  const Sayings sayings{
+      contains_none
+          ? with_numbers(phrase("Analysis",
+                                "Not established: %1; %2. Permutation test of group labels: %3. "
+                                "The test is significant, but the CI contains no difference; more "
+                                "participants are needed."))
+          : with_numbers(phrase("Analysis", "Yes: %1; %2. Permutation test of group labels: %3.")),
+      with_numbers(phrase("Analysis",
+                          "Not significantly: %1; %2. Permutation test of group labels: %3. This "
+                          "does not show that they are equal.")),
+      with_numbers(phrase(
+          "Analysis", "For these participants, %1; %2. Permutation test of group labels: %3."))};
+  const Phrase method =
+      phrase("Analysis",
+             "%1 The CIs of the means are t-based; that of the difference or ratio is "
+             "Welch's CI.")
+          .with(method_of_splits(effect));
+  add_question(outcome, one.analysis().c_str(), question_about(one.pair, one.words),
+               said_of(*test, sayings), method, kGroupMeans, &effect);
+}
+
+void GroupComparisons::ask_profile(const Compared& one, const StudyTests& tests,
+                                   AnalysisOutcome& outcome) const {
+  const FoundNumbers found(one.findings);
+  const StudyTest* const test = tests.find(one.test(), one.about());
+  if (test == nullptr || !test->p) return;
+  const Finding& r2 = *found.find("profile.r2");
+  const std::vector<const Finding*> differences = found.all("profile.diff");
+  const Finding& greatest = **std::max_element(
+      differences.begin(), differences.end(),
+      [](const Finding* a, const Finding* b) { return std::abs(*a->value) < std::abs(*b->value); });
+  const Phrase largest =
+      phrase("Analysis",
+             "the largest difference (%1 − %2), each participant's mean removed, is "
+             "that of %3, %4")
+          .with(one.pair.first, one.pair.second, words_of_item(readable(greatest.key)),
+                with_interval(greatest));
+  const auto with_numbers = [&](const Phrase& words) {
+    return words.with(reading_bounded(*r2.value), largest, p_text(*test));
+  };
+  const Sayings sayings{
+      with_numbers(phrase("Analysis",
+                          "Yes: a proportion R² = %1 of the variation of the profiles is between "
+                          "the groups; %2. Permutation test of group labels: %3.")),
+      with_numbers(phrase("Analysis",
+                          "Not significantly: a proportion R² = %1 of the variation of the "
+                          "profiles is between the groups; %2. Permutation test of group labels: "
+                          "%3. This does not show that they are equal.")),
+      with_numbers(phrase("Analysis",
+                          "For these participants, a proportion R² = %1 of the variation of the "
+                          "profiles is between the groups; %2. Permutation test of group labels: "
+                          "%3."))};
+  add_question(
+      outcome, one.analysis().c_str(), question_about(one.pair, one.words), said_of(*test, sayings),
+      phrase("Analysis",
+             "From each participant's numbers the participant's mean is subtracted, so that what "
+             "is compared is how they differ between items. Whole participants are permuted. %1 "
+             "The CIs of single differences are Welch's, without correction for their number.")
+          .with(method_of_splits(r2)),
+      kGroupProfiles, &r2);
+}
+
+void GroupComparisons::add_table_of_means(AnalysisOutcome& outcome) const {
+  using namespace columns;
+  ResultTable table{kGroupMeans,
+                    phrase("Analysis", "Means of the groups"),
+                    {kOfWhat, kGroup, kPersons, kLeftOut, kMeanOfUnit, interval_of(kMeanOfUnit)},
+                    phrase("Analysis",
+                           "Means of the participants of each group, geometric where a ratio is "
+                           "compared, with t-based 95 % CIs. left out: participants without an "
+                           "estimate; where there are any, there is no CI.")};
+  std::set<std::pair<std::string, std::string>> listed{};  // a group is in several pairs
+  for (const Compared& one : compared_) {
+    if (one.is_profile) continue;
+    const FoundNumbers found(one.findings);
+    for (const std::string& group : {one.pair.first, one.pair.second}) {
+      const Finding* const mean = found.find("values.mean", group);
+      if (mean == nullptr || !listed.insert({one.name, group}).second) continue;
+      const auto missing =
+          static_cast<std::size_t>(found.value("values.missing", group).value_or(0.0));
+      table.add({word_cell(one.name), group, count_cell(mean->n),
+                 missing == 0 ? ResultCell{} : count_cell(missing),
+                 quantity_cell(mean->value, one.unit == "1" ? "" : one.unit),
+                 interval_cell(mean->low, mean->high, one.unit == "1" ? "" : one.unit)});
+    }
+  }
+  if (!table.rows.empty()) outcome.tables.push_back(std::move(table));
+}
+
+void GroupComparisons::add_table_of_profiles(AnalysisOutcome& outcome) const {
+  using namespace columns;
+  ResultTable table{
+      kGroupProfiles,
+      phrase("Analysis", "Profiles of the groups"),
+      {kOfWhat, kGroups, kItem, kFirst, kSecond, kDifference, interval_of(kDifference)},
+      phrase("Analysis",
+             "Means of the participants' numbers, without each participant's own mean, in the "
+             "first and second of the groups; their difference with Welch's 95 % CI, without "
+             "correction for the number of items.")};
+  for (const Compared& one : compared_) {
+    if (!one.is_profile) continue;
+    const FoundNumbers found(one.findings);
+    for (const std::string& item : one.items) {
+      if (found.find("profile.diff", item) == nullptr) continue;
+      table.add({word_cell(one.name), one.pair.first + " − " + one.pair.second, readable(item),
+                 found.cell("profile.mean", one.pair.first + '|' + item),
+                 found.cell("profile.mean", one.pair.second + '|' + item),
+                 found.cell("profile.diff", item), found.interval("profile.diff", item)});
+    }
+  }
+  if (!table.rows.empty()) outcome.tables.push_back(std::move(table));
+}
+
+void GroupComparisons::report(const StudyTests& tests, AnalysisOutcome& outcome) const {
+  for (const Compared& one : compared_) {
+    if (one.is_profile) {
+      ask_profile(one, tests, outcome);
+    } else {
+      ask_measure(one, tests, outcome);
+    }
+  }
+  add_table_of_means(outcome);
+  add_table_of_profiles(outcome);
+}
+
+}  // namespace asperity

@@ -1,0 +1,300 @@
+// Groups are compared in thresholds, exponents and ratings, and in profiles of ratings, choices and dissimilarities.
+
+#include "app/findings/shared/group_comparisons.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "analysis/psychometric/psychometric_function.h"
+#include "app/findings/outcome/found_numbers.h"
+#include "app/findings/study/analyze_study.h"
+#include "tests/app/analysed_study.h"
+#include "tests/app/made_up_choices.h"
+
+namespace asperity {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr int kPeople = 8;  // the first half haptic, the other visual
+
+std::string group_of(int person) { return person < kPeople / 2 ? "haptic" : "visual"; }
+
+AnalysisOutcome outcome_of_groups(json protocol,
+                                  const std::function<std::vector<MadeUpTrial>(int)>& trials_of) {
+  protocol["groups"] = {{"factor", "training"}};
+  protocol["factors"]["training"]["levels"] = {"haptic", "visual"};
+  MadeUpStudy made{};
+  const std::int64_t stored =
+      made.add_protocol("grouped", protocol.at("kind").get<std::string>(), protocol.dump());
+  for (int person = 0; person < kPeople; ++person) {
+    const std::string label = "p" + std::to_string(10 + person);
+    made.add_person(label, "");
+    made.set_group(group_of(person));
+    std::vector<MadeUpTrial> trials = trials_of(person);
+    for (MadeUpTrial& trial : trials) {
+      json factors = json::parse(trial.factors_json);
+      factors["training"] = group_of(person);
+      trial.factors_json = factors.dump();
+    }
+    made.add_session(label, stored, trials);
+  }
+  return analyze_study(made.study()).front();
+}
+
+// --- ratings -----------------------------------------------------------------------------------------
+
+json rating_protocol(const std::vector<std::string>& scales) {
+  json protocol = json::parse(R"({"kind": "rating", "blocks": {"only": {"questions": []}}})");
+  for (const std::string& scale : scales) {
+    protocol["blocks"]["only"]["questions"].push_back(
+        {{"name", scale},
+         {"prompt", "How " + scale + "?"},
+         {"scale", {{"minimum", 1}, {"maximum", 7}, {"points", 7}}}});
+  }
+  protocol["analysis"]["family"] = {"groups", "group_profiles"};
+  return protocol;
+}
+
+MadeUpTrial rated(const std::string& item, int rough) {
+  MadeUpTrial trial{};
+  trial.surfaces = {surface_of(item, "height_map", item)};
+  trial.questions = {"rough"};
+  trial.answers = {std::to_string(rough)};
+  return trial;
+}
+
+/// Wood and metal of each participant: as in ProfileComparison.IsTheProportionOfTheSquaresBetweenTheGroups.
+constexpr std::array<std::array<int, 2>, kPeople> kOpposite{
+    {{7, 1}, {6, 2}, {7, 2}, {6, 1}, {1, 7}, {2, 6}, {2, 7}, {1, 6}}};
+
+TEST(GroupComparisons, TellLevelFromFormOfRatings) {
+  const AnalysisOutcome outcome = outcome_of_groups(rating_protocol({"rough"}), [](int person) {
+    const auto& own = kOpposite[static_cast<std::size_t>(person)];
+    return std::vector{rated("wood", own[0]), rated("metal", own[1])};
+  });
+  // Both groups rate 4 on average.
+  EXPECT_NEAR(*finding_of(outcome, "groups", "values.mean", "haptic").value, 4.0, 1e-12);
+  EXPECT_NEAR(*finding_of(outcome, "groups", "values.shift").value, 0.0, 1e-12);
+  EXPECT_NEAR(*finding_of(outcome, "groups", "values.perm.p.two").value, 1.0, 1e-12);
+  EXPECT_NEAR(*finding_of(outcome, "group_profiles", "profile.r2").value, 100.0 / 102.0, 1e-12);
+  EXPECT_NEAR(*finding_of(outcome, "group_profiles", "profile.perm.p").value, 2.0 / 70.0, 1e-12);
+  // Wood: 2.5 above a participant's mean in one group, 2.5 below it in the other.
+  EXPECT_NEAR(*finding_of(outcome, "group_profiles", "profile.diff", "wood").value, 5.0, 1e-12);
+  EXPECT_THAT(
+      answer_to(outcome, "groups"),
+      HasSubstr("Not significantly: the mean rating on the scale “rough”: 4.00 (95 % CI ["));
+  EXPECT_THAT(answer_to(outcome, "group_profiles"), HasSubstr("R² = .98 of the variation"));
+  EXPECT_THAT(answer_to(outcome, "group_profiles"), HasSubstr("(haptic − visual)"));
+  EXPECT_THAT(sentence_about(outcome, "groups"),
+              HasSubstr("The mean ratings of the groups haptic and visual were not significantly"));
+  // Corrected for both tests: 4/70 = .057.
+  EXPECT_THAT(sentence_about(outcome, "group_profiles"),
+              HasSubstr("The differences between the items in the ratings were not significantly "
+                        "different in the groups haptic and visual: permutation test of group "
+                        "labels of profiles"));
+  EXPECT_EQ(table_of(outcome, kGroupMeans).table.rows.size(), 2U);
+  EXPECT_EQ(table_of(outcome, kGroupProfiles).table.rows.size(), 2U);
+  EXPECT_THAT(remarks_of(outcome), Not(HasSubstr("not compared")));
+}
+
+TEST(GroupComparisons, NameTheScaleWhereThereAreSeveral) {
+  json protocol = rating_protocol({"rough", "hard"});
+  protocol["analysis"]["family"] = {"groups"};
+  const AnalysisOutcome outcome = outcome_of_groups(protocol, [](int person) {
+    const int hard = person < 4 ? 7 - person % 2 : 2 - person % 2;
+    std::vector<MadeUpTrial> trials{rated("wood", 4), rated("metal", 5)};
+    for (MadeUpTrial& trial : trials) {
+      trial.questions.emplace_back("hard");
+      trial.answers.push_back(std::to_string(hard));
+    }
+    return trials;
+  });
+  EXPECT_THAT(sentence_about(outcome, "groups", "hard: haptic|visual"),
+              HasSubstr("The mean ratings on the scale “hard” of the groups haptic and visual were not"));
+  EXPECT_NEAR(*finding_of(outcome, "groups:hard", "values.shift").value, 5.0, 1e-12);
+  EXPECT_NEAR(*finding_of(outcome, "groups:hard", "values.perm.p.two").value, 2.0 / 70.0, 1e-12);
+  EXPECT_NEAR(*finding_of(outcome, "groups:rough", "values.perm.p.two").value, 1.0, 1e-12);
+}
+
+// --- thresholds --------------------------------------------------------------------------------------
+
+std::vector<MadeUpTrial> choices_of(int person, double alpha_m) {
+  PsychometricFunction function = kPerformer;
+  function.alpha = alpha_m;
+  return trials_of(
+      MadeUpObserver(function, static_cast<unsigned>(40 + person)).choices(kAbove_m, 60, true));
+}
+
+json thresholds_protocol() {
+  json protocol = discrimination_protocol("performance");
+  protocol["analysis"]["family"] = {"groups"};
+  return protocol;
+}
+
+TEST(GroupComparisons, CompareThresholdsByTheirRatio) {
+  const AnalysisOutcome outcome = outcome_of_groups(thresholds_protocol(), [](int person) {
+    return choices_of(person, person < 4 ? 6e-6 : 12e-6);
+  });
+  const std::vector<Finding> thresholds = part_of(outcome, "thresholds");
+  std::array<double, 2> logs{};
+  for (const Finding* const jnd : FoundNumbers(thresholds).all("jnd")) {
+    const bool is_second = jnd->key.ends_with("|visual");
+    logs[is_second ? 1 : 0] += std::log(*jnd->value) / 4.0;
+  }
+  const Finding ratio = finding_of(outcome, "groups", "values.ratio");
+  EXPECT_NEAR(*ratio.value, std::exp(logs[0] - logs[1]), 1e-12);
+  ASSERT_TRUE(ratio.low && ratio.high);
+  EXPECT_LT(*ratio.high, 1.0);
+  EXPECT_NEAR(*finding_of(outcome, "groups", "values.mean", "visual").value, std::exp(logs[1]),
+              1e-18);
+  EXPECT_EQ(finding_of(outcome, "groups", "values.mean", "visual").unit, "m");
+  EXPECT_NEAR(*finding_of(outcome, "groups", "values.perm.p.two").value, 2.0 / 70.0, 1e-12);
+  EXPECT_THAT(answer_to(outcome, "groups"),
+              HasSubstr("Yes: the geometric mean of the thresholds: "));
+  EXPECT_THAT(answer_to(outcome, "groups"), HasSubstr(" µm ("));
+  EXPECT_THAT(answer_to(outcome, "groups"), HasSubstr("ratio haptic / visual: 0."));
+  EXPECT_THAT(sentence_about(outcome, "groups"),
+              HasSubstr("The thresholds were significantly lower in the group haptic than in the "
+                        "group visual"));
+}
+
+// One of the visual participants is always correct, and therefore has no threshold.
+TEST(GroupComparisons, HaveNoIntervalWhereAThresholdIsMissing) {
+  const AnalysisOutcome outcome = outcome_of_groups(thresholds_protocol(), [](int person) {
+    if (person != 7) return choices_of(person, person < 4 ? 6e-6 : 12e-6);
+    std::vector<MadeUpTrial> trials = choices_of(person, 12e-6);
+    for (MadeUpTrial& trial : trials) trial.answers = {"comparison"};
+    return trials;
+  });
+  EXPECT_EQ(finding_of(outcome, "groups", "values.missing", "visual").value, 1.0);
+  const Finding ratio = finding_of(outcome, "groups", "values.ratio");
+  EXPECT_EQ(ratio.n, 7U);
+  EXPECT_FALSE(ratio.low) << "it would describe the others";
+  EXPECT_FALSE(finding_of(outcome, "groups", "values.mean", "haptic").low);
+  EXPECT_FALSE(finding_of(outcome, "groups", "values.hedges.g").low);
+  EXPECT_THAT(answer_to(outcome, "groups"), HasSubstr("Left out: 1 of 8 participants"));
+}
+
+// Thresholds of a condition that all participants have are compared between the groups, and not with those of others.
+TEST(GroupComparisons, CompareThresholdsWithinConditions) {
+  const AnalysisOutcome outcome = outcome_of_groups(thresholds_protocol(), [](int person) {
+    std::vector<MadeUpTrial> trials{};
+    for (const char* const texture : {"metal", "wood"}) {
+      const bool is_hard = person >= 4 && std::string(texture) == "wood";
+      for (MadeUpTrial& trial : choices_of(person, is_hard ? 13e-6 : 6e-6)) {
+        json factors = json::parse(trial.factors_json);
+        factors["texture"] = texture;
+        trial.factors_json = factors.dump();
+        trials.push_back(std::move(trial));
+      }
+    }
+    return trials;
+  });
+  EXPECT_NEAR(*finding_of(outcome, "groups:wood", "values.perm.p.two").value, 2.0 / 70.0, 1e-12);
+  EXPECT_GT(*finding_of(outcome, "groups:metal", "values.perm.p.two").value, 0.2);
+  EXPECT_THAT(sentence_about(outcome, "groups", "metal: haptic|visual"),
+              HasSubstr("The thresholds (metal) of the groups haptic and visual were not"));
+  EXPECT_THAT(answer_to(outcome, "groups:wood"),
+              HasSubstr("the geometric mean of the thresholds (wood): "));
+}
+
+// --- magnitudes --------------------------------------------------------------------------------------
+
+// Estimates c·P^n with n = 0.4, 0.45, 0.5 and 0.55, and 0.3 more in the other group; scales are free.
+TEST(GroupComparisons, CompareExponentsAndTheFormOfEstimates) {
+  const json protocol = json::parse(R"({"kind": "magnitude",
+      "estimation": {"factor": "surface", "predictor": "values", "unit": "µm",
+                     "values": {"brick": 2, "cork": 4, "oak": 16}},
+      "factors": {"surface": {"levels": ["oak", "cork", "brick"]}},
+      "blocks": {"only": {"question": {"name": "size", "prompt": "How strong?"}}},
+      "analysis": {"family": ["groups"]}})");
+  const std::map<std::string, double> values{{"brick", 2.0}, {"cork", 4.0}, {"oak", 16.0}};
+  const AnalysisOutcome outcome = outcome_of_groups(protocol, [&values](int person) {
+    const double exponent = 0.4 + 0.05 * (person % 4) + (person < 4 ? 0.0 : 0.3);
+    std::vector<MadeUpTrial> trials{};
+    for (const auto& [name, value] : values) {
+      MadeUpTrial& trial = trials.emplace_back();
+      trial.surfaces = {surface_of(name, "height_map", name)};
+      trial.factors_json = R"({"surface": ")" + name + "\"}";
+      trial.number = (1.0 + person) * std::pow(value, exponent);
+      trial.answers = {std::to_string(*trial.number)};
+    }
+    return trials;
+  });
+  EXPECT_NEAR(*finding_of(outcome, "groups", "values.mean", "haptic").value, 0.475, 1e-6);
+  EXPECT_NEAR(*finding_of(outcome, "groups", "values.shift").value, -0.3, 1e-6);
+  EXPECT_NEAR(*finding_of(outcome, "groups", "values.perm.p.two").value, 2.0 / 70.0, 1e-12);
+  EXPECT_NEAR(*finding_of(outcome, "group_profiles", "profile.perm.p").value, 2.0 / 70.0, 1e-12);
+  EXPECT_THAT(sentence_about(outcome, "groups"),
+              HasSubstr("The exponents were significantly smaller in the group haptic than in the "
+                        "group visual"));
+}
+
+// --- choices and dissimilarities -----------------------------------------------------------------------
+
+TEST(GroupComparisons, CompareWhichItemsAreChosen) {
+  const json protocol = json::parse(R"({"kind": "paired_comparison", "blocks": {"only": {
+      "question": {"name": "rougher", "prompt": "Which is rougher?"}}},
+      "analysis": {"family": ["group_profiles"]}})");
+  const auto compared = [](const std::string& first, const std::string& second, bool is_first) {
+    MadeUpTrial trial{};
+    trial.surfaces = {surface_of(first, "height_map", first),
+                      surface_of(second, "height_map", second)};
+    trial.options = {first, second};
+    trial.answers = {is_first ? first : second};
+    return trial;
+  };
+  const AnalysisOutcome outcome = outcome_of_groups(protocol, [&](int person) {
+    const bool is_haptic = person < 4;
+    return std::vector{compared("a", "b", is_haptic), compared("a", "c", is_haptic),
+                       compared("b", "c", person % 2 == 0)};
+  });
+  // a: in both of its comparisons, or in none.
+  EXPECT_NEAR(*finding_of(outcome, "group_profiles", "profile.diff", "a").value, 1.0, 1e-12);
+  EXPECT_NEAR(*finding_of(outcome, "group_profiles", "profile.perm.p").value, 2.0 / 70.0, 1e-12);
+  EXPECT_THAT(sentence_about(outcome, "group_profiles"),
+              HasSubstr("The proportions of choices of the items were significantly different in "
+                        "the groups haptic and visual"));
+}
+
+TEST(GroupComparisons, CompareDissimilaritiesByWholeParticipants) {
+  const json protocol = json::parse(R"({"kind": "similarity", "blocks": {"only": {"question": {
+      "name": "different", "prompt": "How different?", "rates": "dissimilarity",
+      "scale": {"minimum": 0, "maximum": 100}}}},
+      "analysis": {"family": ["group_profiles"]}})");
+  const auto different = [](const std::string& first, const std::string& second, int rating) {
+    MadeUpTrial trial{};
+    trial.surfaces = {surface_of(first, "height_map", first),
+                      surface_of(second, "height_map", second)};
+    trial.questions = {"different"};
+    trial.answers = {std::to_string(rating)};
+    return trial;
+  };
+  // The two orders of a pair are averaged: 40 + p and 60 + p.
+  const AnalysisOutcome outcome = outcome_of_groups(protocol, [&](int person) {
+    const int far = person < 4 ? 90 : 10;
+    return std::vector{different("a", "b", 40 + person), different("b", "a", 60 + person),
+                       different("a", "c", far), different("b", "c", 100 - far),
+                       different("a", "a", 0)};
+  });
+  EXPECT_NEAR(*finding_of(outcome, "group_profiles", "profile.perm.p").value, 2.0 / 70.0, 1e-12);
+  // Mean of a participant: (50 + p + 100)/3. Of a|c: 90 and 10, and p is 1.5 and 5.5 on average.
+  EXPECT_NEAR(*finding_of(outcome, "group_profiles", "profile.diff", "a|c").value, 80.0 + 4.0 / 3.0,
+              1e-9);
+  EXPECT_THAT(answer_to(outcome, "group_profiles"), HasSubstr("that of a / c, 81.33 (95 % CI ["));
+}
+
+}  // namespace
+}  // namespace asperity
