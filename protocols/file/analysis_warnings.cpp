@@ -20,7 +20,6 @@
 #include "protocols/kinds/estimation.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/kinds/rating.h"
-#include "protocols/kinds/selection.h"
 #include "protocols/kinds/similarity.h"
 #include "protocols/plan/level_tracks.h"
 #include "protocols/plan/plan.h"
@@ -71,7 +70,6 @@ class AnalysisWarnings final {
     warn_of_items();
     warn_of_one_rated_surface();
     warn_of_predictor_without_recordings();
-    warn_of_groups();
     return std::move(found_);
   }
 
@@ -296,21 +294,6 @@ class AnalysisWarnings final {
          "the predictor " + in_quotes(estimation->predictor) +
              " is computed from the recordings, so that there would be no exponent; set this to "
              "true");
-  }
-
-  void warn_of_groups() {
-    if (!protocol_.groups) return;
-    std::set<std::string_view> without_target{};
-    for (const auto& [name, block] : protocol_.blocks) {
-      if (block.phase != Phase::main || matches_roughness(protocol_, block)) continue;
-      const ExperimentKind& kind = kind_of(block);
-      if (!compares_groups(kind, protocol_.analysis)) without_target.insert(kind.name);
-    }
-    for (const std::string_view kind : without_target) {
-      warn("/groups", "groups are assigned and reported, and not compared: the analysis of a " +
-                          std::string(kind) +
-                          " compares groups only with a declared target (analysis.target)");
-    }
   }
 
   const Protocol& protocol_;

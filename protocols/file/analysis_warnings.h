@@ -12,7 +12,7 @@ namespace asperity {
 
 /// A warning for every test of the declared family that no study with this protocol can have: thresholds compared between
 /// conditions of which there is one, and the point of subjective equality where one response is correct; for a procedure that converges on a proportion of correct responses that
-/// guessing attains; for groups of participants that the analysis does not compare; and for a similarity of fewer surfaces than two dimensions require (4·R + 1 for R dimensions
+/// guessing attains; and for a similarity of fewer surfaces than two dimensions require (4·R + 1 for R dimensions
 /// [Kruskal 1978]).
 ///
 /// `file_name` is the file in the diagnostics.

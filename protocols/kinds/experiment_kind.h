@@ -131,9 +131,6 @@ std::string_view default_test_of(const ExperimentKind& kind,
 std::vector<std::string> family_of(const ExperimentKind& kind, const AnalysisDeclaration& analysis,
                                    const EstimationDeclaration& estimation);
 
-/// Whether the analysis of the kind compares the groups to which a protocol assigns participants (its tests `groups` and `group_profiles`).
-bool compares_groups(const ExperimentKind& kind, const AnalysisDeclaration& analysis) noexcept;
-
 /// All kinds, in the order in which documents list them.
 std::span<const ExperimentKind* const> experiment_kinds();
 

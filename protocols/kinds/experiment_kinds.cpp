@@ -52,12 +52,6 @@ std::vector<std::string> family_of(const ExperimentKind& kind, const AnalysisDec
   return family;
 }
 
-bool compares_groups(const ExperimentKind& kind, const AnalysisDeclaration& analysis) noexcept {
-  if (find_test(kind, "group_profiles") != nullptr) return true;
-  const KindTest* const test = find_test(kind, "groups");
-  return test != nullptr && (!test->needs_target || analysis.target.has_value());
-}
-
 const ExperimentKind& kind_named(std::string_view id) {
   if (const ExperimentKind* const kind = find_kind(id)) return *kind;
   throw std::logic_error("there is no kind of experiment \"" + std::string(id) +

@@ -130,32 +130,6 @@ class ComparedGroups : public testing::Test {
   AnalysisOutcome outcome_{};
 };
 
-// Until they are, the page of the analysis and the report state that they are not.
-TEST_F(ComparedGroups, AreNamedAsNotComparedWhereTheKindHasNoSuchTest) {
-  const auto remarks = [this] {
-    std::vector<std::string> texts{};
-    for (const Phrase& remark : outcome_.remarks) texts.push_back(remark.english());
-    return texts;
-  };
-  const auto not_compared = testing::Contains(StartsWith(
-      "Groups are assigned and reported, and not compared: the responses of all groups"));
-  const std::string source = grouped_source(R"("haptic", "visual")", "{}");
-  add("selection", source, kTwoGroups);  // without a target
-  EXPECT_THAT(remarks(), not_compared);
-  EXPECT_EQ(answer("groups"), "(not asked)");
-  EXPECT_THAT(report_text(),
-              HasSubstr("\nGroups are assigned and reported, and not compared: the responses of "
-                        "all groups are analysed together."));
-}
-
-TEST_F(ComparedGroups, AreNotNamedAsNotComparedWhereTheyAre) {
-  add("recognition", grouped_source(R"("haptic", "visual")", "{}"), kTwoGroups);
-  for (const Phrase& remark : outcome_.remarks) {
-    EXPECT_THAT(remark.english(), testing::Not(HasSubstr("not compared")));
-  }
-  EXPECT_THAT(report_text(), testing::Not(HasSubstr("and not compared")));
-}
-
 // 7 + 6 + 8 + 7 = 28 and 4 + 3 + 5 + 4 = 16 of 32: the difference is 12/32. Of the 70 divisions of eight participants
 // into two fours, this one and its mirror image have the largest difference: p = 2/70.
 TEST_F(ComparedGroups, DifferByTheirParticipantsMeans) {

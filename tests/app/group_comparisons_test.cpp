@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "analysis/numbers/tail_probabilities.h"
 #include "analysis/psychometric/psychometric_function.h"
 #include "app/findings/outcome/found_numbers.h"
 #include "app/findings/study/analyze_study.h"
@@ -121,8 +122,9 @@ TEST(GroupComparisons, NameTheScaleWhereThereAreSeveral) {
     }
     return trials;
   });
-  EXPECT_THAT(sentence_about(outcome, "groups", "hard: haptic|visual"),
-              HasSubstr("The mean ratings on the scale “hard” of the groups haptic and visual were not"));
+  EXPECT_THAT(
+      sentence_about(outcome, "groups", "hard: haptic|visual"),
+      HasSubstr("The mean ratings on the scale “hard” of the groups haptic and visual were not"));
   EXPECT_NEAR(*finding_of(outcome, "groups:hard", "values.shift").value, 5.0, 1e-12);
   EXPECT_NEAR(*finding_of(outcome, "groups:hard", "values.perm.p.two").value, 2.0 / 70.0, 1e-12);
   EXPECT_NEAR(*finding_of(outcome, "groups:rough", "values.perm.p.two").value, 1.0, 1e-12);
@@ -160,7 +162,7 @@ TEST(GroupComparisons, CompareThresholdsByTheirRatio) {
   EXPECT_NEAR(*finding_of(outcome, "groups", "values.mean", "visual").value, std::exp(logs[1]),
               1e-18);
   EXPECT_EQ(finding_of(outcome, "groups", "values.mean", "visual").unit, "m");
-  EXPECT_NEAR(*finding_of(outcome, "groups", "values.perm.p.two").value, 2.0 / 70.0, 1e-12);
+  EXPECT_NEAR(*finding_of(outcome, "groups", "values.log.perm.p.two").value, 2.0 / 70.0, 1e-12);
   EXPECT_THAT(answer_to(outcome, "groups"),
               HasSubstr("Yes: the geometric mean of the thresholds: "));
   EXPECT_THAT(answer_to(outcome, "groups"), HasSubstr(" µm ("));
@@ -202,12 +204,40 @@ TEST(GroupComparisons, CompareThresholdsWithinConditions) {
     }
     return trials;
   });
-  EXPECT_NEAR(*finding_of(outcome, "groups:wood", "values.perm.p.two").value, 2.0 / 70.0, 1e-12);
-  EXPECT_GT(*finding_of(outcome, "groups:metal", "values.perm.p.two").value, 0.2);
+  EXPECT_NEAR(*finding_of(outcome, "groups:wood", "values.log.perm.p.two").value, 2.0 / 70.0,
+              1e-12);
+  EXPECT_GT(*finding_of(outcome, "groups:metal", "values.log.perm.p.two").value, 0.2);
   EXPECT_THAT(sentence_about(outcome, "groups", "metal: haptic|visual"),
               HasSubstr("The thresholds (metal) of the groups haptic and visual were not"));
   EXPECT_THAT(answer_to(outcome, "groups:wood"),
               HasSubstr("the geometric mean of the thresholds (wood): "));
+}
+
+// One level: no function can be fitted, and d′ is compared. Correct with the comparison first and second: 18 and 15 of 20 in one
+// group, 14 and 12 in the other, one more or less for each participant; d′ = (z(H) − z(F))/√2 with the log-linear correction.
+TEST(GroupComparisons, CompareSensitivityWhereThereIsOneLevel) {
+  const auto corrected = [](int hits) { return normal_quantile((hits + 0.5) / 21.0); };
+  std::array<double, 2> means{};
+  const AnalysisOutcome outcome = outcome_of_groups(thresholds_protocol(), [&](int person) {
+    const int more = person % 2;
+    const int first = (person < 4 ? 17 : 13) + more;
+    const int second = (person < 4 ? 15 : 12) - more;
+    means[person < 4 ? 0 : 1] += (corrected(first) - corrected(20 - second)) / std::sqrt(2.0) / 4.0;
+    std::vector<MadeUpChoice> choices{};
+    for (int trial = 0; trial < 40; ++trial) {
+      const bool is_first = trial < 20;
+      choices.push_back({.value_m = kAbove_m.front(),
+                         .chose_comparison = trial % 20 < (is_first ? first : second),
+                         .comparison_first = is_first});
+    }
+    return trials_of(choices);
+  });
+  EXPECT_NEAR(*finding_of(outcome, "groups", "values.mean", "haptic").value, means[0], 1e-9);
+  EXPECT_NEAR(*finding_of(outcome, "groups", "values.shift").value, means[0] - means[1], 1e-9);
+  EXPECT_THAT(answer_to(outcome, "groups"), HasSubstr("the mean d′: "));
+  EXPECT_THAT(sentence_about(outcome, "groups"),
+              HasSubstr("The mean d′ was significantly higher in the group haptic than in the "
+                        "group visual"));
 }
 
 // --- magnitudes --------------------------------------------------------------------------------------
@@ -267,6 +297,29 @@ TEST(GroupComparisons, CompareWhichItemsAreChosen) {
   EXPECT_THAT(sentence_about(outcome, "group_profiles"),
               HasSubstr("The proportions of choices of the items were significantly different in "
                         "the groups haptic and visual"));
+}
+
+TEST(GroupComparisons, CompareTheChoicesOfASelectionWithoutATarget) {
+  const json protocol =
+      json::parse(R"({"kind": "selection", "analysis": {"family": ["group_profiles"]}})");
+  const AnalysisOutcome outcome = outcome_of_groups(protocol, [](int person) {
+    std::vector<MadeUpTrial> trials{};
+    for (int i = 0; i < 4; ++i) {
+      MadeUpTrial& trial = trials.emplace_back();
+      trial.options = {"height_map", "sinusoid", "random_field"};
+      for (const std::string& model : trial.options) {
+        trial.surfaces.push_back(surface_of(model, model, "metal"));
+      }
+      // Three of four times the first model in one group, the second in the other.
+      trial.answers = {i == person % 4 ? "random_field" : person < 4 ? "height_map" : "sinusoid"};
+    }
+    return trials;
+  });
+  EXPECT_NEAR(*finding_of(outcome, "group_profiles", "profile.diff", "height_map").value, 0.75,
+              1e-12);
+  EXPECT_NEAR(*finding_of(outcome, "group_profiles", "profile.diff", "random_field").value, 0.0,
+              1e-12);
+  EXPECT_NEAR(*finding_of(outcome, "group_profiles", "profile.perm.p").value, 2.0 / 70.0, 1e-12);
 }
 
 TEST(GroupComparisons, CompareDissimilaritiesByWholeParticipants) {

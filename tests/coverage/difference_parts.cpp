@@ -114,7 +114,7 @@ std::vector<CheckedInterval> group_number_intervals(const CoverageSetting& setti
 
 std::vector<CheckedTest> group_number_tests(const CoverageSetting& setting) {
   if (setting.effect != 0.0) return {};
-  return {{.quantity = "values.perm.p.two"}, {.quantity = "values.welch.p.two"}};
+  return {{.quantity = "values.log.perm.p.two"}, {.quantity = "values.welch.p.two"}};
 }
 
 /// The items of a participant of the first group differ by the effect from one to the next.

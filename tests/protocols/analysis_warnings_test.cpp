@@ -92,20 +92,6 @@ TEST(AnalysisWarnings, AreAboutASingleSurfaceWhateverItsAnchorsPresent) {
               testing::Contains(HasSubstr("every trial presents the same surface")));
 }
 
-TEST(AnalysisWarnings, AreAboutGroupsThatAreNotCompared) {
-  const auto grouped = [](const std::string& name) {
-    json file = test::library_file(name);
-    file["factors"]["training"] = {{"levels", {"trained", "untrained"}}};
-    file["groups"] = {{"factor", "training"}};
-    return file;
-  };
-  EXPECT_THAT(warnings_of(grouped("roughness_of_photographs")), testing::IsEmpty());
-  EXPECT_THAT(warnings_of(grouped("chapter_recognition")), testing::IsEmpty());
-  json selection = grouped("chapter_selection");
-  selection.erase("analysis");
-  EXPECT_THAT(warnings_of(selection), testing::Contains(HasSubstr("only with a declared target")));
-}
-
 TEST(AnalysisWarnings, AreAboutAPredictorWithoutRecordings) {
   json file = test::library_file("roughness_diameter");
   const std::string items = file["estimation"]["spacing"];

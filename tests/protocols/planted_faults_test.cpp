@@ -367,8 +367,8 @@ const Fault kMeaning[] = {
     {"analysis_of_no_kind", R"("realism_standard": "photograph",)",
      R"("realism_standard": "photograph", "analysis": {"family": ["pears"]},)", R"("pears")",
      "/analysis/family/0",
-     "use \"pairs\", \"target_pairs\", \"preference\", \"position\", \"textures\" or "
-     "\"groups\""},
+     "use \"pairs\", \"target_pairs\", \"preference\", \"position\", \"textures\", \"groups\" or "
+     "\"group_profiles\""},
     {"analysis_without_target", R"("realism_standard": "photograph",)",
      R"("realism_standard": "photograph", "analysis": {"family": ["target_pairs"]},)",
      R"("target_pairs")", "/analysis/family/0", "name it with \"target\""},

@@ -172,7 +172,9 @@ void GroupComparisons::add_tests(StudyTests& tests, AnalysisOutcome& outcome) co
   for (const Compared& one : compared_) {
     keep_findings(one.findings, outcome);
     const FoundNumbers found(one.findings);
-    const char* const p = one.is_profile ? "profile.perm.p" : "values.perm.p.two";
+    const char* const p = one.is_profile                                   ? "profile.perm.p"
+                          : found.find("values.log.perm.p.two") != nullptr ? "values.log.perm.p.two"
+                                                                           : "values.perm.p.two";
     if (found.find(p) == nullptr) {
       tests.add_untested(one.test(), one.about(), "no_numbers_of_group");
       continue;

@@ -94,13 +94,6 @@ void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
             "that their responses are guesses: %1.")
             .with(std::to_string(count.guessing_sessions)));
   }
-  if (gathered.groups.size() > 1 && !gathered.only_accompanies &&
-      !compares_groups(kind_named(gathered.kind), gathered.declared)) {
-    outcome.remarks.push_back(phrase(
-        "Analysis",
-        "Groups are assigned and reported, and not compared: the responses of all groups are "
-        "analysed together. To compare them, export the responses."));
-  }
   Phrase not_counted{};
   for (const auto& [what, attempts] : count.not_counted) {
     const Phrase these = attempts_that_were(what).with(std::to_string(attempts));

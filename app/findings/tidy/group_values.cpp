@@ -172,7 +172,7 @@ class ValueComparison final {
           basis("Welch's t over participants"));
     }
     const SplitTest splits = permutation_test(samples);
-    list_.number("values.perm.p.two", "", splits.p,
+    list_.number(is_ratio_ ? "values.log.perm.p.two" : "values.perm.p.two", "", splits.p,
                  basis(std::string("permutation test of the group labels, difference of the mean") +
                        (is_ratio_ ? " logarithms, " : "s, ") +
                        way_of_counting(splits.exact ? 0 : kRandomSplits)));

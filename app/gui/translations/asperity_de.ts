@@ -2764,10 +2764,6 @@
         <translation>Eine Ladung ist die Korrelation einer Skala mit einer Komponente; korrigiert: ohne die Varianz der Abweichungen der Versuchspersonen. Sie hat kein KI: In Simulationen enthielt das nach dem Jackknife über die Versuchspersonen die wahre Ladung in 60 bis 97 % der Studien. Ein Komponentenwert ist die Lage eines Items auf einer Komponente.</translation>
     </message>
     <message>
-        <source>Groups are assigned and reported, and not compared: the responses of all groups are analysed together. To compare them, export the responses.</source>
-        <translation>Gruppen werden zugeteilt und berichtet, aber nicht verglichen: Die Antworten aller Gruppen werden zusammen ausgewertet. Um sie zu vergleichen, die Antworten exportieren.</translation>
-    </message>
-    <message>
         <source>Flagged attempts among those that count: %1; the reasons are in the trials of each session and in attempts.tsv of an export.</source>
         <translation>Markierte Versuche unter denen, die zählen: %1; die Gründe stehen bei den Durchgängen jeder Sitzung und in attempts.tsv eines Exports.</translation>
     </message>
@@ -2810,10 +2806,6 @@
     <message>
         <source>the geometric mean of the thresholds</source>
         <translation>das geometrische Mittel der Schwellen</translation>
-    </message>
-    <message>
-        <source>the geometric mean of the thresholds (%1)</source>
-        <translation>das geometrische Mittel der Schwellen (%1)</translation>
     </message>
     <message>
         <source>which items are chosen</source>
@@ -2934,6 +2926,14 @@
     <message>
         <source>%1: %2, %3</source>
         <translation>%1: %2, %3</translation>
+    </message>
+    <message>
+        <source>the mean d′</source>
+        <translation>das mittlere d′</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -8788,6 +8788,14 @@
     <message>
         <source>permutation test of group labels of profiles</source>
         <translation>Permutationstest der Gruppenzugehörigkeit von Profilen</translation>
+    </message>
+    <message>
+        <source>permutation test of group labels of logarithms</source>
+        <translation>Permutationstest der Gruppenzugehörigkeit mit Logarithmen</translation>
+    </message>
+    <message>
+        <source>difference of the mean logarithms</source>
+        <translation>Differenz der mittleren Logarithmen</translation>
     </message>
 </context>
 <context>

@@ -229,25 +229,37 @@ void test_equality(const GatheredAnswers& gathered, const DiscriminationResults&
   }
 }
 
-/// The thresholds of each condition that the groups share: a participant is in one group, and its level is no condition.
-void add_thresholds(const DiscriminationResults& results, GroupComparisons& groups) {
-  const FoundNumbers found(results.fit.thresholds);
-  const std::string quantity = results.quantity_of_threshold();
+/// The thresholds, or of a task with a single level d′, of each condition that the groups share: a participant is in one group,
+/// and its level is no condition.
+void add_to_groups(const GatheredAnswers& gathered, const DiscriminationResults& results,
+                   GroupComparisons& groups) {
+  const auto sensitivities = sensitivities_at_only_level(gathered, results);
+  const bool has_thresholds = sensitivities.empty();
   std::map<std::string, GroupMeasure> measures{};
-  for (const auto& function : results.functions) {
-    const std::string& condition = results.study.conditions_in_group[function.condition];
-    GroupMeasure& measure = measures[condition];
-    measure.values[function.person] = found.value(quantity, function.data.key);
+  const auto values_in = [&](std::size_t condition) -> auto& {
+    return measures[results.study.conditions_in_group[condition]].values;
+  };
+  for (const auto& [of, sensitivity] : sensitivities) values_in(of.first)[of.second] = sensitivity;
+  if (has_thresholds) {
+    const FoundNumbers found(results.fit.thresholds);
+    for (const auto& function : results.functions) {
+      values_in(function.condition)[function.person] =
+          found.value(results.quantity_of_threshold(), function.data.key);
+    }
   }
   for (auto& [condition, measure] : measures) {
     measure.name = results.name;
     if (!condition.empty()) measure.name += (measure.name.empty() ? "" : ", ") + condition;
-    measure.words = measure.name.empty()
-                        ? phrase("Analysis", "the geometric mean of the thresholds")
-                        : phrase("Analysis", "the geometric mean of the thresholds (%1)")
-                              .with(words_of_condition(measure.name));
-    measure.is_ratio = true;
-    if (!results.study.task.varied.unit.empty()) measure.unit = results.study.task.varied.unit;
+    measure.words = has_thresholds ? phrase("Analysis", "the geometric mean of the thresholds")
+                                   : phrase("Analysis", "the mean d′");
+    if (!measure.name.empty()) {
+      measure.words =
+          phrase("Analysis", "%1 (%2)").with(measure.words, words_of_condition(measure.name));
+    }
+    measure.is_ratio = has_thresholds;
+    if (has_thresholds && !results.study.task.varied.unit.empty()) {
+      measure.unit = results.study.task.varied.unit;
+    }
     groups.add(measure);
   }
 }
@@ -341,7 +353,7 @@ std::vector<StudyTest> test_responses(const GatheredAnswers& gathered) {
     if (!needs_thresholds) continue;
     test_conditions(gathered, results, tests, unused);
     if (!study.task.is_performance) test_equality(gathered, results, tests, unused);
-    if (tests.is_in_family(kGroupsTest)) add_thresholds(results, groups);
+    if (tests.is_in_family(kGroupsTest)) add_to_groups(gathered, results, groups);
   }
   groups.add_tests(tests, unused);
   add_tests_without_design(studies, tests);
@@ -367,7 +379,7 @@ void analyze_responses(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   set_default_of_designs(studies, tests);
   GroupComparisons groups(gathered);
   for (const DiscriminationResults& results : all) {
-    add_thresholds(results, groups);
+    add_to_groups(gathered, results, groups);
     keep_findings(results.fit.thresholds, outcome);
     // A reason why a function could not be fitted is the status of its thresholds.
     keep_findings(results.fit.functions, outcome, [](const Finding& finding) {

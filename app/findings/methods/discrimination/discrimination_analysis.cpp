@@ -46,10 +46,14 @@ constexpr std::array kDiscriminationClaims{
               "The point of subjective equality of the %1 was significantly below the standard",
               "The point of subjective equality of the %1 was not significantly different from the "
               "standard"},
-    TestClaim{"groups", "",
+    TestClaim{"groups", "group_permutation_log",
               "The thresholds%5 were significantly higher in the group %1 than in the group %2",
               "The thresholds%5 were significantly lower in the group %1 than in the group %2",
-              "The thresholds%5 of the groups %1 and %2 were not significantly different"}};
+              "The thresholds%5 of the groups %1 and %2 were not significantly different"},
+    TestClaim{"groups", "",
+              "The mean d′%5 was significantly higher in the group %1 than in the group %2",
+              "The mean d′%5 was significantly lower in the group %1 than in the group %2",
+              "The mean d′%5 of the groups %1 and %2 was not significantly different"}};
 
 std::string apart_from_catch_trials(const Block& block) {
   return has_catch_trials(block) ? ", apart from catch trials" : "";

@@ -1,9 +1,14 @@
 // Analyses selections: all choices where every trial presents the same models, otherwise each pair separately.
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
 #include <string>
 #include <utility>
 
+#include "analysis/numbers/proportion.h"
 #include "app/findings/methods/selection/selection_analysis.h"
 #include "app/findings/methods/selection/target_choices.h"
 #include "app/findings/outcome/cell_words.h"
@@ -13,6 +18,7 @@
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/tally.h"
 #include "app/findings/shared/choice_tables.h"
+#include "app/findings/shared/group_comparisons.h"
 #include "app/findings/shared/participant_pairs.h"
 #include "app/findings/shared/selection_choices.h"
 #include "app/findings/shared/selection_questions.h"
@@ -281,6 +287,29 @@ PairComparisons comparisons_of_groups(const Selection& selection) {
       target_choices_of_people(selection)};
 }
 
+/// The proportions of the trials with an item in which a participant chose it.
+GroupComparisons profiles_of_groups(const Selection& selection) {
+  std::map<std::pair<std::uint32_t, std::string>, HitCount> counts{};
+  for (const GatheredAnswer& answer : selection.gathered.answers) {
+    std::set<std::size_t> offered{};
+    for (const FeltSurface& surface : selection.gathered.surfaces_of(answer)) {
+      offered.insert(selection.item(surface));
+    }
+    offered.erase(kNoChoice);
+    for (const std::size_t item : offered) {
+      HitCount& count = counts[{answer.person, selection.items[item]}];
+      ++count.trials;
+      if (selection.chosen(answer) == item) ++count.hits;
+    }
+  }
+  GroupProfile profile{.words = phrase("Analysis", "which items are chosen"),
+                       .items = selection.items};
+  for (const auto& [of, count] : counts) profile.values[of] = proportion(count);
+  GroupComparisons groups(selection.gathered);
+  if (selection.items.size() > 1) groups.add(profile);
+  return groups;
+}
+
 /// Whether every trial presents the same number of surfaces, and more than one.
 bool present_equally_many(const Selection& selection) {
   const auto& answers = selection.gathered.answers;
@@ -309,6 +338,8 @@ std::vector<StudyTest> test_selection(const GatheredAnswers& gathered) {
   }
   if (tests.is_in_family("textures")) test_textures(selection, tests, unused);
   if (tests.is_in_family(kGroupsTest)) comparisons_of_groups(selection).add_tests(tests, unused);
+  if (tests.is_in_family(kGroupProfilesTest))
+    profiles_of_groups(selection).add_tests(tests, unused);
   return std::move(tests).take_family();
 }
 
@@ -376,6 +407,8 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   test_textures(selection, tests, outcome);
   const PairComparisons groups = comparisons_of_groups(selection);
   groups.add_tests(tests, outcome);
+  const GroupComparisons profiles = profiles_of_groups(selection);
+  profiles.add_tests(tests, outcome);
 
   add_positions(counts, outcome);
   if (same_size) {
@@ -414,6 +447,7 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   ask_textures(selection, tests, outcome);
   ask_target_choices(selection, outcome);
   groups.ask(PairScale::shares_of_target, selection.target(), tests, outcome);
+  profiles.report(tests, outcome);
   add_texture_force(gathered, outcome);
   remark_on_pooling(gathered.answers.size(), people, outcome);
 }

@@ -37,7 +37,13 @@ constexpr std::array kSelectionClaims{
               "The mean proportion of choices of the target was significantly lower in the group "
               "%1 than in the group %2",
               "The mean proportions of choices of the target of the groups %1 and %2 were not "
-              "significantly different"}};
+              "significantly different"},
+    TestClaim{"group_profiles", "",
+              "The proportions of choices of the items were significantly different in the groups "
+              "%1 and %2",
+              "",
+              "The proportions of choices of the items were not significantly different in the "
+              "groups %1 and %2"}};
 
 std::string task_of_selection(const Protocol& protocol) {
   if (const auto parameter = stored_protocol(protocol.source).compared_parameter) {

@@ -19,7 +19,7 @@ group_values_results <- function(data, groups, ratio, confidence) {
   n <- length(a) + length(b); pooled <- sqrt(((length(a) - 1) * var(a) + (length(b) - 1) * var(b)) / (n - 2))
   f <- n - 2; row("values.hedges.g", "", (mean(a) - mean(b)) / pooled * exp(lgamma(f / 2) - lgamma((f - 1) / 2)) / sqrt(f / 2), "optimum")
   all <- c(a, b); ways <- divisions(n, length(a))
-  row("values.perm.p.two", "", as_far(sapply(ways, function(w) abs(mean(all[w]) - mean(all[-w]))), abs(mean(a) - mean(b))))
+  row(if (ratio) "values.log.perm.p.two" else "values.perm.p.two", "", as_far(sapply(ways, function(w) abs(mean(all[w]) - mean(all[-w]))), abs(mean(a) - mean(b))))
   row("values.perm.draws", "", 0, "count")
   row("values.perm.smallest", "", (if (length(a) == length(b)) 2 else 1) / length(ways))
 }

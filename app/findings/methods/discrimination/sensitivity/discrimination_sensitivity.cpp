@@ -310,6 +310,27 @@ std::string_view name_in_family(const DiscriminationDesign& design) {
   return named_design(design).in_family;
 }
 
+std::map<std::pair<std::size_t, std::uint32_t>, std::optional<double>> sensitivities_at_only_level(
+    const GatheredAnswers& gathered, const DiscriminationResults& results) {
+  if (!is_shown(results)) return {};
+  const std::vector<CountsAtLevel> levels = counts_by_level(results.study);
+  const bool has_several = std::any_of(levels.begin(), levels.end(), [&levels](const auto& level) {
+    return level.value != levels.front().value;
+  });
+  if (levels.empty() || has_several) return {};
+  const std::vector<Finding> findings = sensitivity_of(gathered, results, levels);
+  const FoundNumbers found(findings);
+  const DiscriminationDesign& design = *results.study.task.design;
+  std::map<std::pair<std::size_t, std::uint32_t>, std::optional<double>> sensitivities{};
+  for (const CountsAtLevel& level : levels) {
+    const bool is_bound = is_at_ceiling(level.counts) || is_at_floor(level.counts, design);
+    const std::string key = both(id_of(results, level), gathered.people[level.person].label);
+    sensitivities[{level.condition, level.person}] =
+        is_bound ? std::nullopt : found.value(named_design(design).dprime, key);
+  }
+  return sensitivities;
+}
+
 void ask_mean_sensitivity(const DiscriminationResults& results, const UnboundedAtLevels& levels,
                           const FoundNumbers& found, const MeanSensitivity& mean,
                           AnalysisOutcome& outcome) {

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,6 +29,11 @@ inline constexpr const char* kResponsesByPair = "responses_by_pair";
 
 /// The name in the family `dprime` of a design that is not a choice of three.
 std::string_view name_in_family(const DiscriminationDesign& design);
+
+/// d′ by condition and participant, as in the table `sensitivity`, of a task with a single level, for which no function of the level
+/// can be fitted; nothing where d′ is a bound, because all hits or no false alarms were responses. Empty for all other tasks.
+std::map<std::pair<std::size_t, std::uint32_t>, std::optional<double>> sensitivities_at_only_level(
+    const GatheredAnswers& gathered, const DiscriminationResults& results);
 
 struct MeanSensitivity {
   const char* table = "";  ///< with d′ of the participants
