@@ -44,11 +44,11 @@ class Divisions final {
     }
     observed_ = squares_of_first();
     sums_.assign(size_ + 1, std::vector<double>(mean.size(), 0.0));
-    // Two divisions are equal if they would be without rounding: a sum of at most N terms is off by at most N·ε of the greatest
-    // possible Σs², which is N times the total by the inequality of Cauchy and Schwarz.
-    const double relative =
-        2.0 * static_cast<double>(all_.size()) * std::numeric_limits<double>::epsilon();
-    rounding_ = relative * static_cast<double>(2 * all_.size()) * total_;
+    // Two divisions are equal if they would be without rounding. A sum s of N deviations of numbers x is off by at most δ ≤ N·ε·Σ|x|,
+    // so that Σs² is off by 2·Σ|s|δ, and by the inequality of Cauchy and Schwarz by no more than 2·N²·ε·√(total·Σx²).
+    const auto participants = static_cast<double>(all_.size());
+    const double relative = 2.0 * participants * std::numeric_limits<double>::epsilon();
+    rounding_ = 2.0 * participants * relative * (total_ + std::sqrt(total_ * raw));
     // Equal profiles differ from their mean by such a part of their numbers.
     are_equal_ = total_ <= relative * relative * raw;
   }

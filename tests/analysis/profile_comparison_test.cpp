@@ -108,6 +108,20 @@ TEST(ProfileComparison, IsTheSameAtAnyLevelAndInAnyUnit) {
   }
 }
 
+// Of two participants both divisions have the same R², also where they hardly differ and rounding makes one of them the greater.
+TEST(ProfileComparison, OfTwoParticipantsIsNeverSignificant) {
+  Random random(3);
+  for (int i = 0; i < 200; ++i) {
+    Group first{{}};
+    Group second{{}};
+    for (const double form : {1000.0, -400.0, 30.0}) {
+      first.front().push_back(form + 1e-3 * random.normal());
+      second.front().push_back(form + 1e-3 * random.normal());
+    }
+    EXPECT_EQ(compare_profiles(first, second).p, 1.0);
+  }
+}
+
 TEST(ProfileComparison, OfEqualProfilesIsNotDefined) {
   const Group same{{0.1, 0.3, 0.7}, {1.1, 1.3, 1.7}};
   EXPECT_TRUE(std::isnan(compare_profiles(same, same).r2));
