@@ -86,6 +86,8 @@ std::vector<StatedRate> rates_of_intervals() {
       {"findings/tidy/components.cpp", coverage_of(drawn("components", "proportion.corrected"))},
       {"findings/tidy/components.cpp", coverage_of(drawn("components", "loading.corrected"))},
       {"findings/tidy/dprime.cpp", coverage_of(drawn("sensitivity", "dprime.mean"))},
+      {"findings/tidy/group_values.cpp", coverage_of(drawn("group_numbers", "values.ratio"))},
+      {"findings/tidy/group_values.cpp", coverage_of(drawn("group_profiles", "profile.diff"))},
       {"findings/tidy/lmm.cpp", coverage_of(alike)},
       {"findings/tidy/lmm.cpp", "CoverageSpan" + limits(varying)},
       {"findings/tidy/paired.cpp", coverage_of_pooled("pairs", "bt.ability.sumzero")},

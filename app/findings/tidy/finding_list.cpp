@@ -187,6 +187,7 @@ void add_difference_of_means(const std::string& quantity, const std::string& key
   const std::optional<WelchT> welch = welch_t(samples, scale.confidence);
   if (welch) {
     basis.interval = welch->interval;
+    basis.method += scale.coverage_of_difference;
     if (scale.possible) {
       const double most = scale.possible->high - scale.possible->low;
       basis.interval = within({.low = -most, .high = most}, welch->interval);

@@ -113,6 +113,8 @@ struct GroupScale {
   double confidence = 0.95;
   std::optional<ConfidenceInterval> possible{};
   std::string of = "mean of the group's participants";  ///< description of a mean, for its method
+  std::string
+      coverage_of_difference{};  ///< of the interval of a difference, as `simulated_coverage`
 };
 /// The mean of a group's participants with Student's interval, where there is one.
 void add_mean_of_group(const std::string& quantity, const std::string& key,

@@ -17,6 +17,7 @@
 #include "analysis/tests/two_samples.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/repeated_rows.h"
+#include "app/findings/tidy/simulated_coverage.h"
 #include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {
@@ -137,19 +138,23 @@ class ValueComparison final {
     const std::optional<WelchT> welch = welch_t(samples, confidence_);
     const double shift = one_sample_t(first).mean - one_sample_t(second).mean;
     const auto interval = welch ? std::optional(welch->interval) : std::nullopt;
+    const std::string coverage =
+        welch && is_complete() ? simulated_coverage({95, 98}) : std::string();
     if (is_ratio_) {
       list_.number("values.shift", "", shift,
                    basis("difference of the mean natural logarithms, first − second"));
       list_.number(
           "values.ratio", "", std::exp(shift),
           basis("ratio of the geometric means, first / second; Welch's interval of the "
-                "difference of the logarithms",
+                "difference of the logarithms" +
+                    coverage,
                 interval ? std::optional(ConfidenceInterval{.low = std::exp(interval->low),
                                                             .high = std::exp(interval->high)})
                          : std::nullopt));
     } else {
-      list_.number("values.shift", "", shift,
-                   basis("difference of the means, first − second; Welch's interval", interval));
+      list_.number(
+          "values.shift", "", shift,
+          basis("difference of the means, first − second; Welch's interval" + coverage, interval));
     }
     if (welch) {
       list_.number("values.welch.t", "", welch->t, basis("Welch's t over participants"));
@@ -246,7 +251,8 @@ std::vector<Finding> profiles_of(const std::array<GroupOfProfiles, 2>& groups,
     return list.take();
   }
   const GroupScale scale{.confidence = confidence,
-                         .of = "mean of the group's participants, without each one's own mean"};
+                         .of = "mean of the group's participants, without each one's own mean",
+                         .coverage_of_difference = simulated_coverage({94, 98})};
   for (std::size_t item = 0; item < items.size(); ++item) {
     const std::vector<double> first = groups[0].of_item(item);
     const std::vector<double> second = groups[1].of_item(item);
