@@ -142,7 +142,8 @@ ProfileComparison compare_profiles(Profiles first, Profiles second, Random rando
 }
 
 double smallest_p_of_groups(std::size_t first, std::size_t second) noexcept {
-  if (first == 0 || second == 0 || first + second > kMostPermuted) return 0.0;
+  if (first == 0 || second == 0) return 1.0;
+  if (first + second > kMostPermuted) return 1.0 / static_cast<double>(kRandomSplits + 1);
   double ways = 1.0;  // binomial coefficient, exact for up to kMostPermuted
   for (std::size_t i = 1; i <= first; ++i) {
     ways = ways * static_cast<double>(second + i) / static_cast<double>(i);

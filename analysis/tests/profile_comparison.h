@@ -37,7 +37,7 @@ ProfileComparison compare_profiles(Profiles first, Profiles second,
 std::vector<double> centred(std::vector<double> profile);
 
 /// The smallest p that a permutation of all labels of groups of these sizes can have, apart from ties: one way in all, or two
-/// where exchanging the groups gives the same. 0 for more participants than are permuted exactly.
+/// where exchanging the groups gives the same; of random permutations the observed one. 1 for an empty group.
 double smallest_p_of_groups(std::size_t first, std::size_t second) noexcept;
 
 }  // namespace asperity

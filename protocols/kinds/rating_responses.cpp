@@ -68,7 +68,8 @@ std::vector<std::string> family_of_scale(const TabulatedQuestion& asked) {
   const std::vector<std::string>& declared = asked.protocol.analysis.family;
   if (accompanies(asked)) {
     std::erase_if(family, [&declared](const std::string& name) {
-      return std::find(declared.begin(), declared.end(), name) == declared.end();
+      return name == "groups" || name == "group_profiles" ||
+             std::find(declared.begin(), declared.end(), name) == declared.end();
     });
   }
   return family;

@@ -44,6 +44,8 @@ struct TestMethod;
 inline constexpr const char* kSexesTest = "sexes";
 /// The comparison of the groups to which the protocol assigns participants; see KindTest.
 inline constexpr const char* kGroupsTest = "groups";
+/// The comparison of the form of their profiles; see KindTest.
+inline constexpr const char* kGroupProfilesTest = "group_profiles";
 
 /// The role of a test as specified in advance.
 enum class TestRole {

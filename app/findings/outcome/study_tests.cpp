@@ -181,6 +181,12 @@ ResultRow row_of(const StudyTests::Test& test, const std::string& family) {
 void note_smallest_p(std::optional<double> smallest, std::size_t people, StudyTests::Test& test) {
   if (!test.p || !smallest) return;
   constexpr double kRounding = 1e-9;  // of a sum over all permutations
+  const bool compares_groups = test.name == kGroupsTest || test.name == kGroupProfilesTest;
+  if (compares_groups && *smallest > 1.0 - kRounding) {
+    test.p.reset();
+    test.status = "one_in_each_group";
+    return;
+  }
   if (test.n > 1 || *smallest < 1.0 - kRounding) {
     test.smallest_p = smallest;
     return;
@@ -201,6 +207,12 @@ StudyTests::StudyTests(const GatheredAnswers& gathered)
   if (kind != nullptr) {
     std::erase_if(family_,
                   [kind](const std::string& name) { return find_test(*kind, name) == nullptr; });
+  }
+  // Scales that only accompany other questions are not compared between groups.
+  if (gathered.only_accompanies) {
+    std::erase_if(family_, [](const std::string& name) {
+      return name == kGroupsTest || name == kGroupProfilesTest;
+    });
   }
   is_declared_ = !family_.empty();
   is_of_other_kinds_ = family_.empty() && !gathered.declared.family.empty();

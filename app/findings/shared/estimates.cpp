@@ -204,11 +204,18 @@ GroupProfile profile_of_estimates(const ComparedEstimates& compared) {
   const bool are_groups = compared.gathered.estimation.condition == compared.gathered.group_factor;
   GroupProfile profile{.words = phrase("Analysis", "how the estimates depend on the stimuli")};
   std::set<std::string> cells{};
-  for (const auto& [of, logarithms] : cells_of(compared.estimates)) {
+  const EstimateCells all = cells_of(compared.estimates);
+  // How a participant's estimates differ between conditions is not how they depend on the stimuli.
+  std::map<std::pair<std::uint32_t, std::string>, std::vector<double>> of_condition{};
+  for (const auto& [of, logarithms] : all) {
+    of_condition[{std::get<0>(of), std::get<1>(of)}].push_back(mean_logarithm(logarithms));
+  }
+  for (const auto& [of, logarithms] : all) {
     const auto& [person, condition, stimulus] = of;
     const std::string cell =
         are_groups || compared.conditions.size() < 2 ? stimulus : cell_key(condition, stimulus);
-    profile.values[{person, cell}] = mean_logarithm(logarithms);
+    profile.values[{person, cell}] =
+        mean_logarithm(logarithms) - mean_logarithm(of_condition.at({person, condition}));
     cells.insert(cell);
   }
   profile.items.assign(cells.begin(), cells.end());

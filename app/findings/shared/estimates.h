@@ -52,7 +52,8 @@ ComparedEstimates compared_estimates(const GatheredAnswers& gathered, AnalysisOu
 using EstimateCells =
     std::map<std::tuple<std::uint32_t, std::string, std::string>, std::vector<double>>;
 EstimateCells cells_of(const std::vector<Estimated>& estimates);
-/// The logarithms of the estimates by participant and cell, as profiles in which the groups are compared. The factor of the groups
+/// The logarithms of the estimates by participant and cell, less the participant's mean in the condition, as profiles in which the
+/// groups are compared. The factor of the groups
 /// is no condition: a participant is in one group.
 GroupProfile profile_of_estimates(const ComparedEstimates& compared);
 /// Of at least one logarithm.

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <set>
+#include <string_view>
 
 #include "analysis/tests/two_samples.h"
 #include "app/findings/gathering/answer_columns.h"
@@ -71,8 +73,8 @@ Phrase method_of_splits(const Finding& tested) {
 }
 
 /// "12.3 µm (95 % CI [10 µm, 14.6 µm])", "0.52 (95 % CI [0.41, 0.63])"
-Phrase with_interval(const Finding& number) {
-  if (number.unit != "1") return quantity_with_interval(number);
+Phrase with_interval(const Finding& number, bool is_ratio) {
+  if (number.unit != "1" || is_ratio) return quantity_with_interval(number);
   constexpr int kDecimals = 2;
   const std::string value = reading_signed(*number.value, kDecimals);
   if (!number.low || !number.high) return Phrase(value);
@@ -81,10 +83,10 @@ Phrase with_interval(const Finding& number) {
 }
 
 /// The mean of a group, and how many participants it is of.
-Phrase mean_of(const FoundNumbers& found, const std::string& group) {
+Phrase mean_of(const FoundNumbers& found, const std::string& group, bool is_ratio) {
   const Finding& mean = *found.find("values.mean", group);
   return phrase("Analysis", "%1 in the group %2 (n = %3)")
-      .with(with_interval(mean), group, std::to_string(mean.n));
+      .with(with_interval(mean, is_ratio), group, std::to_string(mean.n));
 }
 
 /// An item as people read it, "a / c" where it is a pair or a stimulus under a condition.
@@ -101,6 +103,20 @@ std::size_t missing_in(const FoundNumbers& found, const ParticipantPair& pair) {
     missing += found.value("values.missing", group).value_or(0.0);
   }
   return static_cast<std::size_t>(missing);
+}
+
+/// The items for which both groups have a number: the factor of the groups can determine what is felt.
+std::vector<std::string> items_of_pair(const GroupProfile& profile, const ParticipantPair& pair) {
+  std::set<std::pair<std::string, std::string>> of_group{};
+  for (const auto& [of, value] : profile.values)
+    of_group.insert({pair.levels[of.first], of.second});
+  std::vector<std::string> items{};
+  std::copy_if(
+      profile.items.begin(), profile.items.end(), std::back_inserter(items),
+      [&](const std::string& item) {
+        return of_group.contains({pair.first, item}) && of_group.contains({pair.second, item});
+      });
+  return items;
 }
 
 Phrase question_about(const ParticipantPair& pair, const Phrase& words) {
@@ -120,12 +136,20 @@ GroupComparisons::GroupComparisons(const GatheredAnswers& gathered)
     : gathered_(gathered), pairs_(pairs_of_groups(gathered)) {}
 
 void GroupComparisons::add(const GroupMeasure& measure) {
+  std::map<std::uint32_t, std::optional<double>> values = measure.values;
+  // Of the only measure everyone who responded is a participant, also without the responses that it takes.
+  if (measure.name.empty()) {
+    for (std::uint32_t person = 0; person < gathered_.people.size(); ++person) {
+      values.try_emplace(person, std::nullopt);
+    }
+  }
   std::set<std::uint32_t> people{};
-  for (const auto& [person, value] : measure.values) people.insert(person);
+  for (const auto& [person, value] : values) people.insert(person);
+  if (!pairs_.empty()) missing_.emplace(kGroupsTest, "groups_share_no_condition");
   for (const ParticipantPair& pair : pairs_) {
     if (!has_both(pair, people)) continue;
     GroupRows rows{};
-    for (const auto& [person, value] : measure.values) {
+    for (const auto& [person, value] : values) {
       if (pair.levels[person].empty()) continue;
       rows.add(gathered_.people[person].label, pair.levels[person], value);
     }
@@ -145,13 +169,20 @@ void GroupComparisons::add(const GroupMeasure& measure) {
 void GroupComparisons::add(const GroupProfile& profile) {
   std::set<std::uint32_t> people{};
   for (const auto& [of, value] : profile.values) people.insert(of.first);
+  if (profile.name.empty()) {
+    for (std::uint32_t person = 0; person < gathered_.people.size(); ++person) {
+      people.insert(person);
+    }
+  }
+  if (!pairs_.empty()) missing_.emplace(kGroupProfilesTest, "fewer_than_two_shared_items");
   for (const ParticipantPair& pair : pairs_) {
-    if (!has_both(pair, people)) continue;
+    const std::vector<std::string> items_of_both = items_of_pair(profile, pair);
+    if (!has_both(pair, people) || items_of_both.size() < 2) continue;
     GroupRows rows{};
     LabelRows items{};
     for (const std::uint32_t person : people) {
       if (pair.levels[person].empty()) continue;
-      for (const std::string& item : profile.items) {
+      for (const std::string& item : items_of_both) {
         const auto value = profile.values.find({person, item});
         rows.add(gathered_.people[person].label, pair.levels[person],
                  value == profile.values.end() ? std::nullopt : std::optional(value->second));
@@ -162,13 +193,21 @@ void GroupComparisons::add(const GroupProfile& profile) {
                                                     .name = profile.name,
                                                     .words = profile.words,
                                                     .is_profile = true,
-                                                    .items = profile.items});
+                                                    .items = items_of_both});
     one.findings = analysis_of(one.analysis().c_str(), kFamily,
                                input_of(std::move(rows), pair, std::move(items)));
   }
 }
 
 void GroupComparisons::add_tests(StudyTests& tests, AnalysisOutcome& outcome) const {
+  for (const char* const test : {kGroupsTest, kGroupProfilesTest}) {
+    const bool is_compared =
+        std::any_of(compared_.begin(), compared_.end(),
+                    [test](const Compared& one) { return one.test() == std::string_view(test); });
+    if (!is_compared && tests.is_in_family(test) && missing_.contains(test)) {
+      tests.add_untested(test, "", missing_.at(test));
+    }
+  }
   for (const Compared& one : compared_) {
     keep_findings(one.findings, outcome);
     const FoundNumbers found(one.findings);
@@ -184,15 +223,17 @@ void GroupComparisons::add_tests(StudyTests& tests, AnalysisOutcome& outcome) co
       tests.leave_out(static_cast<std::size_t>(found.value("profile.incomplete").value_or(0.0)),
                       phrase("Analysis",
                              "Participants without a number for every item are left out of the "
-                             "test of the profiles of the groups"));
+                             "test of the %1")
+                          .with(words_of_test(one.test(), one.about())));
       continue;
     }
     const Finding* const ratio = found.find("values.ratio");
     tests.state_effect(ratio != nullptr ? ratio : found.find("values.shift"));
     tests.leave_out(missing_in(found, one.pair),
                     phrase("Analysis",
-                           "Participants without an estimate are left out of the test of the "
-                           "groups"));
+                           "Participants for whom this number is missing are left out of the test "
+                           "of the %1")
+                        .with(words_of_test(one.test(), one.about())));
   }
 }
 
@@ -204,19 +245,29 @@ void GroupComparisons::ask_measure(const Compared& one, const StudyTests& tests,
   const Finding* const ratio = found.find("values.ratio");
   const Finding& effect = ratio != nullptr ? *ratio : *found.find("values.shift");
   const bool contains_none = holds_in_interval(effect, ratio != nullptr ? 1.0 : 0.0);
-  const Phrase means =
-      phrase("Analysis", "%1: %2, %3")
-          .with(one.words, mean_of(found, one.pair.first), mean_of(found, one.pair.second));
-  const Phrase difference = (ratio != nullptr ? phrase("Analysis", "ratio %1 / %2: %3")
-                                              : phrase("Analysis", "difference (%1 − %2): %3"))
-                                .with(one.pair.first, one.pair.second, with_interval(effect));
+  const Phrase means = phrase("Analysis", "%1: %2, %3")
+                           .with(one.words, mean_of(found, one.pair.first, ratio != nullptr),
+                                 mean_of(found, one.pair.second, ratio != nullptr));
+  const Phrase difference =
+      (ratio != nullptr ? phrase("Analysis", "ratio %1 / %2: %3")
+                        : phrase("Analysis", "difference (%1 − %2): %3"))
+          .with(one.pair.first, one.pair.second, with_interval(effect, ratio != nullptr));
   state_means(outcome, test->name, means.english() + "; " + difference.english(), test->about);
+  if (test->is_significant() && contains_none) {
+    qualify_test_sentence(outcome, test->name,
+                          ratio != nullptr ? "; the 95 % CI of the ratio contains 1"
+                                           : "; the 95 % CI of the difference contains 0",
+                          test->about);
+  }
+  const Phrase kind_of_effect =
+      ratio != nullptr ? phrase("Analysis", "ratio") : phrase("Analysis", "difference");
   const std::size_t missing = missing_in(found, one.pair);
   const auto with_numbers = [&](const Phrase& words) {
-    const Phrase answer = words.with(means, difference, p_text(*test));
+    const Phrase answer = words.with(means, difference, p_text(*test), kind_of_effect,
+                                     std::string(ratio != nullptr ? "1" : "0"));
     if (missing == 0) return answer;
     return phrase("Analysis",
-                  "%1 Left out: %2 of %3 participants, for whom there is no estimate; the "
+                  "%1 Left out: %2 of %3 participants, for whom this number is missing; the "
                   "comparison does not describe them and therefore has no CI.")
         .with(answer, std::to_string(missing), std::to_string(missing + test->n));
   };
@@ -224,7 +275,7 @@ void GroupComparisons::ask_measure(const Compared& one, const StudyTests& tests,
       contains_none
           ? with_numbers(phrase("Analysis",
                                 "Not established: %1; %2. Permutation test of group labels: %3. "
-                                "The test is significant, but the CI contains no difference; more "
+                                "The test is significant, but the CI of the %4 contains %5; more "
                                 "participants are needed."))
           : with_numbers(phrase("Analysis", "Yes: %1; %2. Permutation test of group labels: %3.")),
       with_numbers(phrase("Analysis",
@@ -232,11 +283,13 @@ void GroupComparisons::ask_measure(const Compared& one, const StudyTests& tests,
                           "does not show that they are equal.")),
       with_numbers(phrase(
           "Analysis", "For these participants, %1; %2. Permutation test of group labels: %3."))};
-  const Phrase method =
-      phrase("Analysis",
-             "%1 The CIs of the means are t-based; that of the difference or ratio is "
-             "Welch's CI.")
-          .with(method_of_splits(effect));
+  const Phrase splits = method_of_splits(effect);
+  const Phrase method = effect.low
+                            ? phrase("Analysis",
+                                     "%1 The CIs of the means are t-based; that of the %2 is "
+                                     "Welch's CI.")
+                                  .with(splits, kind_of_effect)
+                            : splits;
   add_question(outcome, one.analysis().c_str(), question_about(one.pair, one.words),
                said_of(*test, sayings), method, kGroupMeans, &effect);
 }
@@ -256,9 +309,15 @@ void GroupComparisons::ask_profile(const Compared& one, const StudyTests& tests,
              "the largest difference (%1 − %2), each participant's mean removed, is "
              "that of %3, %4")
           .with(one.pair.first, one.pair.second, words_of_item(readable(greatest.key)),
-                with_interval(greatest));
+                reading_signed(*greatest.value, 2));
   const auto with_numbers = [&](const Phrase& words) {
-    return words.with(reading_bounded(*r2.value), largest, p_text(*test));
+    const Phrase answer = words.with(reading_bounded(*r2.value), largest, p_text(*test));
+    const auto missing = static_cast<std::size_t>(found.value("profile.incomplete").value_or(0.0));
+    if (missing == 0) return answer;
+    return phrase("Analysis",
+                  "%1 Left out: %2 of %3 participants, who do not have a number for every item; "
+                  "the comparison does not describe them and therefore has no CI.")
+        .with(answer, std::to_string(missing), std::to_string(missing + test->n));
   };
   const Sayings sayings{
       with_numbers(phrase("Analysis",
@@ -277,8 +336,9 @@ void GroupComparisons::ask_profile(const Compared& one, const StudyTests& tests,
       phrase("Analysis",
              "From each participant's numbers the participant's mean is subtracted, so that what "
              "is compared is how they differ between items. Whole participants are permuted. %1 "
-             "The CIs of single differences are Welch's, without correction for their number.")
-          .with(method_of_splits(r2)),
+             "Where the groups are equal, R² is %2 on average.")
+          .with(method_of_splits(r2),
+                reading_bounded(1.0 / static_cast<double>(std::max<std::size_t>(r2.n, 2) - 1))),
       kGroupProfiles, &r2);
 }
 
@@ -289,8 +349,8 @@ void GroupComparisons::add_table_of_means(AnalysisOutcome& outcome) const {
                     {kOfWhat, kGroup, kPersons, kLeftOut, kMeanOfUnit, interval_of(kMeanOfUnit)},
                     phrase("Analysis",
                            "Means of the participants of each group, geometric where a ratio is "
-                           "compared, with t-based 95 % CIs. left out: participants without an "
-                           "estimate; where there are any, there is no CI.")};
+                           "compared, with t-based 95 % CIs. left out: participants for whom "
+                           "the number is missing; where there are any, there is no CI.")};
   std::set<std::pair<std::string, std::string>> listed{};  // a group is in several pairs
   for (const Compared& one : compared_) {
     if (one.is_profile) continue;

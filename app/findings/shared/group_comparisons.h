@@ -17,8 +17,6 @@
 
 namespace asperity {
 
-/// The test of the groups in the form of their profiles; see KindTest.
-inline constexpr const char* kGroupProfilesTest = "group_profiles";
 /// The table of the means of the groups, and that of the profiles.
 inline constexpr const char* kGroupMeans = "group_means";
 inline constexpr const char* kGroupProfiles = "group_profiles";
@@ -82,6 +80,8 @@ class GroupComparisons final {
   const GatheredAnswers& gathered_;
   std::vector<ParticipantPair> pairs_{};
   std::vector<Compared> compared_{};
+  /// By test: the code of the reason why no pair could be compared, where there are groups.
+  std::map<std::string, std::string> missing_{};
 };
 
 }  // namespace asperity

@@ -292,7 +292,7 @@ void note_no_exponents(const ComparedEstimates& compared, StudyTests& tests) {
 GroupComparisons groups_of(const ComparedEstimates& compared, const FoundNumbers& found) {
   GroupComparisons groups(compared.gathered);
   add_exponents_to_groups(compared, found, groups);
-  if (compared.stimuli.size() > 1) groups.add(profile_of_estimates(compared));
+  groups.add(profile_of_estimates(compared));
   return groups;
 }
 

@@ -103,7 +103,9 @@ void add_groups(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
       const bool is_ratio = found.find("values.ratio") != nullptr;
       choice = {.means = "values.mean",
                 .difference = is_ratio ? "" : "values.shift",
-                .axis = phrase("Figures", "mean of the participants with its %1 % CI"),
+                .axis = is_ratio ? phrase("Figures",
+                                          "geometric mean of the participants with its %1 % CI")
+                                 : phrase("Figures", "mean of the participants with its %1 % CI"),
                 .unit = means.front()->unit == "1" ? "" : means.front()->unit};
     } else if (outcome.kind == "selection") {
       choice.axis = phrase("Figures", "proportion of choices of the target, mean with its %1 % CI");

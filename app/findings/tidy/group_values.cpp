@@ -92,12 +92,13 @@ class ValueComparison final {
   bool is_complete() const { return groups_[0].missing + groups_[1].missing == 0; }
   Basis basis(std::string method, std::optional<ConfidenceInterval> interval = {}) const {
     Basis made{.n = n(), .method = std::move(method)};
-    with_interval(made, interval);
+    with_interval(made, interval, is_complete());
     return made;
   }
   /// Those without a number lie mostly on one side, so that an interval of the others describes the others.
-  void with_interval(Basis& basis, const std::optional<ConfidenceInterval>& interval) const {
-    if (!is_complete()) {
+  void with_interval(Basis& basis, const std::optional<ConfidenceInterval>& interval,
+                     bool is_of_all) const {
+    if (!is_of_all) {
       basis.method += "; without an interval, because participants without a number are left out";
     } else if (interval) {
       basis.interval = interval;
@@ -121,13 +122,14 @@ class ValueComparison final {
                  .method =
                      "geometric mean of the group's participants; t interval on "
                      "the log scale"};
-      with_interval(made, mean.interval);
+      with_interval(made, mean.interval, group.missing == 0);
       list_.number("values.mean", group.name, mean.mean, made);
       return;
     }
     const OneSampleT t = one_sample_t(group.values, {.confidence = confidence_});
     Basis made{.n = size, .method = "mean of the group's participants; t interval"};
-    with_interval(made, t.test ? std::optional(t.test->interval) : std::nullopt);
+    with_interval(made, t.test ? std::optional(t.test->interval) : std::nullopt,
+                  group.missing == 0);
     list_.number("values.mean", group.name, t.mean, made);
   }
 
@@ -275,7 +277,15 @@ std::vector<Finding> profiles_of(const std::array<GroupOfProfiles, 2>& groups,
   list.number("profile.perm.smallest", "",
               smallest_p_of_groups(groups[0].profiles.size(), groups[1].profiles.size()),
               {.n = n, .method = "smallest p of groups of these sizes"});
-  return list.take();
+  std::vector<Finding> findings = list.take();
+  // As with single numbers: the others are not all.
+  if (incomplete > 0) {
+    drop_intervals(findings, [](const Finding&) {
+      return std::optional<std::string>(
+          "without an interval, because participants without a number for every item are left out");
+    });
+  }
+  return findings;
 }
 
 std::vector<Finding> profiles_compared(const TidyInput& input) {

@@ -2800,10 +2800,6 @@
         <translation>Antwort und Sicherheit zusammen sind geordnete Kategorien. Fläche: nach der Trapezregel, 95-%-KI [DeLong 1988], auf 0 bis 1 begrenzt; in Simulationen einer Versuchsperson mit je 24 bis 144 Durchgängen mit und ohne Signal enthielt es die wahre Fläche in 88 bis 95 % der Tabellen. A_z, d_a und die Standardabweichung des Signals geteilt durch die des Rauschens: Normalverteilungsmodell mit ungleichen Varianzen. χ²(1) und p: Likelihood-Quotienten-Test auf gleiche Varianzen, explorativ und unkorrigiert; alle Antworten gelten als unabhängig. Die Zeilen aller Versuchspersonen setzen gleiche Kriterien voraus; die Fläche über Versuchspersonen mit verschiedenen Kriterien ist zu klein und hat kein KI: In Simulationen enthielt das eines Bootstraps über die Versuchspersonen das gemeinsame A_z in 12 bis 87 % der Studien und das nach DeLong die gemeinsame Fläche nach der Trapezregel in 14 bis 80 %. Kein KI hat eine Fläche nach der Trapezregel von 0 oder 1, deren Standardfehler 0 ist, sodass das KI die Fläche selbst wäre und die wahre nie enthielte, und keines eine, bei der alle Durchgänge mit oder alle ohne Signal dieselbe Einstufung haben, weil der Standardfehler nach DeLong dann zu klein ist.</translation>
     </message>
     <message>
-        <source>%1 The ratio therefore has no CI, and underestimates the difference if they are left out for one of the conditions.</source>
-        <translation>%1 Das Verhältnis hat daher kein KI und unterschätzt den Unterschied, wenn sie wegen einer der Bedingungen ausgelassen sind.</translation>
-    </message>
-    <message>
         <source>the geometric mean of the thresholds</source>
         <translation>das geometrische Mittel der Schwellen</translation>
     </message>
@@ -2840,24 +2836,8 @@
         <translation>Unterscheiden sich die Gruppen %1 und %2 hierin: %3?</translation>
     </message>
     <message>
-        <source>Participants without a number for every item are left out of the test of the profiles of the groups</source>
-        <translation>Versuchspersonen, von denen nicht zu jedem Objekt eine Zahl vorliegt, sind vom Test der Profile der Gruppen ausgenommen</translation>
-    </message>
-    <message>
-        <source>Participants without an estimate are left out of the test of the groups</source>
-        <translation>Versuchspersonen ohne Schätzwert sind vom Test der Gruppen ausgenommen</translation>
-    </message>
-    <message>
         <source>difference (%1 − %2): %3</source>
         <translation>Differenz (%1 − %2): %3</translation>
-    </message>
-    <message>
-        <source>%1 Left out: %2 of %3 participants, for whom there is no estimate; the comparison does not describe them and therefore has no CI.</source>
-        <translation>%1 Ausgelassen: %2 von %3 Versuchspersonen, für die es keinen Schätzwert gibt; der Vergleich beschreibt sie nicht und hat daher kein KI.</translation>
-    </message>
-    <message>
-        <source>Not established: %1; %2. Permutation test of group labels: %3. The test is significant, but the CI contains no difference; more participants are needed.</source>
-        <translation>Nicht nachgewiesen: %1; %2. Permutationstest der Gruppenzugehörigkeit: %3. Der Test ist signifikant, aber das KI schließt ein, dass es keinen Unterschied gibt; es werden mehr Versuchspersonen benötigt.</translation>
     </message>
     <message>
         <source>Yes: %1; %2. Permutation test of group labels: %3.</source>
@@ -2870,10 +2850,6 @@
     <message>
         <source>For these participants, %1; %2. Permutation test of group labels: %3.</source>
         <translation>Bei diesen Versuchspersonen: %1; %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
-    </message>
-    <message>
-        <source>%1 The CIs of the means are t-based; that of the difference or ratio is Welch&apos;s CI.</source>
-        <translation>%1 Die KIs der Mittelwerte beruhen auf der t-Verteilung; das der Differenz oder des Verhältnisses ist das KI nach Welch.</translation>
     </message>
     <message>
         <source>the largest difference (%1 − %2), each participant&apos;s mean removed, is that of %3, %4</source>
@@ -2892,16 +2868,8 @@
         <translation>Bei diesen Versuchspersonen liegt ein Anteil R² = %1 der Variation der Profile zwischen den Gruppen; %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
     </message>
     <message>
-        <source>From each participant&apos;s numbers the participant&apos;s mean is subtracted, so that what is compared is how they differ between items. Whole participants are permuted. %1 The CIs of single differences are Welch&apos;s, without correction for their number.</source>
-        <translation>Von den Zahlen jeder Versuchsperson wird ihr Mittelwert abgezogen, sodass verglichen wird, wie sie sich zwischen den Objekten unterscheiden. Permutiert werden ganze Versuchspersonen. %1 Die KIs einzelner Differenzen sind die nach Welch, ohne Korrektur für ihre Anzahl.</translation>
-    </message>
-    <message>
         <source>Means of the groups</source>
         <translation>Mittelwerte der Gruppen</translation>
-    </message>
-    <message>
-        <source>Means of the participants of each group, geometric where a ratio is compared, with t-based 95 % CIs. left out: participants without an estimate; where there are any, there is no CI.</source>
-        <translation>Mittelwerte der Versuchspersonen jeder Gruppe, geometrisch, wo ein Verhältnis verglichen wird, mit 95-%-KIs nach der t-Verteilung. ausgelassen: Versuchspersonen ohne Schätzwert; wo es welche gibt, gibt es kein KI.</translation>
     </message>
     <message>
         <source>Profiles of the groups</source>
@@ -2934,6 +2902,50 @@
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 The ratio therefore has no CI, and may differ from that of all participants.</source>
+        <translation>%1 Das Verhältnis hat daher kein KI und kann von dem aller Versuchspersonen abweichen.</translation>
+    </message>
+    <message>
+        <source>Participants without a number for every item are left out of the test of the %1</source>
+        <translation>Versuchspersonen, von denen nicht zu jedem Objekt eine Zahl vorliegt, sind von diesem Test ausgenommen: %1</translation>
+    </message>
+    <message>
+        <source>Participants for whom this number is missing are left out of the test of the %1</source>
+        <translation>Versuchspersonen, für die diese Zahl fehlt, sind von diesem Test ausgenommen: %1</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>%1 Left out: %2 of %3 participants, for whom this number is missing; the comparison does not describe them and therefore has no CI.</source>
+        <translation>%1 Ausgelassen: %2 von %3 Versuchspersonen, für die diese Zahl fehlt; der Vergleich beschreibt sie nicht und hat daher kein KI.</translation>
+    </message>
+    <message>
+        <source>Not established: %1; %2. Permutation test of group labels: %3. The test is significant, but the CI of the %4 contains %5; more participants are needed.</source>
+        <translation>Nicht nachgewiesen: %1; %2. Permutationstest der Gruppenzugehörigkeit: %3. Der Test ist signifikant, aber das KI (%4) schließt %5 ein; es werden mehr Versuchspersonen benötigt.</translation>
+    </message>
+    <message>
+        <source>%1 The CIs of the means are t-based; that of the %2 is Welch&apos;s CI.</source>
+        <translation>%1 Die KIs der Mittelwerte beruhen auf der t-Verteilung; das KI nach Welch gehört zum Effekt (%2).</translation>
+    </message>
+    <message>
+        <source>%1 Left out: %2 of %3 participants, who do not have a number for every item; the comparison does not describe them and therefore has no CI.</source>
+        <translation>%1 Ausgelassen: %2 von %3 Versuchspersonen, von denen nicht zu jedem Objekt eine Zahl vorliegt; der Vergleich beschreibt sie nicht und hat daher kein KI.</translation>
+    </message>
+    <message>
+        <source>From each participant&apos;s numbers the participant&apos;s mean is subtracted, so that what is compared is how they differ between items. Whole participants are permuted. %1 Where the groups are equal, R² is %2 on average.</source>
+        <translation>Von den Zahlen jeder Versuchsperson wird ihr Mittelwert abgezogen, sodass verglichen wird, wie sie sich zwischen den Objekten unterscheiden. Permutiert werden ganze Versuchspersonen. %1 Wo die Gruppen gleich sind, ist R² im Mittel %2.</translation>
+    </message>
+    <message>
+        <source>Means of the participants of each group, geometric where a ratio is compared, with t-based 95 % CIs. left out: participants for whom the number is missing; where there are any, there is no CI.</source>
+        <translation>Mittelwerte der Versuchspersonen jeder Gruppe, geometrisch, wo ein Verhältnis verglichen wird, mit 95-%-KIs nach der t-Verteilung. ausgelassen: Versuchspersonen, für die die Zahl fehlt; wo es welche gibt, gibt es kein KI.</translation>
     </message>
 </context>
 <context>
@@ -4643,6 +4655,18 @@
         <source>there is no estimate of any participant of one of the groups</source>
         <translation>von keiner Versuchsperson einer der Gruppen gibt es einen Schätzwert</translation>
     </message>
+    <message>
+        <source>two groups have fewer than two items in common</source>
+        <translation>zwei Gruppen haben weniger als zwei Objekte gemeinsam</translation>
+    </message>
+    <message>
+        <source>the groups share no condition</source>
+        <translation>die Gruppen haben keine Bedingung gemeinsam</translation>
+    </message>
+    <message>
+        <source>each of the groups has one participant</source>
+        <translation>jede der Gruppen hat eine Versuchsperson</translation>
+    </message>
 </context>
 <context>
     <name>Columns</name>
@@ -6311,6 +6335,10 @@
     <message>
         <source>mean of the participants with its %1 % CI</source>
         <translation>Mittelwert der Versuchspersonen mit seinem %1-%-KI</translation>
+    </message>
+    <message>
+        <source>geometric mean of the participants with its %1 % CI</source>
+        <translation>geometrisches Mittel der Versuchspersonen mit seinem %1-%-KI</translation>
     </message>
 </context>
 <context>

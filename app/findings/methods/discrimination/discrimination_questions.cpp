@@ -92,8 +92,7 @@ Phrase with_left_out_participants(const Phrase& answer, const DiscriminationResu
                                           complete < results.participants_in_all_conditions();
   if (!has_ratio_without_interval) return left_out;
   return phrase("Analysis",
-                "%1 The ratio therefore has no CI, and underestimates the difference if they are "
-                "left out for one of the conditions.")
+                "%1 The ratio therefore has no CI, and may differ from that of all participants.")
       .with(left_out);
 }
 

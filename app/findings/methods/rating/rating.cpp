@@ -173,7 +173,7 @@ void add_to_groups(const RatedScale& scale, bool is_only_scale, GroupComparisons
                               : std::nullopt;
   }
   groups.add(mean);
-  if (scale.items.size() > 1) groups.add(profile);
+  groups.add(profile);
 }
 
 void add_untested_scale(const RatedScale& scale, StudyTests& tests) {

@@ -306,7 +306,7 @@ GroupComparisons profiles_of_groups(const Selection& selection) {
                        .items = selection.items};
   for (const auto& [of, count] : counts) profile.values[of] = proportion(count);
   GroupComparisons groups(selection.gathered);
-  if (selection.items.size() > 1) groups.add(profile);
+  groups.add(profile);
   return groups;
 }
 

@@ -370,7 +370,7 @@ void add_to_groups(const GatheredAnswers& gathered, GroupComparisons& groups) {
     mean += (*dissimilarity - mean) / static_cast<double>(++counts[{answer.person, pair}]);
   }
   profile.items.assign(pairs.begin(), pairs.end());
-  if (profile.items.size() > 1) groups.add(profile);
+  groups.add(profile);
 }
 
 void add_similarity_tests(const FoundNumbers& found, StudyTests& tests) {
