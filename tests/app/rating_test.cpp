@@ -399,6 +399,15 @@ TEST(AccompanyingScale, IsTestedInTheFamilyThatNamesItsTest) {
   EXPECT_THAT(ratings.test_sentences[0].text, HasSubstr("; means: 80.00"));
 }
 
+// The family compares the groups in the recognition that the scale accompanies.
+TEST(AccompanyingScale, IsNotComparedBetweenGroups) {
+  const AnalysisOutcome ratings =
+      ratings_with_confidence(kOnlyConfidence, R"({"family": ["right", "groups"]})");
+  for (const TestSentence& sentence : ratings.test_sentences) {
+    EXPECT_NE(sentence.test, "groups") << sentence.text;
+  }
+}
+
 TEST(AccompanyingScale, IsReportedByTheChosenItemWhereNoResponseIsCorrect) {
   MadeUpStudy made{};
   const std::int64_t protocol = made.add_protocol("sure", "selection", R"({"kind": "selection",
