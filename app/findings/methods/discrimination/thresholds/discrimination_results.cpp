@@ -123,6 +123,7 @@ void add_ratio(const std::string& quantity, const std::string& key,
                     " of those with trials in both have no threshold in one of them";
   } else {
     basis.method += "; t interval on the log scale";
+    if (ratio.interval) basis.method += simulated_coverage({89, 96});
     basis.interval = ratio.interval;
     if (ratio.interval) basis.confidence = kConfidenceOfRatio;
   }
