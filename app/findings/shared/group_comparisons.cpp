@@ -3,7 +3,6 @@
 #include "app/findings/shared/group_comparisons.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <set>

@@ -50,6 +50,8 @@ class GroupComparisons final {
   GroupComparisons(GroupComparisons&&) = default;
   GroupComparisons(const GroupComparisons&) = delete;
 
+  /// Whether there are two groups; otherwise nothing needs to be computed for them.
+  bool has_pairs() const noexcept { return !pairs_.empty(); }
   void add(const GroupMeasure& measure);
   void add(const GroupProfile& profile);
   /// Keeps the findings, and adds a test for each pair and measure or profile.

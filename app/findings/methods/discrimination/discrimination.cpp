@@ -233,6 +233,7 @@ void test_equality(const GatheredAnswers& gathered, const DiscriminationResults&
 /// and its level is no condition.
 void add_to_groups(const GatheredAnswers& gathered, const DiscriminationResults& results,
                    GroupComparisons& groups) {
+  if (!groups.has_pairs()) return;
   const auto sensitivities = sensitivities_at_only_level(gathered, results);
   const bool has_thresholds = sensitivities.empty();
   std::map<std::string, GroupMeasure> measures{};
