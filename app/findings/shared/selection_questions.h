@@ -3,10 +3,19 @@
 #pragma once
 
 #include "app/findings/outcome/found_numbers.h"
+#include "app/findings/outcome/study_analysis.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/shared/selection_choices.h"
 
 namespace asperity {
+
+/// Of groups that are compared in which items they choose, of every kind with such choices.
+inline constexpr TestClaim kClaimOfChosenItems{
+    "group_profiles", "",
+    "The proportions of choices of the items were significantly different in the groups %1 and %2",
+    "",
+    "The proportions of choices of the items were not significantly different in the groups %1 and "
+    "%2"};
 
 /// Which rendering is the most realistic: by the participants' proportions where every trial offers
 /// every item, otherwise by the scale.

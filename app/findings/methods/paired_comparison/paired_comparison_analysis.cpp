@@ -9,6 +9,7 @@
 
 #include "app/findings/outcome/estimate_sentences.h"
 #include "app/findings/outcome/task_words.h"
+#include "app/findings/shared/selection_questions.h"
 #include "app/words/text_parts.h"
 #include "protocols/kinds/paired_comparison.h"
 
@@ -28,12 +29,7 @@ constexpr std::array kPairedClaims{
               "",
               "The numbers of choices of the first and the second surface of a trial were not "
               "significantly different"},
-    TestClaim{"group_profiles", "",
-              "The proportions of choices of the items were significantly different in the groups "
-              "%1 and %2",
-              "",
-              "The proportions of choices of the items were not significantly different in the "
-              "groups %1 and %2"}};
+    kClaimOfChosenItems};
 
 /// The questions of the main blocks of this kind in quotation marks, each once; and whether one of them has ties.
 struct PairedQuestions {

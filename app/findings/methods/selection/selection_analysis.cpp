@@ -6,6 +6,7 @@
 
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/task_words.h"
+#include "app/findings/shared/selection_questions.h"
 #include "app/words/text_parts.h"
 #include "protocols/file/stored_protocol.h"
 
@@ -38,12 +39,7 @@ constexpr std::array kSelectionClaims{
               "%1 than in the group %2",
               "The mean proportions of choices of the target of the groups %1 and %2 were not "
               "significantly different"},
-    TestClaim{"group_profiles", "",
-              "The proportions of choices of the items were significantly different in the groups "
-              "%1 and %2",
-              "",
-              "The proportions of choices of the items were not significantly different in the "
-              "groups %1 and %2"}};
+    kClaimOfChosenItems};
 
 std::string task_of_selection(const Protocol& protocol) {
   if (const auto parameter = stored_protocol(protocol.source).compared_parameter) {
