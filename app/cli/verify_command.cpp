@@ -19,8 +19,8 @@ namespace asperity {
 
 namespace {
 
-/// An older copy brings those back whose data were deleted.
-void say_what_copies_contain(const Study& study) {
+/// The remedy of damaged data. A copy that is older than a deletion contains the deleted data.
+std::string remedy_of(const Study& study) {
   std::string deleted_utc{};
   try {
     for (const WithdrawalRow& row : study.withdrawals()) {
@@ -29,12 +29,19 @@ void say_what_copies_contain(const Study& study) {
       }
     }
   } catch (const std::exception&) {
-    return;  // too damaged to be read
+    // Too damaged to be read: its deletions, if any, are not known.
+    return "Restore damaged data from the latest copy of the study, unless the problem states "
+           "another remedy; an earlier copy can contain data that participants have had deleted";
   }
-  if (deleted_utc.empty()) return;
-  std::cout << "Copies made before " << local_time_text(deleted_utc)
-            << " contain data that participants have had deleted. Use a later copy, or withdraw "
-               "these participants again from the restored study\n";
+  if (deleted_utc.empty()) {
+    return "Restore damaged data from a copy of the study, unless the problem states another "
+           "remedy";
+  }
+  return "Restore damaged data from a copy of the study that was made after " +
+         local_time_text(deleted_utc) +
+         ", unless the problem states another remedy; earlier copies contain data that "
+         "participants have had deleted. Without a later copy, withdraw these participants again "
+         "from the restored study";
 }
 
 }  // namespace
@@ -87,9 +94,7 @@ void add_verify(CLI::App& program, Job& job) {
                               (result.problems.size() == 1 ? " problem" : " problems") + " found")
                 << '\n';
       if (result.problems.size() > result.plugin_problems) {
-        std::cout << "Restore damaged data from a copy of the study, unless the problem states "
-                     "another remedy\n";
-        say_what_copies_contain(study);
+        std::cout << remedy_of(study) << '\n';
       }
       return result.problems.empty() ? 0 : 1;
     });

@@ -334,7 +334,7 @@ TEST_F(Stations, WhosePlacesWereChangedAreFound) {
   study.add_event(study.add_session(row, plan), {row.clock_zero_ns, kDealtEvent, "1"});
   EXPECT_THAT(problems(study),
               ElementsAre("session 1 of participant p3: it has row 0 and group visual, and its "
-                          "place 1 has row 0 and group haptic; restore the study from a copy"));
+                          "place 1 has row 0 and group haptic"));
 }
 
 }  // namespace

@@ -234,8 +234,7 @@ TEST_F(GroupsOfASession, ThatAreNotThoseOfTheSequenceAreFound) {
     opened.add_session(row, plan);
   }
   EXPECT_THAT(problems(), ElementsAre("session 1 of participant p3: its group is " + other +
-                                      ", and that of place 3 in the permuted blocks is " + third +
-                                      "; restore the study from a copy"));
+                                      ", and that of place 3 in the permuted blocks is " + third));
 }
 
 // Each station begins the sequence anew; what is run in the merged study continues after all of them.

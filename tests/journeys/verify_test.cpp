@@ -19,6 +19,11 @@
 namespace asperity::test {
 namespace {
 
+using testing::AllOf;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
+
 class Verify : public testing::Test {
  protected:
   /// Simulated once; each test has a copy.
@@ -263,6 +268,33 @@ TEST_F(Verify, FindsAColumnThatIsNotAsThePlanHasIt) {
       "its seed \"99999999999999999999\" is not a number from 0 to 2^64 - 1; restore the study "
       "from a copy");
   EXPECT_EQ(verify().status, 0);
+}
+
+// An older copy would bring back whom the study no longer contains.
+TEST(VerifyAfterADeletion, AdvisesACopyThatWasMadeLater) {
+  const SmallStudy small = simulated_study(2, 1, {"--recordings", "all"});
+  const fs::path recording =
+      small.study() / "recordings/virtual0001/session-01/trial-0001_attempt-1.rec";
+  ASSERT_TRUE(fs::exists(recording));
+  const std::string whole = text_of(recording);
+  write_text(recording, whole.substr(1));
+  const Outcome before = asperity({"verify", small.study()});
+  EXPECT_EQ(before.status, 1);
+  EXPECT_THAT(before.out, HasSubstr("Restore damaged data from a copy of the study, unless"));
+
+  write_text(recording, whole);
+  ASSERT_EQ(
+      asperity({"withdraw", small.study(), "virtual0002", "--delete", "--confirm", "virtual0002"})
+          .status,
+      0);
+  write_text(recording, whole.substr(1));
+  const Outcome after = asperity({"verify", small.study()});
+  EXPECT_EQ(after.status, 1);
+  EXPECT_THAT(after.out,
+              AllOf(ContainsRegex("Restore damaged data from a copy of the study that was made "
+                                  "after [0-9-]+ [0-9:]+"),
+                    HasSubstr("earlier copies contain data that participants have had deleted"),
+                    Not(HasSubstr("from a copy of the study, unless"))));
 }
 
 TEST_F(Verify, FindsAnAnswerWhoseAttemptIsGone) {

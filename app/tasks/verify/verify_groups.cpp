@@ -80,8 +80,7 @@ class GroupSequence final {
     if (protocol == nullptr) return;
     if (!is_first && own->second != *session.group_level) {
       problems.push_back(name_of_session(session) + ": its group is " + *session.group_level +
-                         ", and that of the participant's first session " + own->second +
-                         "; restore the study from a copy");
+                         ", and that of the participant's first session " + own->second);
     }
     if (!is_first || assigned.has_dealt_place) return;
     for (std::size_t place = before; place <= before + deleted_; ++place) {
@@ -90,8 +89,7 @@ class GroupSequence final {
     problems.push_back(name_of_session(session) + ": its group is " + *session.group_level +
                        ", and that of place " + std::to_string(before + 1) +
                        " in the permuted blocks is " +
-                       permuted_group(*protocol, text_of(session.mode), before) +
-                       "; restore the study from a copy");
+                       permuted_group(*protocol, text_of(session.mode), before));
   }
 
  private:

@@ -67,8 +67,7 @@ std::vector<std::string> place_problems(const Study& study, PlansOfSessions& pla
     problems.push_back("session " + std::to_string(session.session) + " of participant " +
                        session.participant + ": it has " + text(session.counterbalance_row, group) +
                        ", and its place " + std::to_string(*place) + " has " +
-                       text(expected.counterbalance_row, expected.group) +
-                       "; restore the study from a copy");
+                       text(expected.counterbalance_row, expected.group));
   }
   return problems;
 }

@@ -21,8 +21,7 @@ std::vector<std::string> questionnaire_problems(const SessionRow& session, const
   std::vector<std::string> problems{};
   const auto report = [&](const std::string& name, const std::string& what) {
     problems.push_back("session " + std::to_string(session.session) + " of participant " +
-                       session.participant + ", question " + name + ": " + what +
-                       "; restore the study from a copy");
+                       session.participant + ", question " + name + ": " + what);
   };
   for (const std::string& name : stored.questions()) {
     const auto found = protocol.questions.find(name);

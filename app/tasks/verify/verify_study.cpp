@@ -140,15 +140,12 @@ void check_answers(const SessionRow& session, const Plan& plan, const SessionAns
     const auto where = [&] { return "attempt " + natural_key(session, at); };
     const auto number = static_cast<std::size_t>(attempt.trial);
     if (number < 1 || number > plan.trials.size()) {
-      problems.push_back(
-          where() + ": the plan of its session has no such trial; restore the study from a copy");
+      problems.push_back(where() + ": the plan of its session has no such trial");
       continue;
     }
     const Trial& planned = plan.trials[number - 1];
     if (!are_as_planned(answers.surfaces_of(attempt), answers.words, planned)) {
-      problems.push_back(
-          where() +
-          ": its surfaces differ from those of the planned trial; restore the study from a copy");
+      problems.push_back(where() + ": its surfaces differ from those of the planned trial");
     }
     for (const SessionAnswers::Reply& reply : answers.replies_of(attempt)) {
       const std::string& answer = answers.words[reply.answer];
@@ -159,14 +156,13 @@ void check_answers(const SessionRow& session, const Plan& plan, const SessionAns
       };
       const TrialQuestion* const question = find_question(planned, name);
       if (question == nullptr) {
-        problems.push_back(item() + "the planned trial has no question " + name +
-                           "; restore the study from a copy");
+        problems.push_back(item() + "the planned trial has no question " + name);
         continue;
       }
       if (answers.words[reply.options_json] != options_json_of(*question)) {
         problems.push_back(item() +
                            "the options stored with the response differ from those of the planned "
-                           "trial; restore the study from a copy");
+                           "trial");
       }
       const AnsweredItem stored{
           .item = reply.item, .answer = answer, .number = reply.number, .correct = reply.correct};
@@ -241,7 +237,6 @@ void replay_session(const Study& study, const SessionRow& session, const Plan& p
         if (attempt.servo && attempt.servo->lost_records > 0) {
           sentence += " (lost records: " + std::to_string(attempt.servo->lost_records) + ")";
         }
-        sentence += "; restore the recording from a copy of the study";
         faults.problems.push_back(std::move(sentence));
       }
     } catch (const std::exception& error) {
