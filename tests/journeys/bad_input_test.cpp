@@ -564,6 +564,15 @@ TEST(WrongUsage, NamesTheOptionAndWhatWouldBeRight) {
   expect_wrong(rendering, {"--asset", "vibrations=f"},
                "asperity: --asset vibrations=f: the force model sinusoid needs no asset "
                "\"vibrations\"; asperity models lists those that it needs\n");
+  write_text(place / "p", "time_s\tx_m\ty_m\tz_m\n0\t0\t0\t0.001\n0.001\t0\t0\t-0.001\n");
+  write_text(place / "v.tsv", "speed\n1\n");
+  const Outcome with_wrong_file =
+      asperity({"render", "--model", "data_driven", "--asset",
+                "vibration_models=" + (place / "v.tsv").string(), "--path", place / "p", "--out",
+                place / "f"});
+  EXPECT_EQ(with_wrong_file.status, 1);
+  EXPECT_THAT(with_wrong_file.err,
+              testing::StartsWith("asperity: " + (place / "v.tsv").string() + ":1: "));
   expect_wrong({"bake", "x.obj", "--triangles", "600", "--out", "x.mesh"}, {"--for", "hand"},
                "--for: \"hand\" is not permitted; write surface or tool\n");
 }

@@ -2,6 +2,7 @@
 // changed and lost.
 
 #include <csignal>
+#include <memory>
 #include <regex>
 
 #include <gmock/gmock.h>
@@ -86,6 +87,19 @@ class Plugin : public testing::Test {
     fs::copy(*simulated_ / "study", study(), fs::copy_options::recursive);
   }
   fs::path study() const { return folder_ / "study"; }
+
+  /// Each command that calls a model of a plug-in in a process of its own, with the model "faulty".
+  std::vector<std::vector<std::string>> commands_that_call_it() const {
+    write_text(folder_ / "faulty.json", faulty_discrimination().dump());
+    write_text(folder_ / "path.tsv",
+               "time_s\tx_m\ty_m\tz_m\n0\t0\t0\t0.001\n0.001\t0\t0\t-0.001\n");
+    return {{"models", "--conformance"},
+            {"check", folder_ / "faulty.json"},
+            {"render", "--model", "faulty", "--path", folder_ / "path.tsv", "--out",
+             folder_ / "forces.tsv"},
+            {"simulate", folder_ / "faulty.json", "--study", study(), "--participants", "1",
+             "--seed", "1"}};
+  }
 
   TemporaryFolder folder_{};
 };
@@ -303,16 +317,7 @@ TEST_F(Plugin, GivesTheSameStudyWithTheSameSeed) {
 }
 
 TEST_F(Plugin, IsNamedByTheCommandThatItEnds) {
-  write_text(folder_ / "faulty.json", faulty_discrimination().dump());
-  write_text(folder_ / "path.tsv", "time_s\tx_m\ty_m\tz_m\n0\t0\t0\t0.001\n0.001\t0\t0\t-0.001\n");
-  const std::vector<std::vector<std::string>> commands{
-      {"models", "--conformance"},
-      {"check", folder_ / "faulty.json"},
-      {"render", "--model", "faulty", "--path", folder_ / "path.tsv", "--out",
-       folder_ / "forces.tsv"},
-      {"simulate", folder_ / "faulty.json", "--study", study(), "--participants", "1", "--seed",
-       "1"}};
-  for (const std::vector<std::string>& command : commands) {
+  for (const std::vector<std::string>& command : commands_that_call_it()) {
     for (const auto& [plugin, named] :
          {std::pair{"faulty_crash.so",
                     "the plug-in faulty (faulty_crash.so) ended the program with an "
@@ -340,12 +345,21 @@ TEST_F(Plugin, IsNamedByTheCommandThatItEnds) {
 }
 
 TEST_F(Plugin, IsNamedByTheCommandThatWaitsForItInVain) {
-  const Outcome ended =
-      asperity({"models", "--conformance", "--plugin", ASPERITY_FAULTY_PLUGINS "/faulty_hang.so"});
-  EXPECT_EQ(ended.status, 1);
-  EXPECT_THAT(ended.err,
-              HasSubstr("the plug-in faulty (faulty_hang.so) did not return from its function tick "
-                        "within 5 s, the limit of a call, and the command was ended; correct"));
+  const std::vector<std::vector<std::string>> commands = commands_that_call_it();
+  std::vector<std::unique_ptr<Program>> waiting{};  // for the limit, all at once
+  for (std::vector<std::string> command : commands) {
+    command.insert(command.end(), {"--plugin", ASPERITY_FAULTY_PLUGINS "/faulty_hang.so"});
+    waiting.push_back(std::make_unique<Program>(Invocation{.arguments = command}));
+  }
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    const Outcome ended = waiting[i]->finish();
+    EXPECT_EQ(ended.status, 1) << commands[i].front();
+    EXPECT_THAT(
+        ended.err,
+        HasSubstr("the plug-in faulty (faulty_hang.so) did not return from its function "
+                  "tick within 5 s, the limit of a call, and the command was ended; correct"))
+        << commands[i].front();
+  }
 }
 
 // The streams of the program are open until the process that calls the plug-in has ended as well.
