@@ -237,15 +237,12 @@ Transaction::Transaction(Database& database) : database_(database) {
 }
 
 Transaction::~Transaction() {
-  // SQLite has already rolled back after some errors; then there is nothing left to undo.
-  if (open_ && sqlite3_get_autocommit(database_.handle()) == 0) {
+  // Committed, or rolled back by SQLite after an error: there is nothing left to undo.
+  if (sqlite3_get_autocommit(database_.handle()) == 0) {
     sqlite3_exec(database_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
   }
 }
 
-void Transaction::commit() {
-  database_.execute("COMMIT");
-  open_ = false;
-}
+void Transaction::commit() { database_.execute("COMMIT"); }
 
 }  // namespace asperity

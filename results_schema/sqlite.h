@@ -143,7 +143,6 @@ class Transaction final {
 
  private:
   Database& database_;
-  bool open_ = true;
 };
 
 }  // namespace asperity
