@@ -12,6 +12,7 @@
 #include "results_schema/hashes/sha256.h"
 #include "results_schema/merge/merged_table.h"
 #include "results_schema/study_store.h"
+#include "results_schema/tables/name_forms.h"
 
 namespace asperity {
 namespace {
@@ -99,19 +100,21 @@ void add_identities(Identities& identities, std::size_t source, Database& databa
 }
 
 void add_participants(Database& merged, std::size_t number, const OpenSource& source) {
-  Statement insertion(merged, "INSERT INTO merged_participant VALUES (?, ?, ?)");
+  Statement insertion(merged, "INSERT INTO merged_participant VALUES (?, ?, ?, ?)");
   Statement participant(source.database, "SELECT id, label FROM participant ORDER BY label");
   while (participant.step()) {
     std::int64_t id = 0;
     std::string label;
     participant.read(id, label);
-    if (!is_participant_label(source.source.prefix + label)) {
-      refuse_source(source.source, "the label " + source.source.prefix + label +
+    const std::string merged_label = source.source.prefix + label;
+    if (!is_participant_label(merged_label)) {
+      refuse_source(source.source, "the label " + merged_label +
                                        " would be too long: a label has at most 32 letters and "
                                        "digits. Choose a shorter prefix than \"" +
                                        source.source.prefix + "\"");
     }
-    insertion.bind(source.source.prefix + label, static_cast<std::int64_t>(number), id).run();
+    insertion.bind(merged_label, static_cast<std::int64_t>(number), id, label_form(merged_label))
+        .run();
   }
 }
 
@@ -122,28 +125,34 @@ std::string added_utc(const OpenSource& source, std::int64_t id) {
   return utc;
 }
 
-void refuse_equal_labels(Database& merged, OpenSources sources) {
-  Statement equal(merged,
-                  "SELECT first.label, first.source, first.id, second.source, second.id, "
-                  "(SELECT count(*) FROM (SELECT 1 FROM merged_participant GROUP BY label "
-                  "HAVING count(*) > 1)) "
-                  "FROM merged_participant AS first JOIN merged_participant AS second "
-                  "ON second.label = first.label AND second.source > first.source "
-                  "ORDER BY first.label, first.source, second.source LIMIT 1");
-  if (!equal.step()) return;
+/// Labels of one form in two studies: of two participants, or of one who went to both.
+void refuse_similar_labels(Database& merged, OpenSources sources) {
+  Statement similar(merged,
+                    "SELECT first.label, first.source, first.id, "
+                    "second.label, second.source, second.id, "
+                    "(SELECT count(*) FROM (SELECT 1 FROM merged_participant GROUP BY form "
+                    "HAVING count(DISTINCT source) > 1)) "
+                    "FROM merged_participant AS first JOIN merged_participant AS second "
+                    "ON second.form = first.form AND second.source > first.source "
+                    "ORDER BY first.label, first.source, second.source, second.label LIMIT 1");
+  if (!similar.step()) return;
   std::string label;
   std::int64_t first = 0;
   std::int64_t first_id = 0;
+  std::string second_label;
   std::int64_t second = 0;
   std::int64_t second_id = 0;
   std::int64_t labels = 0;
-  equal.read(label, first, first_id, second, second_id, labels);
+  similar.read(label, first, first_id, second_label, second, second_id, labels);
   const OpenSource& one = sources[static_cast<std::size_t>(first)];
   const OpenSource& other = sources[static_cast<std::size_t>(second)];
+  const std::string who = label == second_label
+                              ? "both have a participant " + label
+                              : "they have the participants " + label + " and " + second_label +
+                                    ", whose labels differ only in letter case or leading zeros";
   refuse_pair(one.source, other.source,
-              "both have a participant " + label + ", added to " + one.source.folder.string() +
-                  " at " + added_utc(one, first_id) + " and to " + other.source.folder.string() +
-                  " at " + added_utc(other, second_id) +
+              who + ", added to " + one.source.folder.string() + " at " + added_utc(one, first_id) +
+                  " and to " + other.source.folder.string() + " at " + added_utc(other, second_id) +
                   (labels == 1 ? "" : " (and " + std::to_string(labels - 1) + " further labels)") +
                   ". Distinguish the labels by a prefix, for example --prefix " +
                   other.source.folder.string() + "=B");
@@ -253,7 +262,8 @@ void refuse_unfinished(const OpenSource& source) {
 void list_participants(Database& merged, OpenSources sources) {
   merged.execute(
       "CREATE TEMP TABLE merged_participant (label TEXT NOT NULL, source INTEGER NOT NULL, "
-      "id INTEGER NOT NULL, PRIMARY KEY (label, source)) WITHOUT ROWID;"
+      "id INTEGER NOT NULL, form TEXT NOT NULL, PRIMARY KEY (label, source)) WITHOUT ROWID;"
+      "CREATE INDEX temp.merged_participant_by_form ON merged_participant (form);"
       "CREATE TEMP TABLE merged_identity (identity TEXT PRIMARY KEY, source INTEGER NOT NULL, "
       "name TEXT NOT NULL) WITHOUT ROWID");
   Transaction transaction(merged);
@@ -267,7 +277,7 @@ void list_participants(Database& merged, OpenSources sources) {
     add_participants(merged, i, sources[i]);
   }
   transaction.commit();
-  refuse_equal_labels(merged, sources);
+  refuse_similar_labels(merged, sources);
 }
 
 void refuse_undone_deletions(OpenSources sources) {

@@ -32,8 +32,8 @@ void refuse_unfinished(const OpenSource& source);
 
 /// Two copies of one study, or studies that were merged from a common one: they have a session, or a participant who is
 /// not virtual, in common. Lists the participants of all studies in the temporary table `merged_participant` of `merged`:
-/// `label`, the one in the merged study; `source`, the number of the study from 0; `id` there.
-/// Errors: ResultsError, also for a label that two studies have.
+/// `label`, the one in the merged study; `source`, the number of the study from 0; `id` there;
+/// `form`, its label_form. Errors: ResultsError, also for labels of one form in two studies.
 void list_participants(Database& merged, OpenSources sources);
 
 /// Studies that were copied from one, if data were deleted from one of them and not from the other. Errors: ResultsError.

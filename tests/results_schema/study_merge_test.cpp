@@ -324,6 +324,21 @@ TEST_F(StudyMerge, RefusesALabelThatTwoPeopleHave) {
   EXPECT_EQ(Study::open(merged_, Access::read_only).participants().size(), 2U);
 }
 
+// One person at two stations, or two people whom a table would take for one.
+TEST_F(StudyMerge, RefusesLabelsThatDifferOnlyInCaseOrLeadingZeros) {
+  const std::filesystem::path other = station(folder_ / "c", {"p02"});
+  change(other, "UPDATE participant SET created_utc = '2026-04-05T06:07:08.009Z', age_years = 50");
+  change(other,
+         "DROP TRIGGER session_only_changes_state; DROP TRIGGER session_completed_stays;"
+         "UPDATE session SET seed = '5'");
+  EXPECT_THAT(refusal({{b_}, {other}}),
+              AllOf(HasSubstr("they have the participants P2 and p02, whose labels differ only in "
+                              "letter case or leading zeros, added to " +
+                              b_.string()),
+                    HasSubstr("--prefix " + other.string() + "=B")));
+  EXPECT_NO_THROW(Study::merge(std::vector<MergeSource>{{b_}, {other, "B"}}, merged_, {}));
+}
+
 TEST_F(StudyMerge, RefusesTwoCopiesOfAStudyUnderWhateverLabels) {
   const std::filesystem::path copy = folder_ / "copy";
   Study::open(a_, Access::read_only).copy_to(copy);
