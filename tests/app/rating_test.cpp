@@ -488,6 +488,21 @@ TEST(Construct, HasTheAlphaOfItsScalesAfterReflection) {
   EXPECT_THAT(asked->answer.english(), HasSubstr("rough, smooth (reverse-keyed: smooth)"));
 }
 
+// Rough 1, 5, 3, 7 and smooth 6, 2, 6, 2, not reflected: variances 20/3 and 16/3, of the sums 4/3; α = 2·(1 − 9) = −16.
+TEST(Construct, OfOppositeScalesAsksWhichAreReverseKeyed) {
+  const AnalysisOutcome outcome = analysed_ratings(
+      two_scales_with(R"({"constructs": {"roughness": {"scales": ["rough", "smooth"]}}})"),
+      {{rated_on("wood", "1", "6"), rated_on("stone", "5", "2")},
+       {rated_on("wood", "3", "6"), rated_on("stone", "7", "2")}});
+  EXPECT_NEAR(FoundNumbers(outcome.findings).value("cronbach.alpha", "roughness").value(), -16.0,
+              1e-12);
+  const auto asked =
+      std::find_if(outcome.questions.begin(), outcome.questions.end(),
+                   [](const auto& each) { return each.name == "construct_roughness"; });
+  ASSERT_NE(asked, outcome.questions.end());
+  EXPECT_THAT(asked->answer.english(), HasSubstr("check which of them are reverse-keyed"));
+}
+
 TEST(Construct, IsNotMadeOfParticipants) {
   const std::vector<std::vector<MadeUpTrial>> people{
       {rated_on("wood", "1", "6"), rated_on("stone", "5", "2"), rated_on("cork", "2", "3")},

@@ -429,6 +429,15 @@ TEST(TidyFamilies, AverageTheSensitivityOfChoicesAmongThreeOverParticipants) {
   EXPECT_NEAR(value_of(guessing, "dprime.mean", "x"), 0.0, 1e-9) << "not moved away from 0";
 }
 
+// Exactly: a rounding error would be printed as d′ = −2.1e−16.
+TEST(TidyFamilies, GiveChoicesAtChanceASensitivityOfZero) {
+  const auto found = dprime_findings(input_of(
+      "id,design,signal_yes,signal_n,m\nx,mafc,2,6,3\ny,mafc,7,21,3\nz,mafc,25,100,4\n", "{}"));
+  for (const char* const condition : {"x", "y", "z"}) {
+    EXPECT_EQ(value_of(found, "dprime", condition), 0.0) << condition;
+  }
+}
+
 // Participants whose criteria differ: their pooled area is too small, and only the mean of their own areas has an interval.
 TEST(TidyFamilies, GiveTheMeanOfTheAreasAndNotThePooledAreaAnInterval) {
   std::string table = "condition,subject,rating,noise,signal\n";

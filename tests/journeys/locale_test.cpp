@@ -15,10 +15,10 @@ namespace {
 
 using testing::HasSubstr;
 
-std::map<std::string, std::string> journey(const SmallStudy& small, const std::string& name,
+std::map<std::string, std::string> journey(const SmallStudy& small,
                                            const std::map<std::string, std::string>& environment) {
-  // Relative names, so that nothing differs but the locale.
-  const fs::path folder = small.place() / name;
+  // Always the same folder, so that nothing differs but the locale.
+  const fs::path folder = small.place() / "journey";
   fs::create_directory(folder);
   fs::copy_file(small.selection(), folder / "selection.json");
   write_text(folder / "path.tsv",
@@ -58,6 +58,20 @@ std::map<std::string, std::string> journey(const SmallStudy& small, const std::s
       {"bake", "solid.obj", "--triangles", "4", "--out", "made/solid.mesh"},
       {"sweep", "--model", "height_map", "--vary", "exploratory_speed", "--values", "0.05,0.1",
        "--spacings", "0.001:0.004:3", "--out", "made/sweep"},
+      {"sweep", "--model", "height_map", "--vary", "exploratory_speed", "--values", "0.05,0.1",
+       "--spacings", "0.001:0.004:3", "--shard", "1/2", "--out", "made/divided"},
+      {"sweep", "--model", "height_map", "--vary", "exploratory_speed", "--values", "0.05,0.1",
+       "--spacings", "0.001:0.004:3", "--shard", "2/2", "--out", "made/divided"},
+      {"gather", "made/divided.shard-1-of-2", "made/divided.shard-2-of-2", "--out",
+       "made/gathered"},
+      {"submit", "made/submission", "--slurm", "--shards", "2", "--write-only", "--time",
+       "00:10:00", "--", "sweep", "--model", "height_map", "--vary", "exploratory_speed",
+       "--values", "0.05,0.1", "--out", "made/submitted"},
+      {"power", fs::path(ASPERITY_SOURCE_DIR) / "protocols/library/amplitude_jnd.json",
+       "--list-assumptions"},
+      {"power", fs::path(ASPERITY_SOURCE_DIR) / "protocols/library/amplitude_jnd.json",
+       "--participants", "4", "--seed", "3", "--runs", "4", "--effect", "order=0.5", "--assume",
+       "order_sd=0.3", "--out", "made/power"},
       {"clean-stiffness", "--model", "height_map", "--amplitudes", "0.0001", "--wavelengths",
        "0.002", "--rates", "1000", "--strokes", "1", "--out", "made/clean.tsv"},
       {"devices"},
@@ -74,6 +88,7 @@ std::map<std::string, std::string> journey(const SmallStudy& small, const std::s
       {"run", "selection.json", "--study", "study", "--participant", "iris", "--virtual", "--seed",
        "9"},
       {"copy", "study", "copied"},
+      {"merge", "study", "--out", "merged"},
       {"withdraw", "study", "iris", "--by", "me"},
       {"withdraw", "study", "virtual0002", "--delete", "--confirm", "virtual0002", "--by", "me"},
       {"export", "study", "--out", "tables_after"}};
@@ -98,6 +113,7 @@ std::map<std::string, std::string> journey(const SmallStudy& small, const std::s
   }
   results["replayed.tsv"] = text_of(folder / "replayed.tsv");
   results["forces.tsv"] = text_of(folder / "forces.tsv");
+  fs::remove_all(folder);
   return results;
 }
 
@@ -105,11 +121,10 @@ constexpr const char* kLocales[] = {"de_DE.UTF-8", "tr_TR.UTF-8", "ar_EG.UTF-8",
 
 TEST(Locale, ChangesNoByte) {
   const SmallStudy small(2);
-  const auto plain = journey(small, "plain", {{"LC_ALL", "C"}});
+  const auto plain = journey(small, {{"LC_ALL", "C"}});
   for (const std::string locale : kLocales) {
     SCOPED_TRACE(locale);
-    const auto other =
-        journey(small, locale, {{"LC_ALL", locale}, {"LOCPATH", ASPERITY_LOCALE_FOLDER}});
+    const auto other = journey(small, {{"LC_ALL", locale}, {"LOCPATH", ASPERITY_LOCALE_FOLDER}});
     for (const auto& [name, content] : plain) {
       ASSERT_TRUE(other.contains(name)) << name;
       EXPECT_TRUE(other.at(name) == content) << name << " differs";
