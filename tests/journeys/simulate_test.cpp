@@ -138,6 +138,28 @@ TEST(Simulate, IsNotResumedWithOtherRecordings) {
   }
 }
 
+// Both models of a trial are matched to the force of the height map on its texture, which is stored with each of them.
+TEST(Simulate, StoresTheForceToWhichATextureWasMatched) {
+  const SmallStudy small(1);
+  nlohmann::ordered_json protocol = nlohmann::ordered_json::parse(text_of(small.selection()));
+  protocol["stimuli"]["rendered"]["equal_force"] = {{"to_model", "height_map"}};
+  write_text(small.selection(), protocol.dump(2));
+  const Outcome simulated = asperity({"simulate", small.selection(), "--study", small.study(),
+                                      "--participants", "1", "--seed", "3"});
+  ASSERT_EQ(simulated.status, 0) << simulated.err;
+  const Tsv presentations =
+      tsv(exported(small.study(), small.place() / "tables").at("presentations.tsv"));
+  const std::vector<std::string> textures = presentations.column("texture");
+  const std::vector<std::string> forces_N = presentations.column("matched_texture_force_N");
+  std::map<std::string, std::string> of_texture{};
+  for (std::size_t i = 0; i < textures.size(); ++i) {
+    EXPECT_GT(number_in(forces_N[i]).value_or(0.0), 0.0) << textures[i];
+    EXPECT_EQ(of_texture.emplace(textures[i], forces_N[i]).first->second, forces_N[i])
+        << textures[i];
+  }
+  EXPECT_EQ(of_texture.size(), 2U);
+}
+
 std::vector<std::string> participants_in(const fs::path& study, const fs::path& tables) {
   return tsv(exported(study, tables).at("participants.tsv")).column("participant");
 }
