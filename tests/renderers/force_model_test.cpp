@@ -2,9 +2,7 @@
 
 #include "renderers/force/force_model.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -159,39 +157,6 @@ TEST(BuiltInModels, TouchNothingBeyondAFadingBorder) {
     const RenderedTick tick = answer(*renderer, probe_at({0.026, 0.0, -0.002}));
     EXPECT_EQ(tick.wrench.force_N, glm::dvec3(0.0)) << model.declaration.id;
     EXPECT_EQ(tick.penetration_m, 0.0) << model.declaration.id;
-  }
-}
-
-// A stiffness of 1 kN/m makes 1 mN of the first micrometre; a texture that its law does not take from the depth has faded in
-// by 3·(1 µm/0.1 mm)², a 3000th of what it is deeper down.
-TEST(BuiltInModels, BeginAContactWithoutAStep) {
-  constexpr double kFirst_m = 1e-6;
-  constexpr double kLargest_N = 0.002;
-  for (const ForceModel& model : point_models()) {
-    SCOPED_TRACE(model.declaration.id);
-    RendererInputs inputs = any_inputs();
-    inputs.material.stiffness_N_per_m = 1000.0;
-    const auto renderer = make_renderer(model, inputs);
-    int first_ticks = 0;
-    double deeper_N = 0.0;
-    for (int place = 0; place < 8; ++place) {
-      // Down by 0.2 µm a tick through the whole relief, with the speed of a stroke.
-      for (int i = 0; i < 2000; ++i) {
-        ProbeState probe;
-        probe.time_ns = std::int64_t{1'000'000} * i;
-        probe.position_m = {0.0005 * place + 1e-6 * i, 0.0, 0.0002 - 2e-7 * i};
-        probe.velocity_m_per_s = {0.060, 0.0, 0.0};
-        if (i == 0) renderer->reset(probe);
-        const RenderedTick tick = renderer->tick(probe, kTick_s);
-        const double force_N = glm::length(tick.wrench.force_N);
-        deeper_N = std::max(deeper_N, force_N);
-        if (!(tick.penetration_m > 0.0 && tick.penetration_m <= kFirst_m)) continue;
-        ++first_ticks;
-        EXPECT_LE(force_N, kLargest_N) << probe.position_m.x << ' ' << tick.penetration_m;
-      }
-    }
-    EXPECT_GT(first_ticks, 8);
-    EXPECT_GT(deeper_N, 10.0 * kLargest_N);
   }
 }
 
