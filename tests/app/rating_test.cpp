@@ -480,12 +480,9 @@ TEST(Construct, HasTheAlphaOfItsScalesAfterReflection) {
   ASSERT_NE(table, nullptr);
   EXPECT_EQ(table->table.rows.at(0).at(2), Cell(std::string("smooth")));
   EXPECT_EQ(table->table.rows.at(0).at(4), Cell(std::int64_t{4}));
-  const auto asked =
-      std::find_if(outcome.questions.begin(), outcome.questions.end(),
-                   [](const auto& each) { return each.name == "construct_roughness"; });
-  ASSERT_NE(asked, outcome.questions.end());
-  EXPECT_THAT(asked->answer.english(), HasSubstr("α = .94"));
-  EXPECT_THAT(asked->answer.english(), HasSubstr("rough, smooth (reverse-keyed: smooth)"));
+  EXPECT_THAT(answer_to(outcome, "construct_roughness"), HasSubstr("α = .94"));
+  EXPECT_THAT(answer_to(outcome, "construct_roughness"),
+              HasSubstr("rough, smooth (reverse-keyed: smooth)"));
 }
 
 // Rough 1, 5, 3, 7 and smooth 6, 2, 6, 2, not reflected: variances 20/3 and 16/3, of the sums 4/3; α = 2·(1 − 9) = −16.
@@ -496,11 +493,8 @@ TEST(Construct, OfOppositeScalesAsksWhichAreReverseKeyed) {
        {rated_on("wood", "3", "6"), rated_on("stone", "7", "2")}});
   EXPECT_NEAR(FoundNumbers(outcome.findings).value("cronbach.alpha", "roughness").value(), -16.0,
               1e-12);
-  const auto asked =
-      std::find_if(outcome.questions.begin(), outcome.questions.end(),
-                   [](const auto& each) { return each.name == "construct_roughness"; });
-  ASSERT_NE(asked, outcome.questions.end());
-  EXPECT_THAT(asked->answer.english(), HasSubstr("check which of them are reverse-keyed"));
+  EXPECT_THAT(answer_to(outcome, "construct_roughness"),
+              HasSubstr("check which of them are reverse-keyed"));
 }
 
 TEST(Construct, IsNotMadeOfParticipants) {

@@ -309,12 +309,19 @@ TEST_F(StudyMerge, CarriesASessionThatCanBeResumed) {
   EXPECT_EQ(study.sessions()[2].state, SessionState::crashed);
 }
 
-TEST_F(StudyMerge, RefusesALabelThatTwoPeopleHave) {
-  const std::filesystem::path other = station(folder_ / "c", {"P2"});
-  change(other, "UPDATE participant SET created_utc = '2026-04-05T06:07:08.009Z', age_years = 50");
-  change(other,
+/// A station with one participant, who is none of the other stations'.
+std::filesystem::path station_of_another(const std::filesystem::path& folder,
+                                         const std::string& label) {
+  station(folder, {label});
+  change(folder, "UPDATE participant SET created_utc = '2026-04-05T06:07:08.009Z', age_years = 50");
+  change(folder,
          "DROP TRIGGER session_only_changes_state; DROP TRIGGER session_completed_stays;"
          "UPDATE session SET seed = '5'");
+  return folder;
+}
+
+TEST_F(StudyMerge, RefusesALabelThatTwoPeopleHave) {
+  const std::filesystem::path other = station_of_another(folder_ / "c", "P2");
   EXPECT_THAT(refusal({{b_}, {other}}),
               AllOf(HasSubstr("both have a participant P2, added to " + b_.string() +
                               " at 2026-03-01T09:00:00.002Z and to " + other.string() +
@@ -326,11 +333,7 @@ TEST_F(StudyMerge, RefusesALabelThatTwoPeopleHave) {
 
 // One person at two stations, or two people whom a table would take for one.
 TEST_F(StudyMerge, RefusesLabelsThatDifferOnlyInCaseOrLeadingZeros) {
-  const std::filesystem::path other = station(folder_ / "c", {"p02"});
-  change(other, "UPDATE participant SET created_utc = '2026-04-05T06:07:08.009Z', age_years = 50");
-  change(other,
-         "DROP TRIGGER session_only_changes_state; DROP TRIGGER session_completed_stays;"
-         "UPDATE session SET seed = '5'");
+  const std::filesystem::path other = station_of_another(folder_ / "c", "p02");
   EXPECT_THAT(refusal({{b_}, {other}}),
               AllOf(HasSubstr("they have the participants P2 and p02, whose labels differ only in "
                               "letter case or leading zeros, added to " +
