@@ -237,7 +237,7 @@ Transaction::Transaction(Database& database) : database_(database) {
 }
 
 Transaction::~Transaction() {
-  // Committed, or rolled back by SQLite after an error: there is nothing left to undo.
+  // SQLite is back in autocommit mode after a commit, and after the errors at which it rolls back by itself.
   if (sqlite3_get_autocommit(database_.handle()) == 0) {
     sqlite3_exec(database_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
   }
