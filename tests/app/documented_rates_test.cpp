@@ -34,6 +34,7 @@ std::vector<std::string> documented_rates() {
   };
   const std::string large_d = with_d_up_to(0.8, 1e9).substr(std::string("at least ").size());
   return {
+      "truncated at −1 and 1; its coverage was " + span_of(drawn("groups", "subj.diff")),
       "Its coverage is " + span_of(drawn("choice_effects", "relabel.W")) +
           " with 12 and 20 participants (part `choice_effects`",
       "d_z of choices is " + with_d_up_to(0.0, 0.8) +

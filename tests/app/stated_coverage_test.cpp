@@ -130,6 +130,17 @@ TEST(StatedCoverage, OfAreasOfParticipantsIsThatOfTheSimulations) {
   }
 }
 
+// The interval of Welch's t is truncated, and conservative near 0 and 1.
+TEST(StatedCoverage, OfTheDifferenceOfTwoGroupsIsThatOfTheSimulations) {
+  const std::vector<Finding> groups =
+      findings_of("group", "subject,group,correct,trials\na,f,5,9\nb,f,6,9\nc,m,3,9\nd,m,5,9\n",
+                  R"({"groups": ["f", "m"]})");
+  EXPECT_THAT(method_of(groups, "subj.diff"), HasSubstr(span_of_coverage("groups", "subj.diff")));
+  const std::vector<Finding> alone = findings_of(
+      "group", "subject,group,correct,trials\na,f,5,9\nb,m,6,9\n", R"({"groups": ["f", "m"]})");
+  EXPECT_THAT(method_of(alone, "subj.diff"), Not(HasSubstr("coverage"))) << "without an interval";
+}
+
 TEST(StatedCoverage, OfDifferencesOfAMixedModelIsThatOfTheSimulations) {
   TidyInput input{};
   input.tables.emplace_back(

@@ -88,6 +88,7 @@ std::vector<StatedRate> rates_of_intervals() {
       {"findings/tidy/dprime.cpp", coverage_of(drawn("sensitivity", "dprime.mean"))},
       {"findings/methods/discrimination/thresholds/discrimination_results.cpp",
        coverage_of(drawn("compared_thresholds", "ratio.jnd"))},
+      {"findings/tidy/group.cpp", coverage_of(drawn("groups", "subj.diff"))},
       {"findings/tidy/group_values.cpp", coverage_of(drawn("group_numbers", "values.ratio"))},
       {"findings/tidy/group_values.cpp", coverage_of(drawn("group_profiles", "profile.diff"))},
       {"findings/tidy/lmm.cpp", coverage_of(alike)},

@@ -16,6 +16,7 @@
 #include "analysis/tests/two_samples.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/repeated_rows.h"
+#include "app/findings/tidy/simulated_coverage.h"
 #include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {
@@ -177,7 +178,9 @@ class GroupComparison final {
 
   void participants() {
     const TwoSamples samples{.first = groups_.first, .second = groups_.second};
-    const GroupScale shares{.confidence = confidence_, .possible = kShares};
+    const GroupScale shares{.confidence = confidence_,
+                            .possible = kShares,
+                            .coverage_of_difference = simulated_coverage({94, 100})};
     for (const bool second : {false, true}) {
       std::vector<HitCount> own{};
       for (const GroupedHits& one : groups_.participants) {
