@@ -1,35 +1,30 @@
 // The same bytes whatever the locale: a decimal comma, another capital of i, digits of another script, other dates.
 
 #include <clocale>
+#include <cstddef>
 #include <cstdlib>
+#include <list>
+#include <map>
 #include <regex>
+#include <set>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/journeys/program.h"
 #include "tests/journeys/small_study.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity::test {
 namespace {
 
 using testing::HasSubstr;
 
-std::map<std::string, std::string> journey(const SmallStudy& small,
-                                           const std::map<std::string, std::string>& environment) {
-  // Always the same folder, so that nothing differs but the locale.
-  const fs::path folder = small.place() / "journey";
-  fs::create_directory(folder);
-  fs::copy_file(small.selection(), folder / "selection.json");
-  write_text(folder / "path.tsv",
-             "time_s\tx_m\ty_m\tz_m\n0\t0\t0\t-0.0005\n0.001\t0.0001\t0\t-0.0005\n"
-             "0.002\t0.00025\t1e-5\t-0.00075\n");
-  write_text(folder / "solid.obj",
-             "v 0 0 0\nv 10.5 0 0\nv 0 10.5 0\nv 0 0 10.5\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
-  write_text(folder / "shares.csv", "id,k,n,p0\na,5,10,0.5\nb,9,12,0.25\n");
-  write_text(folder / "levels.csv",
-             "condition,x,n,k\na,0.1,20,3\na,0.25,20,9\na,0.5,20,16\na,0.75,20,19\n");
-  const std::vector<std::vector<std::string>> steps{
+/// The commands of the journey, in a folder with the files that they name.
+std::vector<std::vector<std::string>> steps_of_journey() {
+  return {
       {"new", "study"},
       {"synth", "sinusoid", "--out", "study/stimuli/walnut.png", "--pixels", "128", "--width-m",
        "0.02", "--param", "amplitude_m=0.00015", "--photo", "bright_height",
@@ -92,7 +87,24 @@ std::map<std::string, std::string> journey(const SmallStudy& small,
       {"withdraw", "study", "iris", "--by", "me"},
       {"withdraw", "study", "virtual0002", "--delete", "--confirm", "virtual0002", "--by", "me"},
       {"export", "study", "--out", "tables_after"}};
+}
+
+std::map<std::string, std::string> journey(const SmallStudy& small,
+                                           const std::map<std::string, std::string>& environment) {
+  // Always the same folder, so that nothing differs but the locale.
+  const fs::path folder = small.place() / "journey";
+  fs::create_directory(folder);
+  fs::copy_file(small.selection(), folder / "selection.json");
+  write_text(folder / "path.tsv",
+             "time_s\tx_m\ty_m\tz_m\n0\t0\t0\t-0.0005\n0.001\t0.0001\t0\t-0.0005\n"
+             "0.002\t0.00025\t1e-5\t-0.00075\n");
+  write_text(folder / "solid.obj",
+             "v 0 0 0\nv 10.5 0 0\nv 0 10.5 0\nv 0 0 10.5\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  write_text(folder / "shares.csv", "id,k,n,p0\na,5,10,0.5\nb,9,12,0.25\n");
+  write_text(folder / "levels.csv",
+             "condition,x,n,k\na,0.1,20,3\na,0.25,20,9\na,0.5,20,16\na,0.75,20,19\n");
   fs::create_directory(folder / "made");
+  const std::vector<std::vector<std::string>> steps = steps_of_journey();
   std::map<std::string, std::string> results{};
   for (std::size_t i = 0; i < steps.size(); ++i) {
     Invocation invocation{};
@@ -130,6 +142,63 @@ TEST(Locale, ChangesNoByte) {
       EXPECT_TRUE(other.at(name) == content) << name << " differs";
     }
     EXPECT_EQ(other.size(), plain.size());
+  }
+}
+
+// Of the other one a test follows: it measures.
+TEST(Locale, IsTriedWithEveryCommandOfHelp) {
+  std::set<std::string> tried{"device-test"};
+  for (const std::vector<std::string>& step : steps_of_journey()) tried.insert(step.front());
+  const std::string help = asperity({"--help"}).out;
+  const std::size_t list = help.find("Subcommands:");
+  ASSERT_NE(list, std::string::npos);
+  const std::regex command("\n  ([a-z-]+) ");
+  std::size_t commands = 0;
+  for (std::sregex_iterator
+           each(help.begin() + static_cast<std::ptrdiff_t>(list), help.end(), command),
+       end;
+       each != end; ++each) {
+    EXPECT_TRUE(tried.contains((*each)[1])) << (*each)[1];
+    ++commands;
+  }
+  EXPECT_GT(commands, 20U);
+}
+
+// Errors state numbers as well. close-device is in no list of commands, and the program starts it where a device is left.
+TEST(Locale, ChangesNoWordOfAnError) {
+  const TemporaryFolder folder;
+  write_text(folder / "table.csv", "id,k,n,p0\na,5,10,1.5\n");
+  const std::vector<std::vector<std::string>> mistakes{
+      {"close-device", "falcon:NONE", "--within", "1", "--claim"},  // the name of the claim follows
+      {"analyze", "--table", "table.csv", "--as", "proportion"},
+      {"render", "--model", "sinusoid", "--param", "amplitude_m=-0.00025", "--path", "path.tsv",
+       "--out", "forces.tsv"},
+      {"texture", "photo.png", "--width-m", "0,02", "--out", "relief.png"}};
+  std::vector<std::map<std::string, std::string>> environments{{{"LC_ALL", "C"}}};
+  for (const char* const locale : kLocales) {
+    environments.push_back({{"LC_ALL", locale}, {"LOCPATH", ASPERITY_LOCALE_FOLDER}});
+  }
+  for (const std::vector<std::string>& mistake : mistakes) {
+    SCOPED_TRACE(mistake.front());
+    std::list<Program> programs{};  // side by side: the device is waited for
+    for (const auto& environment : environments) {
+      Invocation invocation{};
+      invocation.arguments = mistake;
+      if (mistake.front() == "close-device") {
+        invocation.arguments.push_back("locale_test_" + environment.at("LC_ALL"));
+      }
+      invocation.environment = environment;
+      invocation.folder = folder.path();
+      programs.emplace_back(invocation);
+    }
+    std::vector<Outcome> outcomes{};
+    for (Program& program : programs) outcomes.push_back(program.finish());
+    EXPECT_NE(outcomes.front().status, 0);
+    EXPECT_NE(outcomes.front().err, "");
+    for (const Outcome& outcome : outcomes) {
+      EXPECT_EQ(outcome.status, outcomes.front().status);
+      EXPECT_EQ(outcome.err, outcomes.front().err);
+    }
   }
 }
 
