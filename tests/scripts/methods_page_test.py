@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""docs/methods.md has a row for every library protocol, with the trials and minutes that `check` states. Argument: the program asperity."""
+"""docs/methods.md has a row for every library protocol, with the trials and minutes that `check` states, and with analyses that exist.
+
+An analysis exists if a study of the protocol (tests/golden/results) has its number. Argument: the program asperity.
+"""
 import json
 import pathlib
 import re
@@ -8,6 +11,48 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = sys.argv[1]
+STUDIES = ROOT / "tests" / "golden" / "results"
+# The analyses in the words of the page, and the quantity of each in the findings of a study.
+QUANTITIES = {
+    "psychometric function": "fit.alpha",
+    "JND": "jnd",
+    "Weber fraction": "weber",
+    "order effect": "order.difference",
+    "with the posterior threshold and its credible interval": "jnd.posterior",
+    "for the Young's modulus of a soft body": "jnd",
+    "with the effect of the side": "order.difference",
+    "d′ of each level by both decision rules": "dprime.io",
+    "criterion": "k.diff",
+    "JND at d′ = 1": "jnd.dprime1",
+    "geometric means": "geomean",
+    "exponent": "exponent.mean",
+    "peak of the log-quadratic function": "quad.coef",
+    "means with intervals": "mean.score",
+    "ICC": "icc",
+    "analysis of variance": "pes",
+    "log odds ratios": "logodds",
+    "principal components": "proportion",
+    "Cronbach's α of constructs": "cronbach.alpha",
+    "reliability over repetitions": "icc.mean",
+    "non-metric multidimensional scaling": "stress.ordinal",
+    "number of dimensions by cross-validation": "cv.chosen",
+    "INDSCAL": "indscal.fit",
+    "dendrogram": "hclust.average.height",
+    "measured properties (PROTEST)": "protest.r2",
+    "tests per pair": "signflip.p.two",
+    "Bradley–Terry scale with order effect and ties": "bt.order.beta",
+    "circular triads": "mean.zeta",
+    "relative amplitudes of equal roughness": "relative_amplitude",
+    "proportions of choices": "prop",
+    "permutation and sign-flip tests": "signflip.p.two",
+    "Plackett–Luce scale": "luce.logworth",
+    "logistic mixed model of the choices of the target": "glmm.status",
+    "proportion correct": "pc",
+    "confusion matrix": "confusion",
+    "information transfer": "IT.plugin",
+    "proportion correct against chance": "prop.correct",
+    "permutation test": "relabel.p.greater",
+}
 
 
 def rows(text):
@@ -26,6 +71,24 @@ def rows(text):
             header = []
 
 
+def analyses(page):
+    """Per library protocol: the analyses that its row states; "the same" stands for those of the last row without these words."""
+    last = []
+    for name, row in page.items():
+        parts = re.split("[,;] ", row["analysis"])
+        if parts[0] == "the same":
+            parts[:1] = last
+        else:
+            last = parts
+        yield name, parts
+
+
+def quantities(name):
+    """The quantities of the findings of a study of the protocol."""
+    text = (STUDIES / name / "analysis.txt").read_text(encoding="utf-8")
+    return set(re.findall(r"^findings \S+ \| (\S+) \|", text, re.MULTILINE))
+
+
 def main():
     page = dict(rows((ROOT / "docs" / "methods.md").read_text(encoding="utf-8")))
     protocols = {path.stem: path for path in sorted((ROOT / "protocols" / "library").glob("*.json")) if "." not in path.stem}
@@ -42,6 +105,10 @@ def main():
         kind = json.loads(protocols[name].read_text(encoding="utf-8"))["kind"]
         if f"`{kind}`" not in row["kind"]:
             wrong.append(f"{name}: docs/methods.md states the kind {row['kind']}, the protocol {kind}")
+    for name, stated in analyses(page):
+        found = quantities(name)
+        wrong += [f"{name}: docs/methods.md states \"{part}\", and a study of it has no such number"
+                  for part in stated if QUANTITIES.get(part) not in found]
     print("\n".join(sorted(wrong)))
     return 1 if wrong else 0
 
