@@ -313,14 +313,6 @@ Phrase word_in(const CellWords& words, const std::string& code) {
   return found == words.end() ? words_of_name(code) : found->second;
 }
 
-/// Replaces strokes by slashes: "height_map / sinusoid" from "height_map|sinusoid".
-std::string with_strokes(const std::string& text) {
-  std::string shown{};
-  for (const char letter : text)
-    shown += letter == '|' ? std::string(" / ") : std::string(1, letter);
-  return shown;
-}
-
 /// "outside_levels", "jnd, weber: outside_levels; pse: not_increasing".
 Phrase words_of_several_reasons(const std::string& text) {
   if (text.find(": ") == std::string::npos) return word_in(words_of_reasons(), text);
@@ -392,6 +384,13 @@ const CellWords& words_of_sexes() {
 }
 
 }  // namespace
+
+std::string with_strokes(const std::string& text) {
+  std::string shown{};
+  for (const char letter : text)
+    shown += letter == '|' ? std::string(" / ") : std::string(1, letter);
+  return shown;
+}
 
 std::string words_of_parameter(const std::string& key) {
   std::string words = key;

@@ -53,6 +53,9 @@ Phrase words_of_sex(const std::string& sex);
 /// The level of the factor `column`, or "all".
 Phrase words_of_repetition(const std::string& level);
 
+/// "a / b" for `a|b`: the parts of a stored name, as text.
+std::string with_strokes(const std::string& text);
+
 /// "strong, wavelength 2.5 mm" for the condition "strong, wavelength_m 0.0025": numbers after the name of a parameter or
 /// factor with a unit are written with this unit.
 std::string words_of_condition(const std::string& condition);

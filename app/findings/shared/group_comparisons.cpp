@@ -10,6 +10,7 @@
 
 #include "analysis/tests/two_samples.h"
 #include "app/findings/gathering/answer_columns.h"
+#include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/reading_number.h"
@@ -86,14 +87,6 @@ Phrase mean_of(const FoundNumbers& found, const std::string& group, bool is_rati
   const Finding& mean = *found.find("values.mean", group);
   return phrase("Analysis", "%1 in the group %2 (n = %3)")
       .with(with_interval(mean, is_ratio), group, std::to_string(mean.n));
-}
-
-/// An item as people read it, "a / c" where it is a pair or a stimulus under a condition.
-std::string readable(std::string item) {
-  for (std::size_t bar = item.find('|'); bar != std::string::npos; bar = item.find('|')) {
-    item.replace(bar, 1, " / ");
-  }
-  return item;
 }
 
 std::size_t missing_in(const FoundNumbers& found, const ParticipantPair& pair) {
@@ -307,7 +300,7 @@ void GroupComparisons::ask_profile(const Compared& one, const StudyTests& tests,
       phrase("Analysis",
              "the largest difference (%1 − %2), each participant's mean removed, is "
              "that of %3, %4")
-          .with(one.pair.first, one.pair.second, words_of_item(readable(greatest.key)),
+          .with(one.pair.first, one.pair.second, words_of_item(with_strokes(greatest.key)),
                 reading_signed(*greatest.value, 2));
   const auto with_numbers = [&](const Phrase& words) {
     const Phrase answer = words.with(reading_bounded(*r2.value), largest, p_text(*test));
@@ -383,7 +376,7 @@ void GroupComparisons::add_table_of_profiles(AnalysisOutcome& outcome) const {
     const FoundNumbers found(one.findings);
     for (const std::string& item : one.items) {
       if (found.find("profile.diff", item) == nullptr) continue;
-      table.add({word_cell(one.name), one.pair.first + " − " + one.pair.second, readable(item),
+      table.add({word_cell(one.name), one.pair.first + " − " + one.pair.second, with_strokes(item),
                  found.cell("profile.mean", one.pair.first + '|' + item),
                  found.cell("profile.mean", one.pair.second + '|' + item),
                  found.cell("profile.diff", item), found.interval("profile.diff", item)});
