@@ -114,13 +114,14 @@ std::optional<ConfidenceInterval> standardised_mean_interval(double d, double n,
                 1.0 / root);
 }
 
-std::optional<ConfidenceInterval> standardised_difference_interval(double d,
-                                                                   const TwoSampleSizes& sizes,
+std::optional<ConfidenceInterval> standardised_difference_interval(const WelchT& welch,
+                                                                   const TwoSamples& samples,
                                                                    double confidence) {
-  const double sum = sizes.first + sizes.second;
-  const double root = std::sqrt(sizes.first * sizes.second / sum);
-  return scaled(noncentrality_interval(TStatistic{.value = d * root, .df = sum - 2.0}, confidence),
-                1.0 / root);
+  const auto first = static_cast<double>(samples.first.size());
+  const auto second = static_cast<double>(samples.second.size());
+  const double root = std::sqrt(first * second / (first + second));
+  const TStatistic t{.value = welch.d * root, .df = first + second - 2.0};
+  return scaled(noncentrality_interval(t, confidence), 1.0 / root);
 }
 
 std::optional<ConfidenceInterval> bias_corrected(const WelchT& welch,

@@ -32,14 +32,10 @@ std::optional<ConfidenceInterval> noncentrality_interval(const FStatistic& stati
 std::optional<ConfidenceInterval> standardised_mean_interval(double d, double n,
                                                              double confidence = 0.95);
 
-/// Of d = (mean₁ − mean₂)/pooled sd: t = d·√(n₁n₂/(n₁ + n₂)), with n₁ + n₂ − 2 degrees of freedom.
+/// Of d = (mean₁ − mean₂)/pooled sd of the samples: t = d·√(n₁n₂/(n₁ + n₂)), with n₁ + n₂ − 2 degrees of freedom.
 /// As d itself it assumes equal variances.
-struct TwoSampleSizes {
-  double first = 2.0;
-  double second = 2.0;
-};
-std::optional<ConfidenceInterval> standardised_difference_interval(double d,
-                                                                   const TwoSampleSizes& sizes,
+std::optional<ConfidenceInterval> standardised_difference_interval(const WelchT& welch,
+                                                                   const TwoSamples& samples,
                                                                    double confidence = 0.95);
 
 /// Limits of g from those of d: g/d = J is the same for both.

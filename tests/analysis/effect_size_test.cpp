@@ -54,10 +54,11 @@ TEST(NoncentralityInterval, IsAbsentWhereThereIsNone) {
 TEST(StandardisedDifference, HasTheLimitsOfItsT) {
   constexpr std::array kFirstGroup{5.0, 7.0, 8.0, 6.0, 9.0};
   constexpr std::array kSecondGroup{6.0, 9.0, 7.0, 11.0, 8.0, 10.0, 7.0};
-  const std::optional<WelchT> welch = welch_t({.first = kFirstGroup, .second = kSecondGroup});
+  const TwoSamples samples{.first = kFirstGroup, .second = kSecondGroup};
+  const std::optional<WelchT> welch = welch_t(samples);
   EXPECT_NEAR(welch->d, -0.749479708574217, 1e-13);
-  expect_limits(standardised_difference_interval(welch->d, {.first = 5.0, .second = 7.0}),
-                -1.92491586125751, 0.460154965913587);
+  expect_limits(standardised_difference_interval(*welch, samples), -1.92491586125751,
+                0.460154965913587);
   // t = d·√n: 2.5 of 10 differences.
   expect_limits(standardised_mean_interval(2.5 / std::sqrt(10.0), 10.0),
                 0.182943963044932 / std::sqrt(10.0), 4.71541229121613 / std::sqrt(10.0));

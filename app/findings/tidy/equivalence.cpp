@@ -115,20 +115,20 @@ ComparedMeans read_two_samples(const TidyTable& table, const FamilyOptions& opti
     return made;
   }
   made.comparison.difference = one_sample_t(first).mean - one_sample_t(second).mean;
-  const std::optional<WelchT> welch = welch_t({.first = first, .second = second}, confidence);
+  const TwoSamples samples{.first = first, .second = second};
+  const std::optional<WelchT> welch = welch_t(samples, confidence);
   if (!welch) return made;
-  const TwoSampleSizes sizes{.first = static_cast<double>(first.size()),
-                             .second = static_cast<double>(second.size())};
-  const double effective = sizes.first * sizes.second / (sizes.first + sizes.second);
-  made.comparison.estimate = {.difference = {.value = welch->difference,
-                                             .standard_error = welch->standard_error,
-                                             .df = welch->df},
-                              .t = welch->t,
-                              .p = welch->p,
-                              .pooled = {.t = welch->d * std::sqrt(effective),
-                                         .df = sizes.first + sizes.second - 2.0,
-                                         .n = effective}};
-  const auto limits = standardised_difference_interval(welch->d, sizes, confidence);
+  const auto n = static_cast<double>(made.comparison.n);
+  const double effective =
+      static_cast<double>(first.size()) * static_cast<double>(second.size()) / n;
+  made.comparison.estimate = {
+      .difference = {.value = welch->difference,
+                     .standard_error = welch->standard_error,
+                     .df = welch->df},
+      .t = welch->t,
+      .p = welch->p,
+      .pooled = {.t = welch->d * std::sqrt(effective), .df = n - 2.0, .n = effective}};
+  const auto limits = standardised_difference_interval(*welch, samples, confidence);
   made.effects = {
       {"cohen.d", "difference divided by the pooled standard deviation", welch->d, limits},
       {"hedges.g", "d corrected for bias, exact J", welch->g, bias_corrected(*welch, limits)}};

@@ -202,11 +202,7 @@ class GroupComparison final {
       number("welch.t", welch->t, "Welch's t over participants");
       number("welch.df", welch->df, "Welch's degrees of freedom");
       number("welch.p.two", welch->p, "two-sided Welch's t test over participants");
-      const auto limits =
-          standardised_difference_interval(welch->d,
-                                           {.first = static_cast<double>(samples.first.size()),
-                                            .second = static_cast<double>(samples.second.size())},
-                                           confidence_);
+      const auto limits = standardised_difference_interval(*welch, samples, confidence_);
       effect("cohen.d", welch->d, limits,
              "difference divided by the pooled standard deviation; interval from the noncentral t "
              "distribution");

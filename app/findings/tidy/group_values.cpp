@@ -162,11 +162,7 @@ class ValueComparison final {
       list_.number("values.welch.t", "", welch->t, basis("Welch's t over participants"));
       list_.number("values.welch.df", "", welch->df, basis("Welch's degrees of freedom"));
       list_.number("values.welch.p.two", "", welch->p, basis("Welch's t test, two-sided"));
-      const auto limits =
-          standardised_difference_interval(welch->d,
-                                           {.first = static_cast<double>(first.size()),
-                                            .second = static_cast<double>(second.size())},
-                                           confidence_);
+      const auto limits = standardised_difference_interval(*welch, samples, confidence_);
       list_.number("values.hedges.g", "", welch->g,
                    basis(std::string("Hedges' g") + (is_ratio_ ? " of the logarithms" : "") +
                              "; interval from the noncentral t distribution",

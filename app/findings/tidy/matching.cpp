@@ -528,10 +528,7 @@ void add_groups(const Matching& read, const std::vector<double>& means,
         .method =
             "Hedges' g of the participants' means; interval from the noncentral t distribution",
         .interval = bias_corrected(
-            *welch, standardised_difference_interval(welch->d,
-                                                     {.first = static_cast<double>(first.size()),
-                                                      .second = static_cast<double>(second.size())},
-                                                     read.confidence))};
+            *welch, standardised_difference_interval(*welch, samples, read.confidence))};
     if (effect.interval) effect.confidence = read.confidence;
     findings.number("group.hedges.g", key, welch->g, effect);
   }
