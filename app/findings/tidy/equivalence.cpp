@@ -16,6 +16,7 @@
 #include "app/findings/tidy/finding_list.h"
 #include "app/findings/tidy/repeated_rows.h"
 #include "app/findings/tidy/tidy_families.h"
+#include "app/findings/tidy/two_groups.h"
 
 namespace asperity {
 namespace {
@@ -87,22 +88,14 @@ ComparedMeans read_one_sample(const TidyTable& table, double confidence) {
   return made;
 }
 
-ComparedMeans read_two_samples(const TidyTable& table, const FamilyOptions& options,
-                               double confidence) {
-  const std::vector<std::string> names = options.texts("groups");
-  if (names.size() != 2) {
-    throw std::runtime_error("the option \"groups\" must name two groups, not " +
-                             std::to_string(names.size()) + "; name the two groups to compare");
-  }
-  const LabelColumn groups = table.labels("group", names);
-  const std::vector<std::optional<double>> values = table.numbers("value");
+ComparedMeans read_two_samples(const TidyInput& input, double confidence) {
+  const LabelColumn groups = two_groups(input);
+  const std::vector<std::optional<double>> values = input.table().numbers("value");
   std::vector<double> first{};
   std::vector<double> second{};
-  ComparedMeans made{.comparison = {.method = names[0] + " − " + names[1] + ", Welch"}};
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (groups.codes[row] == LabelColumn::kMissing) {
-      table.refuse(row, "group", "the group is missing; enter " + names[0] + " or " + names[1]);
-    }
+  ComparedMeans made{
+      .comparison = {.method = groups.names[0] + " − " + groups.names[1] + ", Welch"}};
+  for (std::size_t row = 0; row < values.size(); ++row) {
     if (!values[row]) {
       ++made.comparison.incomplete;
     } else {
@@ -139,7 +132,7 @@ ComparedMeans compared_means_in(const TidyInput& input) {
   const TidyTable& table = input.table();
   refuse_repeated(table, "subject", "one row per participant");
   const double confidence = input.options.confidence();
-  return table.has("group") ? read_two_samples(table, input.options, confidence)
+  return table.has("group") ? read_two_samples(input, confidence)
                             : read_one_sample(table, confidence);
 }
 

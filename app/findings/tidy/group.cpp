@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
@@ -18,6 +17,7 @@
 #include "app/findings/tidy/repeated_rows.h"
 #include "app/findings/tidy/simulated_coverage.h"
 #include "app/findings/tidy/tidy_families.h"
+#include "app/findings/tidy/two_groups.h"
 
 namespace asperity {
 namespace {
@@ -32,23 +32,14 @@ struct Groups {
 };
 
 Groups read_groups(const TidyInput& input) {
-  Groups groups{.names = input.options.texts("groups")};
-  if (groups.names.size() != 2) {
-    throw std::runtime_error("the option \"groups\" must name two groups, not " +
-                             std::to_string(groups.names.size()) +
-                             "; name the two groups to compare");
-  }
+  const LabelColumn group = two_groups(input);
+  Groups groups{.names = group.names};
   const TidyTable& table = input.table();
   refuse_repeated(table, "subject", "one row per participant, with one group");
   const LabelColumn subjects = table.labels("subject");
-  const LabelColumn group = table.labels("group", groups.names);
   const std::vector<std::uint64_t> hits = table.counts("correct");
   const std::vector<std::uint64_t> trials = table.counts("trials");
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (group.codes[row] == LabelColumn::kMissing) {
-      table.refuse(row, "group",
-                   "the group is missing; enter " + groups.names[0] + " or " + groups.names[1]);
-    }
     if (trials[row] == 0 || hits[row] > trials[row]) {
       table.refuse(row, "correct",
                    "correct is " + std::to_string(hits[row]) + " and trials is " +

@@ -19,18 +19,10 @@
 #include "app/findings/tidy/repeated_rows.h"
 #include "app/findings/tidy/simulated_coverage.h"
 #include "app/findings/tidy/tidy_families.h"
+#include "app/findings/tidy/two_groups.h"
 
 namespace asperity {
 namespace {
-
-std::vector<std::string> two_groups(const FamilyOptions& options) {
-  std::vector<std::string> names = options.texts("groups");
-  if (names.size() != 2) {
-    throw std::runtime_error("the option \"groups\" must name two groups, not " +
-                             std::to_string(names.size()) + "; name the two groups to compare");
-  }
-  return names;
-}
 
 /// Whether the geometric means are compared by their ratio.
 bool compares_ratio(const FamilyOptions& options) {
@@ -39,17 +31,6 @@ bool compares_ratio(const FamilyOptions& options) {
   if (scale == "difference") return false;
   throw std::runtime_error("the option \"scale\" must be \"difference\" or \"ratio\", not \"" +
                            scale + "\"; enter one of these");
-}
-
-/// The labels of the groups; refuses a row without one.
-LabelColumn groups_of_rows(const TidyTable& table, const std::vector<std::string>& names) {
-  LabelColumn groups = table.labels("group", names);
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (groups.codes[row] == LabelColumn::kMissing) {
-      table.refuse(row, "group", "the group is missing; enter " + names[0] + " or " + names[1]);
-    }
-  }
-  return groups;
 }
 
 /// One of the two groups; `missing`: its participants without a number.
@@ -192,13 +173,12 @@ class ValueComparison final {
 
 std::vector<Finding> values_compared(const TidyInput& input) {
   const TidyTable& table = input.table();
-  const std::vector<std::string> names = two_groups(input.options);
+  const LabelColumn groups = two_groups(input);
   refuse_repeated(table, "subject", "one row per participant, with one group");
-  const LabelColumn groups = groups_of_rows(table, names);
   const bool is_ratio = compares_ratio(input.options);
   const std::vector<std::optional<double>> values = table.numbers("value");
-  std::array<GroupOfValues, 2> read{GroupOfValues{.name = names[0]},
-                                    GroupOfValues{.name = names[1]}};
+  std::array<GroupOfValues, 2> read{GroupOfValues{.name = groups.names[0]},
+                                    GroupOfValues{.name = groups.names[1]}};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     GroupOfValues& group = read[groups.codes[row] == 0 ? 0 : 1];
     if (!values[row]) {
@@ -286,8 +266,7 @@ std::vector<Finding> profiles_of(const std::array<GroupOfProfiles, 2>& groups,
 
 std::vector<Finding> profiles_compared(const TidyInput& input) {
   const TidyTable& table = input.table();
-  const std::vector<std::string> names = two_groups(input.options);
-  const LabelColumn groups = groups_of_rows(table, names);
+  const LabelColumn groups = two_groups(input);
   const LabelColumn subjects = table.all_labels("subject");
   const LabelColumn items = table.all_labels("item");
   const std::vector<std::optional<double>> values = table.numbers("value");
@@ -310,8 +289,8 @@ std::vector<Finding> profiles_compared(const TidyInput& input) {
     }
     own.numbers[items.codes[row]] = values[row];
   }
-  std::array<GroupOfProfiles, 2> read{GroupOfProfiles{.name = names[0]},
-                                      GroupOfProfiles{.name = names[1]}};
+  std::array<GroupOfProfiles, 2> read{GroupOfProfiles{.name = groups.names[0]},
+                                      GroupOfProfiles{.name = groups.names[1]}};
   std::size_t incomplete = 0;
   for (const auto& [code, own] : participants) {
     std::vector<double> profile{};
