@@ -8,8 +8,6 @@
 #include <set>
 #include <string_view>
 
-#include "analysis/tests/two_samples.h"
-#include "app/findings/gathering/answer_columns.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/found_numbers.h"
@@ -29,48 +27,6 @@ const ResultColumn kGroups{.id = "groups", .heading = phrase("AnalysisWords", "g
 const ResultColumn kOfWhat{.id = "of", .heading = phrase("AnalysisWords", "number")};
 const ResultColumn kMeanOfUnit{
     .id = "mean", .heading = phrase("AnalysisWords", "mean"), .digits = Digits::of_row};
-
-/// The columns that every table of the family begins with.
-struct GroupRows {
-  LabelRows subjects{};
-  LabelRows groups{};
-  NumberColumn values{};
-
-  void add(const std::string& subject, const std::string& group, std::optional<double> value) {
-    subjects.add(subject);
-    groups.add(group);
-    values.push_back(value);
-  }
-};
-
-TidyInput input_of(GroupRows rows, const ParticipantPair& pair, std::optional<LabelRows> items) {
-  std::vector<TidyTable::Column> columns{{"subject", std::move(rows.subjects).take()},
-                                         {"group", std::move(rows.groups).take()},
-                                         {"value", std::move(rows.values)}};
-  if (items) columns.push_back({"item", std::move(*items).take()});
-  TidyInput input{};
-  input.tables.emplace_back(std::move(columns), "the participants");
-  input.options.set("groups", std::vector<std::string>{pair.first, pair.second});
-  return input;
-}
-
-/// Both groups have a participant who responded.
-bool has_both(const ParticipantPair& pair, const std::set<std::uint32_t>& people) {
-  const auto has = [&](const std::string& level) {
-    return std::any_of(people.begin(), people.end(),
-                       [&](std::uint32_t person) { return pair.levels[person] == level; });
-  };
-  return has(pair.first) && has(pair.second);
-}
-
-Phrase method_of_splits(const Finding& tested) {
-  return tested.n <= kMostPermuted
-             ? phrase("Analysis", "The permutation test uses all permutations of the group labels.")
-             : phrase("Analysis",
-                      "The permutation test uses %1 permutations of the group labels drawn at "
-                      "random, because there are too many to enumerate.")
-                   .with(std::to_string(kRandomSplits));
-}
 
 /// "12.3 µm (95 % CI [10 µm, 14.6 µm])", "0.52 (95 % CI [0.41, 0.63])"
 Phrase with_interval(const Finding& number, bool is_ratio) {
@@ -135,21 +91,19 @@ void GroupComparisons::add(const GroupMeasure& measure) {
       values.try_emplace(person, std::nullopt);
     }
   }
-  std::set<std::uint32_t> people{};
-  for (const auto& [person, value] : values) people.insert(person);
   if (!pairs_.empty()) missing_.emplace(kGroupsTest, "groups_share_no_condition");
   for (const ParticipantPair& pair : pairs_) {
-    if (!has_both(pair, people)) continue;
-    GroupRows rows{};
+    PairRows rows(gathered_, pair);
+    NumberColumn numbers{};
     for (const auto& [person, value] : values) {
-      if (pair.levels[person].empty()) continue;
-      rows.add(gathered_.people[person].label, pair.levels[person], value);
+      if (rows.add(person)) numbers.push_back(value);
     }
-    TidyInput input = input_of(std::move(rows), pair, std::nullopt);
-    input.options.set("scale", std::string(measure.is_ratio ? "ratio" : "difference"));
+    std::optional<TidyInput> input = std::move(rows).take({{"value", std::move(numbers)}});
+    if (!input) continue;
+    input->options.set("scale", std::string(measure.is_ratio ? "ratio" : "difference"));
     Compared& one = compared_.emplace_back(
         Compared{.pair = pair, .name = measure.name, .words = measure.words, .unit = measure.unit});
-    one.findings = analysis_of(one.analysis().c_str(), kFamily, std::move(input));
+    one.findings = analysis_of(one.analysis().c_str(), kFamily, std::move(*input));
     for (Finding& finding : one.findings) {
       const bool has_unit = finding.quantity == "values.mean" ||
                             (!measure.is_ratio && finding.quantity == "values.shift");
@@ -169,25 +123,28 @@ void GroupComparisons::add(const GroupProfile& profile) {
   if (!pairs_.empty()) missing_.emplace(kGroupProfilesTest, "fewer_than_two_shared_items");
   for (const ParticipantPair& pair : pairs_) {
     const std::vector<std::string> items_of_both = items_of_pair(profile, pair);
-    if (!has_both(pair, people) || items_of_both.size() < 2) continue;
-    GroupRows rows{};
+    if (items_of_both.size() < 2) continue;
+    PairRows rows(gathered_, pair);
+    NumberColumn numbers{};
     LabelRows items{};
     for (const std::uint32_t person : people) {
-      if (pair.levels[person].empty()) continue;
       for (const std::string& item : items_of_both) {
+        if (!rows.add(person)) continue;
         const auto value = profile.values.find({person, item});
-        rows.add(gathered_.people[person].label, pair.levels[person],
-                 value == profile.values.end() ? std::nullopt : std::optional(value->second));
+        numbers.push_back(value == profile.values.end() ? std::nullopt
+                                                        : std::optional(value->second));
         items.add(item);
       }
     }
+    std::optional<TidyInput> input =
+        std::move(rows).take({{"value", std::move(numbers)}, {"item", std::move(items).take()}});
+    if (!input) continue;
     Compared& one = compared_.emplace_back(Compared{.pair = pair,
                                                     .name = profile.name,
                                                     .words = profile.words,
                                                     .is_profile = true,
                                                     .items = items_of_both});
-    one.findings = analysis_of(one.analysis().c_str(), kFamily,
-                               input_of(std::move(rows), pair, std::move(items)));
+    one.findings = analysis_of(one.analysis().c_str(), kFamily, std::move(*input));
   }
 }
 
@@ -275,7 +232,7 @@ void GroupComparisons::ask_measure(const Compared& one, const StudyTests& tests,
                           "does not show that they are equal.")),
       with_numbers(phrase(
           "Analysis", "For these participants, %1; %2. Permutation test of group labels: %3."))};
-  const Phrase splits = method_of_splits(effect);
+  const Phrase splits = method_of_splits(effect.n);
   const Phrase method = effect.low
                             ? phrase("Analysis",
                                      "%1 The CIs of the means are t-based; that of the %2 is "
@@ -329,7 +286,7 @@ void GroupComparisons::ask_profile(const Compared& one, const StudyTests& tests,
              "From each participant's numbers the participant's mean is subtracted, so that what "
              "is compared is how they differ between items. Whole participants are permuted. %1 "
              "Where the groups are equal, R² is %2 on average.")
-          .with(method_of_splits(r2),
+          .with(method_of_splits(r2.n),
                 reading_bounded(1.0 / static_cast<double>(std::max<std::size_t>(r2.n, 2) - 1))),
       kGroupProfiles, &r2);
 }

@@ -2,12 +2,11 @@
 
 #include "app/findings/shared/group_equivalence.h"
 
-#include <set>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "app/findings/gathering/answer_columns.h"
 #include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
 
@@ -20,27 +19,16 @@ namespace {
 std::optional<TidyInput> table_of_proportions(const ParticipantPair& pair,
                                               const GatheredAnswers& gathered,
                                               std::span<const std::optional<double>> proportions) {
-  LabelRows subjects{};
-  LabelRows groups{};
+  PairRows rows(gathered, pair);
   NumberColumn values{};
-  std::set<std::string> present{};
   for (std::size_t i = 0; i < gathered.people.size(); ++i) {
-    if (pair.levels[i].empty() || !proportions[i]) continue;
-    present.insert(pair.levels[i]);
-    subjects.add(gathered.people[i].label);
-    groups.add(pair.levels[i]);
-    values.push_back(*proportions[i]);
+    if (proportions[i] && rows.add(i)) values.push_back(*proportions[i]);
   }
-  if (present.size() < 2) return std::nullopt;
-  TidyInput input{};
-  input.tables.emplace_back(std::vector<TidyTable::Column>{{"subject", std::move(subjects).take()},
-                                                           {"group", std::move(groups).take()},
-                                                           {"value", std::move(values)}},
-                            "the participants");
-  input.options.set("groups", std::vector<std::string>{pair.first, pair.second});
+  std::optional<TidyInput> input = std::move(rows).take({{"value", std::move(values)}});
+  if (!input) return std::nullopt;
   if (const std::optional<double> margin = gathered.declared.equivalence_margin) {
-    input.options.set("lower", -*margin);
-    input.options.set("upper", *margin);
+    input->options.set("lower", -*margin);
+    input->options.set("upper", *margin);
   }
   return input;
 }

@@ -2,11 +2,9 @@
 
 #include "app/findings/shared/participant_pairs.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "analysis/tests/two_samples.h"
-#include "app/findings/gathering/answer_columns.h"
 #include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/test_sentences.h"
@@ -16,39 +14,18 @@ namespace asperity {
 
 namespace {
 
-/// Whether there are participants of both levels.
-bool has_both(const ParticipantPair& pair, std::span<const HitCount> own) {
-  const auto has = [&](const std::string& level) {
-    for (std::size_t i = 0; i < own.size(); ++i) {
-      if (own[i].trials > 0 && pair.levels[i] == level) return true;
-    }
-    return false;
-  };
-  return has(pair.first) && has(pair.second);
-}
-
-/// For the family `group`: a row per participant of either level.
-TidyInput table_of_pair(const GatheredAnswers& gathered, const ParticipantPair& pair,
-                        std::span<const HitCount> own) {
-  LabelRows subjects{};
-  LabelRows groups{};
+/// For the family `group`: a row per participant of either level; nothing without participants of both.
+std::optional<TidyInput> table_of_pair(const GatheredAnswers& gathered, const ParticipantPair& pair,
+                                       std::span<const HitCount> own) {
+  PairRows rows(gathered, pair);
   NumberColumn correct{};
   NumberColumn trials{};
   for (std::size_t i = 0; i < own.size(); ++i) {
-    if (pair.levels[i].empty() || own[i].trials == 0) continue;
-    subjects.add(gathered.people[i].label);
-    groups.add(pair.levels[i]);
+    if (own[i].trials == 0 || !rows.add(i)) continue;
     correct.push_back(static_cast<double>(own[i].hits));
     trials.push_back(static_cast<double>(own[i].trials));
   }
-  TidyInput input{};
-  input.tables.emplace_back(std::vector<TidyTable::Column>{{"subject", std::move(subjects).take()},
-                                                           {"group", std::move(groups).take()},
-                                                           {"correct", std::move(correct)},
-                                                           {"trials", std::move(trials)}},
-                            "the participants");
-  input.options.set("groups", std::vector<std::string>{pair.first, pair.second});
-  return input;
+  return std::move(rows).take({{"correct", std::move(correct)}, {"trials", std::move(trials)}});
 }
 
 /// "95 % CI [2.10, 2.90]" for an estimate other than a proportion.
@@ -80,14 +57,8 @@ Phrase method_of_pair(const PairMeans& means) {
                 "borderline cases p may be below .05 although the CI contains 0, or the reverse.")
                 .with(own)
           : own;
-  return means.first->n + means.second->n <= kMostPermuted
-             ? phrase("Analysis",
-                      "%1 The permutation test uses all permutations of the group labels.")
-                   .with(intervals)
-             : phrase("Analysis",
-                      "%1 The permutation test uses %2 permutations of the group labels drawn at "
-                      "random, because there are too many to enumerate.")
-                   .with(intervals, std::to_string(kRandomSplits));
+  return phrase("Analysis", "%1 %2")
+      .with(intervals, method_of_splits(means.first->n + means.second->n));
 }
 
 Phrase means_text(const ParticipantPair& pair, const PairMeans& means, const Phrase& first,
@@ -113,6 +84,35 @@ Phrase means_text(const ParticipantPair& pair, const PairMeans& means, const Phr
 }
 
 }  // namespace
+
+bool PairRows::add(std::size_t person) {
+  const std::string& level = pair_.levels[person];
+  if (level.empty()) return false;
+  has_[level == pair_.first ? 0 : 1] = true;
+  subjects_.add(gathered_.people[person].label);
+  levels_.add(level);
+  return true;
+}
+
+std::optional<TidyInput> PairRows::take(std::vector<TidyTable::Column> further) && {
+  if (!has_[0] || !has_[1]) return std::nullopt;
+  std::vector<TidyTable::Column> columns{{"subject", std::move(subjects_).take()},
+                                         {"group", std::move(levels_).take()}};
+  for (TidyTable::Column& column : further) columns.push_back(std::move(column));
+  TidyInput input{};
+  input.tables.emplace_back(std::move(columns), "the participants");
+  input.options.set("groups", std::vector<std::string>{pair_.first, pair_.second});
+  return input;
+}
+
+Phrase method_of_splits(std::size_t n) {
+  return n <= kMostPermuted
+             ? phrase("Analysis", "The permutation test uses all permutations of the group labels.")
+             : phrase("Analysis",
+                      "The permutation test uses %1 permutations of the group labels drawn at "
+                      "random, because there are too many to enumerate.")
+                   .with(std::to_string(kRandomSplits));
+}
 
 ParticipantPair women_and_men(const GatheredAnswers& gathered) {
   ParticipantPair pair{.test = kSexesTest,
@@ -221,9 +221,9 @@ PairComparisons::PairComparisons(const GatheredAnswers& gathered,
     proportions_.push_back(count.trials > 0 ? std::optional(proportion(count)) : std::nullopt);
   }
   for (const ParticipantPair& pair : pairs) {
-    if (!has_both(pair, own)) continue;
-    compared_.push_back(
-        {pair, analysis_of(pair.analysis.c_str(), "group", table_of_pair(gathered, pair, own))});
+    std::optional<TidyInput> table = table_of_pair(gathered, pair, own);
+    if (!table) continue;
+    compared_.push_back({pair, analysis_of(pair.analysis.c_str(), "group", std::move(*table))});
   }
 }
 

@@ -2,12 +2,15 @@
 
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "analysis/numbers/proportion.h"
+#include "app/findings/gathering/answer_columns.h"
 #include "app/findings/gathering/gathered_answers.h"
 #include "app/findings/outcome/analysis_outcome.h"
 #include "app/findings/outcome/study_tests.h"
@@ -30,6 +33,28 @@ struct ParticipantPair {
 
   std::string about() const { return first + '|' + second; }
 };
+
+/// The table for a family that compares the two levels of a pair, filled row by row.
+class PairRows final {
+ public:
+  PairRows(const GatheredAnswers& gathered, const ParticipantPair& pair)
+      : gathered_(gathered), pair_(pair) {}
+
+  /// Adds a row of a participant, by index of the gathered people; false for one with neither level.
+  bool add(std::size_t person);
+  /// Nothing without participants of both levels. `further`: the columns after `subject` and `group`.
+  std::optional<TidyInput> take(std::vector<TidyTable::Column> further) &&;
+
+ private:
+  const GatheredAnswers& gathered_;
+  const ParticipantPair& pair_;
+  LabelRows subjects_{};
+  LabelRows levels_{};
+  std::array<bool, 2> has_{};
+};
+
+/// Which permutations of the group labels a test of `n` participants uses.
+Phrase method_of_splits(std::size_t n);
 
 ParticipantPair women_and_men(const GatheredAnswers& gathered);
 /// Every pair of the groups that the protocol declares, in its order; none without groups.

@@ -1148,14 +1148,6 @@
         <translation>%1 Die Konfidenzintervalle der Mittelwerte sind t-basiert, für Anteile auf der Logit-Skala; für die Differenz gilt das Konfidenzintervall nach Welch. p ist nach einem anderen Verfahren berechnet: In Grenzfällen kann p unter .05 liegen, obwohl das Konfidenzintervall 0 enthält, oder umgekehrt.</translation>
     </message>
     <message>
-        <source>%1 The permutation test uses all permutations of the group labels.</source>
-        <translation>%1 Der Permutationstest verwendet alle Permutationen der Gruppenzugehörigkeit.</translation>
-    </message>
-    <message>
-        <source>%1 The permutation test uses %2 permutations of the group labels drawn at random, because there are too many to enumerate.</source>
-        <translation>%1 Der Permutationstest verwendet %2 zufällig gezogene Permutationen der Gruppenzugehörigkeit, weil es zu viele gibt, um alle zu verwenden.</translation>
-    </message>
-    <message>
         <source>%1, averaged over the participants, with a t-based CI on the logit scale.</source>
         <translation>%1, gemittelt über die Versuchspersonen, mit einem t-basierten Konfidenzintervall auf der Logit-Skala.</translation>
     </message>
@@ -2829,7 +2821,7 @@
     </message>
     <message>
         <source>The permutation test uses %1 permutations of the group labels drawn at random, because there are too many to enumerate.</source>
-        <translation>Der Permutationstest verwendet %1 zufällig gezogene Permutationen der Gruppenzugehörigkeit, weil es zu viele sind, um sie alle zu zählen.</translation>
+        <translation>Der Permutationstest verwendet %1 zufällig gezogene Permutationen der Gruppenzugehörigkeit, weil es zu viele gibt, um alle zu verwenden.</translation>
     </message>
     <message>
         <source>Do the groups %1 and %2 differ in %3?</source>
