@@ -1,4 +1,4 @@
-// A hand of a given path on a scripted device, and how far the force steps.
+// A hand of a given path on a scripted device, and how far the force and the torque step.
 
 #pragma once
 
@@ -22,44 +22,47 @@ inline constexpr double kForceLimit_N = 5.0;
 /// The time within which growth is measured: a millisecond, or a tick where it is longer.
 inline double window_s(double rate_Hz) { return std::max(ForceLimiter::kWindow_s, 1.0 / rate_Hz); }
 
-inline double change_N(const glm::dvec3& from_N, const glm::dvec3& to_N) {
-  return glm::distance(from_N, to_N);
+inline double whole_change(const glm::dvec3& from, const glm::dvec3& to) {
+  return glm::distance(from, to);
 }
 
-/// The largest step from any force that was held within the last millisecond.
+/// The largest step from any force that was held within the last millisecond, or from any torque.
 class Steps {
  public:
-  using Size = double (*)(const glm::dvec3& from_N, const glm::dvec3& to_N);
+  using Size = double (*)(const glm::dvec3& from, const glm::dvec3& to);
   explicit Steps(Size size) : size_(size) {}
 
-  void take(std::int64_t now_ns, const glm::dvec3& force_N) {
-    held_.push_back({now_ns, last_N_});
+  void take(std::int64_t now_ns, const glm::dvec3& vector) {
+    held_.push_back({now_ns, last_});
     std::erase_if(held_, [&](const Held& held) { return now_ns - held.ended_ns > 999'000; });
-    for (const Held& held : held_) largest_N = std::max(largest_N, size_(held.force_N, force_N));
-    last_N_ = force_N;
+    for (const Held& held : held_) largest = std::max(largest, size_(held.vector, vector));
+    last_ = vector;
   }
-  /// What follows is compared with this force, and with nothing before it.
-  void restart(const glm::dvec3& force_N) {
+  /// What follows is compared with this vector, and with nothing before it.
+  void restart(const glm::dvec3& vector) {
     held_.clear();
-    last_N_ = force_N;
+    last_ = vector;
   }
-  double largest_N = 0.0;
+  double largest = 0.0;  ///< N, or N·m
 
  private:
   struct Held {
     std::int64_t ended_ns = 0;
-    glm::dvec3 force_N{0.0};
+    glm::dvec3 vector{0.0};
   };
   Size size_;
   std::vector<Held> held_{};
-  glm::dvec3 last_N_{0.0};
+  glm::dvec3 last_{0.0};
 };
 
 struct Measured {
-  Steps open{growth};     ///< sent, with the limit of the growth wide open
-  Steps limited{growth};  ///< with the limit as it is
-  Steps own{change_N};    ///< of the force of the surface itself, between ticks without a gap
+  Steps open{growth};       ///< sent, with the limit of the growth wide open
+  Steps limited{growth};    ///< with the limit as it is
+  Steps own{whole_change};  ///< of the force of the surface itself, between ticks without a gap
+  Steps open_torque{growth};
+  Steps limited_torque{growth};
   double rendered_N = 0.0;
+  double rendered_N_m = 0.0;
 };
 
 /// A hand of a given path on a scripted device. The path does not depend on the force, so that one run shows both.
@@ -93,13 +96,17 @@ class Scene {
   }
   /// What was before is not part of the event.
   void begin_event() {
-    for (Steps* steps : {&measured.open, &measured.limited, &measured.own}) steps->largest_N = 0.0;
+    for (Steps* steps : {&measured.open, &measured.limited, &measured.own, &measured.open_torque,
+                         &measured.limited_torque}) {
+      steps->largest = 0.0;
+    }
   }
   ServoLoop& loop() { return loop_; }
 
   double rate_Hz() const { return rate_Hz_; }
   /// In the last tick.
   const glm::dvec3& sent_N() const { return device_.last_sent.force_N; }
+  const glm::dvec3& sent_N_m() const { return device_.last_sent.torque_N_m; }
   Measured measured{};
 
  private:
@@ -114,9 +121,14 @@ class Scene {
   }
   void take(const TickRecord& record) {
     measured.open.take(now_ns_, record.sent.force_N);
+    measured.open_torque.take(now_ns_, record.sent.torque_N_m);
     if (record.has(TickFlag::fault_latched)) limiter_.reset();
-    measured.limited.take(now_ns_, limiter_.limit(record.sent, 1.0 / rate_Hz_).wrench.force_N);
+    const Wrench limited = limiter_.limit(record.sent, 1.0 / rate_Hz_).wrench;
+    measured.limited.take(now_ns_, limited.force_N);
+    measured.limited_torque.take(now_ns_, limited.torque_N_m);
     measured.rendered_N = std::max(measured.rendered_N, glm::length(record.rendered.force_N));
+    measured.rendered_N_m =
+        std::max(measured.rendered_N_m, glm::length(record.rendered.torque_N_m));
     if (record.has(TickFlag::limited_not_finite) || !record.has(TickFlag::presenting) ||
         record.has(TickFlag::first_of_presentation) || record.has(TickFlag::gap_in_contact)) {
       measured.own.restart(record.rendered.force_N);
@@ -126,7 +138,10 @@ class Scene {
   }
 
   double rate_Hz_;
-  ScriptedDevice device_{{.name = "scripted", .peak_force_N = 100.0, .may_rest_exactly = true},
+  ScriptedDevice device_{{.name = "scripted",
+                          .actuated_degrees_of_freedom = 6,
+                          .peak_force_N = 100.0,
+                          .may_rest_exactly = true},
                          {.force_N = kForceLimit_N, .slew_N = 1e6, .slew_N_m = 1e6}};
   RecordRing records_{64};
   ForceLimiter limiter_{ForceLimits{}};
