@@ -1,9 +1,11 @@
 // The force of a contact's penetration depth against what is known in closed form.
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -226,6 +228,42 @@ TEST(PenetrationForce, OfTheSmoothMaximumIsTheDerivativeOfItsDepth) {
   EXPECT_NEAR(found->lever_m.x, about({1, 0, 0}), 1e-9);
   EXPECT_NEAR(found->lever_m.y, about({0, 1, 0}), 1e-9);
   EXPECT_NEAR(found->lever_m.z, about({0, 0, 1}), 1e-9);
+}
+
+// Of two crests a apart the one at the origin is higher by ε. A tilt by θ = 2·step/width, which moves the middle of the window's
+// border by the step, makes the other one the deepest if a·θ > ε: (δ(θ) − δ(−θ))/2θ = a/2 − ε/2θ. The torque on many crests thus
+// depends on the width of the window; on one crest the lever arm is its place in every window.
+TEST(PenetrationForce, HasALeverThatDependsOnTheWindowOnTwoCrestsAndNotOnOne) {
+  constexpr double kApart_m = 2e-3;
+  constexpr double kHigher_m = 10e-6;
+  constexpr double kStep_m = 0.1e-3;
+  constexpr double kSpacing_m = 0.05e-3;
+  constexpr double kRoofs =
+      0.2;  // their slope: steeper than the tilts, which leave the ridges the highest
+  const auto roof = [](double x_m) { return -kRoofs * std::abs(x_m); };
+  const FormedPlate roofed{.size_m = {0.02, 0.02}, .cells = {400, 1}};  // a vertex on each ridge
+  const TexturedMesh two = formed_plate(roofed, [&](double x_m, double) {
+    return std::max(roof(x_m), roof(x_m - kApart_m) - kHigher_m);
+  });
+  const TexturedMesh one =
+      formed_plate(roofed, [&](double x_m, double) { return roof(x_m - kApart_m); });
+  const TexturedMesh flat =
+      formed_plate({.size_m = {0.03, 0.03}}, [](double, double) { return 0.0; });
+  const std::vector<std::uint32_t> of_roofs = all_triangles(two);
+  const std::vector<std::uint32_t> of_flat = all_triangles(flat);
+  for (const int samples : {191, 255, 321}) {  // odd: a sample on each ridge
+    const SamplingGrid grid{.width_m = samples * kSpacing_m, .samples = samples};
+    const auto lever_m = [&](const TexturedMesh& surface) {
+      const auto found = reference_penetration(
+          {.mesh = flat, .triangles = of_flat, .pose = upside_down({0.0, 0.0, -0.1e-3})},
+          {.mesh = surface, .triangles = of_roofs}, {}, grid, HardMaximum{.step_m = kStep_m});
+      EXPECT_TRUE(found);
+      return found.value_or(Penetration{}).lever_m.y;
+    };
+    const double tilt_rad = 2.0 * kStep_m / grid.width_m;
+    EXPECT_NEAR(lever_m(two), 0.5 * kApart_m - 0.5 * kHigher_m / tilt_rad, 1e-6) << samples;
+    EXPECT_NEAR(lever_m(one), kApart_m, 2e-6) << samples;
+  }
 }
 
 // A mean with weights that favour the largest of N lies between the largest and an N-th of it.
