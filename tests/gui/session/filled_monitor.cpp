@@ -6,11 +6,13 @@
 
 #include <QtTest/QTest>
 
+#include "app/gui/participant/participant_view.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/plan/course.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
+#include "tests/gui/participant/scenes.h"
 #include "tests/gui/support/widgets.h"
 
 namespace asperity {
@@ -18,6 +20,7 @@ namespace asperity {
 namespace {
 
 constexpr std::int64_t kBegan_ns = 3'600'000'000'000;
+const std::filesystem::path kStudy = "/data/rough-surfaces";
 constexpr std::int64_t kSessionSecond_ns = 1'000'000'000;
 
 Protocol read_from_library(const std::string& name) {
@@ -138,6 +141,12 @@ void FilledMonitor::answer_tracks(int answers) {
 }
 
 void FilledMonitor::set_phase(SessionPhase phase) {
+  if (phase == SessionPhase::contact) {
+    ParticipantScene scene = scenes::feel(1);
+    scene.block = monitor.snapshot().block;
+    scene.blocks = monitor.snapshot().blocks;
+    monitor.show(scene);
+  }
   monitor.update([phase](SessionSnapshot& s) {
     s.phase = phase;
     s.phase_began_ns = s.now_ns - 6'200'000'000;
@@ -179,11 +188,17 @@ void FilledMonitor::stroke(double duration_s) {
     bin.surface = bin.touching ? 1 : 0;
     monitor.add_bin(bin);
   }
+  monitor.update([](SessionSnapshot& s) {
+    s.hand = {.surface = 1,
+              .force_N = {.samples = 5400, .fraction_in_band = 1.0},
+              .speed_m_per_s = {.samples = 5400, .fraction_in_band = 0.91}};
+  });
 }
 
 std::unique_ptr<SessionWindow> FilledMonitor::window() {
-  auto window = std::make_unique<SessionWindow>(monitor, requests,
-                                                std::filesystem::path("/data/rough-surfaces"));
+  auto window = std::make_unique<SessionWindow>(monitor, requests, kStudy);
+  window->set_mirror(
+      new ParticipantView(monitor, kStudy, ParticipantView::Role::mirror, window.get()));
   window->resize(1366, 768);
   window->show();
   window->activateWindow();
