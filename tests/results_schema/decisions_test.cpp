@@ -50,6 +50,30 @@ TEST(Decision, SetsAnAttemptAsideSoThatItsTrialCanBeAskedAgain) {
   EXPECT_THAT(study.verify({}), testing::IsEmpty());
 }
 
+// Of four trials: one is done at the second attempt, one is skipped, one is set aside, and one has not begun.
+TEST(Decision, LeavesATrialToBeDoneWhereItsAttemptIsSetAside) {
+  const TemporaryFolder folder;
+  auto [study, session] = study_with_session(folder / "s", 4);
+  AttemptRow too_fast = some_attempt(1, 1);
+  too_fast.valid = false;
+  too_fast.invalid_reason = "too fast";
+  study.add_attempt(session, too_fast);
+  EXPECT_EQ(study.session_counts(session).done_trials, 0);
+  study.add_attempt(session, some_attempt(1, 2));
+  AttemptRow skipped = some_attempt(2);
+  skipped.valid = false;
+  skipped.outcome = AttemptOutcome::skipped;
+  skipped.invalid_reason = "skipped";
+  skipped.responses.clear();
+  study.add_attempt(session, skipped);
+  study.add_attempt(session, some_attempt(3));
+  EXPECT_EQ(study.session_counts(session).done_trials, 3);
+  study.set_aside(session, 3, 1, "the door opened");
+  EXPECT_EQ(study.session_counts(session).done_trials, 2);
+  EXPECT_EQ(study.session_counts(session).attempts, 4);
+  EXPECT_EQ(study.session_counts(session).planned_trials, 4);
+}
+
 TEST(Decision, ExcludesAndIncludesAgain) {
   const TemporaryFolder folder;
   auto [study, session] = study_with_session(folder / "s", 1);
