@@ -205,6 +205,8 @@ struct PresentationRow {
   std::optional<std::int64_t> contact_ns{};  ///< first tick with the probe in the surface
   std::optional<std::int64_t> offset_ns{};
   double contact_s = 0.0;
+  /// Of more than two periods between two ticks, where this surface was touched in one of the two.
+  std::int64_t gaps_in_contact = 0;
   std::optional<double> matched_texture_force_N{};   ///< target of an equal-force request
   std::optional<double> achieved_texture_force_N{};  ///< RMS in the same band, from the record
   std::vector<AssetRow> assets{};                    ///< as read: by role
@@ -248,7 +250,7 @@ struct ServoQualityRow {
   double execution_maximum_s = 0.0;
   std::int64_t missed_deadlines = 0;
   std::int64_t missed_in_contact = 0;  ///< those while a surface was touched
-  std::int64_t gaps_in_contact = 0;    ///< more than two periods, while a surface was touched
+  std::int64_t gaps_in_contact = 0;    ///< more than two periods, while any surface was touched
   std::int64_t held_readings = 0;      ///< implausible ones, replaced by the last plausible one
   std::int64_t saturated_ticks = 0;
   std::int64_t slew_limited_ticks = 0;

@@ -14,8 +14,8 @@ void insert_presentations(Database& database, std::int64_t attempt_id,
                       "INSERT INTO presentation (attempt_id, position, role, item, stimulus, "
                       "model, model_version, texture, parameters_json, seed, onset_ns, contact_ns, "
                       "offset_ns, contact_s, matched_texture_force_N, achieved_texture_force_N, "
-                      "stiffness_N_per_m, friction, raised_m) "
-                      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+                      "stiffness_N_per_m, friction, raised_m, gaps_in_contact) "
+                      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   Statement asset(database, "INSERT INTO presentation_asset VALUES (?, ?, ?, ?)");
   Statement limit(database, "INSERT INTO model_limit VALUES (?, ?, ?, ?)");
   Statement instability(
@@ -26,7 +26,8 @@ void insert_presentations(Database& database, std::int64_t attempt_id,
         .bind(attempt_id, row.position, row.role, row.item, row.stimulus, row.model,
               row.model_version, row.texture, row.parameters_json, row.seed, row.onset_ns,
               row.contact_ns, row.offset_ns, row.contact_s, row.matched_texture_force_N,
-              row.achieved_texture_force_N, row.stiffness_N_per_m, row.friction, row.raised_m)
+              row.achieved_texture_force_N, row.stiffness_N_per_m, row.friction, row.raised_m,
+              row.gaps_in_contact)
         .run();
     for (const AssetRow& each : row.assets) {
       asset.bind(attempt_id, row.position, each.role, each.sha256).run();
@@ -112,8 +113,8 @@ void read_presentations(Database& database, const std::string& which, std::int64
       database,
       "SELECT attempt_id, position, role, item, stimulus, model, model_version, texture, "
       "parameters_json, seed, onset_ns, contact_ns, offset_ns, contact_s, "
-      "matched_texture_force_N, achieved_texture_force_N, stiffness_N_per_m, friction, raised_m "
-      "FROM presentation WHERE " +
+      "matched_texture_force_N, achieved_texture_force_N, stiffness_N_per_m, friction, raised_m, "
+      "gaps_in_contact FROM presentation WHERE " +
           which + " ORDER BY attempt_id, position");
   statement.bind(key);
   while (statement.step()) {
@@ -122,7 +123,8 @@ void read_presentations(Database& database, const std::string& which, std::int64
     statement.read(id, row.position, row.role, row.item, row.stimulus, row.model, row.model_version,
                    row.texture, row.parameters_json, row.seed, row.onset_ns, row.contact_ns,
                    row.offset_ns, row.contact_s, row.matched_texture_force_N,
-                   row.achieved_texture_force_N, row.stiffness_N_per_m, row.friction, row.raised_m);
+                   row.achieved_texture_force_N, row.stiffness_N_per_m, row.friction, row.raised_m,
+                   row.gaps_in_contact);
     attempts.of(id).presentations.push_back(std::move(row));
   }
 }

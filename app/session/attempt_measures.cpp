@@ -141,6 +141,16 @@ ServoQualityRow servo_quality_of(std::span<const TickRecord> records, double rat
   return row;
 }
 
+std::int64_t gaps_in_contact_of(std::span<const TickRecord> records, std::uint64_t presentation) {
+  std::int64_t gaps = 0;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (!records[i].has(TickFlag::gap_in_contact)) continue;
+    const bool touched_before = i > 0 && is_in_contact(records[i - 1], presentation);
+    if (touched_before || is_in_contact(records[i], presentation)) ++gaps;
+  }
+  return gaps;
+}
+
 void fill_times(std::span<const TickRecord> records, std::uint64_t presentation, double rate_Hz,
                 PresentationRow& row) {
   std::int64_t contact_ticks = 0;

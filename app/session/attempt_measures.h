@@ -21,6 +21,11 @@ namespace asperity {
 ServoQualityRow servo_quality_of(std::span<const TickRecord> records, double rate_Hz,
                                  std::uint64_t lost_records);
 
+/// The number of gaps in contact (TickFlag::gap_in_contact) with one surface: it was touched in the tick after the gap, or
+/// in the one before it, whose force was held meanwhile. A gap in which the hand slides from one surface to another counts
+/// for both.
+std::int64_t gaps_in_contact_of(std::span<const TickRecord> records, std::uint64_t presentation);
+
 /// Fills in when the surface was presented: onset, contact, offset and contact time.
 void fill_times(std::span<const TickRecord> records, std::uint64_t presentation, double rate_Hz,
                 PresentationRow& row);

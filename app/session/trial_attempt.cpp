@@ -577,6 +577,7 @@ void TrialAttempt::measure(const std::vector<TickRecord>& records) {
     presentation.visits = visits_.visits(planned.position);
     presentation.matched_texture_force_N = prepared.matched_texture_force_N;
     fill_times(records, id, rate_Hz, presentation);
+    presentation.gaps_in_contact = gaps_in_contact_of(records, id);
     if (hanging_tick_) {
       // Replayed, its model might not return here either.
     } else {

@@ -98,6 +98,7 @@ inline AttemptRow some_attempt(int trial, int attempt = 1) {
                         .contact_ns = row.onset_ns + 1,
                         .offset_ns = row.offset_ns,
                         .contact_s = 1.25,
+                        .gaps_in_contact = 4,
                         .matched_texture_force_N = 0.1,
                         .achieved_texture_force_N = 0.09,
                         .assets = {{"height_field", sha256_of("metal")},

@@ -167,16 +167,19 @@ std::vector<Forbidden> forbidden_statements() {
       {"delete presentation", "DELETE FROM presentation"},
       {"replace presentation",
        "INSERT OR REPLACE INTO presentation VALUES "
-       "(2,1,'r','i','s','m','1','t','{}','1',NULL,NULL,NULL,0,NULL,NULL,500,0,0)"},
+       "(2,1,'r','i','s','m','1','t','{}','1',NULL,NULL,NULL,0,NULL,NULL,500,0,0,0)"},
       {"presentation of no attempt",
        "INSERT INTO presentation VALUES "
-       "(99,1,'r','i','s','m','1','t','{}','1',NULL,NULL,NULL,0,NULL,NULL,500,0,0)"},
+       "(99,1,'r','i','s','m','1','t','{}','1',NULL,NULL,NULL,0,NULL,NULL,500,0,0,0)"},
       {"text in a number",
        "INSERT INTO presentation VALUES "
-       "(2,3,'r','i','s','m','1','t','{}','1',NULL,NULL,NULL,'long',NULL,NULL,500,0,0)"},
+       "(2,3,'r','i','s','m','1','t','{}','1',NULL,NULL,NULL,'long',NULL,NULL,500,0,0,0)"},
       {"parameters that are not JSON",
        "INSERT INTO presentation VALUES "
-       "(2,3,'r','i','s','m','1','t','{','1',NULL,NULL,NULL,0,NULL,NULL,500,0,0)"},
+       "(2,3,'r','i','s','m','1','t','{','1',NULL,NULL,NULL,0,NULL,NULL,500,0,0,0)"},
+      {"fewer gaps than none",
+       "INSERT INTO presentation VALUES "
+       "(2,3,'r','i','s','m','1','t','{}','1',NULL,NULL,NULL,0,NULL,NULL,500,0,0,-1)"},
       {"update presentation_asset", "UPDATE presentation_asset SET role = 'other'"},
       {"delete presentation_asset", "DELETE FROM presentation_asset"},
       {"replace presentation_asset",

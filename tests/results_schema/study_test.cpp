@@ -300,6 +300,7 @@ TEST(Study, GivesBackAnAttemptWithAllThatHangsOnIt) {
   EXPECT_EQ(first.contact_ns, wanted.onset_ns + 1);
   EXPECT_EQ(first.offset_ns, wanted.offset_ns);
   EXPECT_EQ(first.contact_s, 1.25);
+  EXPECT_EQ(first.gaps_in_contact, 4);
   EXPECT_EQ(first.matched_texture_force_N, 0.1);
   EXPECT_EQ(first.achieved_texture_force_N, 0.09);
   EXPECT_EQ(row.presentations[1].onset_ns, std::nullopt);

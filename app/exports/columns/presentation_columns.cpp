@@ -182,6 +182,10 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
        "the surface was not presented", &PresentationRow::offset_ns);
   add(at_least(0, column("contact_s", "number", "s", "time in contact",
                          [](const Place& at) { return at.presentation->contact_s; })));
+  add(at_least(
+      0, column("gaps_in_contact", "integer", "1",
+                "times between two ticks of more than two periods while this surface was touched",
+                [](const Place& at) { return integer(at.presentation->gaps_in_contact); })));
   add(missing("the stimulus has no equal_force",
               at_least(0, column("matched_texture_force_N", "number", "N",
                                  "intended RMS of the texture force on the prescribed path",

@@ -22,6 +22,7 @@
 #include "app/plugins/stored_plugins.h"
 #include "app/records/builders_of_attempts.h"
 #include "app/records/recorded_attempt.h"
+#include "app/session/attempt_measures.h"
 #include "app/session/session_compute.h"
 #include "app/study_files/program.h"
 #include "app/tasks/verify/verify_groups.h"
@@ -57,6 +58,15 @@ double replay_difference_N(const RecordedAttempt& attempt, const RecordedSurface
                                                   felt[i].rendered.force_N));
   }
   return difference_N;
+}
+
+/// What differs between the stored number of gaps in contact with a surface and that of the recording; empty: nothing.
+std::string differing_gaps(const RecordedAttempt& attempt, const PresentationRow& surface) {
+  const std::int64_t recorded =
+      gaps_in_contact_of(attempt.records, static_cast<std::uint64_t>(surface.position));
+  if (recorded == surface.gaps_in_contact) return {};
+  return "the stored number of gaps in contact is " + std::to_string(surface.gaps_in_contact) +
+         ", that of the recording is " + std::to_string(recorded);
 }
 
 /// What ran a segment of a session; stored with its beginning.
@@ -198,6 +208,11 @@ void replay_session(const Study& study, const SessionRow& session, const Plan& p
           recorded_attempt(study.folder(), session, plan.trials[number - 1], attempt, *builder);
       ++faults.recordings_replayed;
       for (const RecordedSurface& surface : recorded.surfaces) {
+        const std::string of_surface = name + ", surface " + std::to_string(surface.row.position) +
+                                       " (" + surface.row.model + "): ";
+        if (const std::string gaps = differing_gaps(recorded, surface.row); !gaps.empty()) {
+          faults.problems.push_back(of_surface + gaps);
+        }
         const double difference_N = replay_difference_N(recorded, surface);
         const std::shared_ptr<const Compute>& compute = surface.stimulus.model->compute;
         const bool computed_then =
@@ -216,8 +231,7 @@ void replay_session(const Study& study, const SessionRow& session, const Plan& p
             differing_instability(recorded, surface, exact ? Agreement::exact : Agreement::close);
         // Forces that differ are reported below, and explain it.
         if (differing && difference_N <= tolerance_N) {
-          faults.problems.push_back(name + ", surface " + std::to_string(surface.row.position) +
-                                    " (" + surface.row.model + "): " + *differing);
+          faults.problems.push_back(of_surface + *differing);
         }
         if (difference_N <= tolerance_N) continue;
         const ModelDeclaration& declaration = surface.stimulus.model->declaration;
@@ -229,9 +243,8 @@ void replay_session(const Study& study, const SessionRow& session, const Plan& p
                        difference_N);
           continue;
         }
-        std::string sentence = name + ", surface " + std::to_string(surface.row.position) + " (" +
-                               surface.row.model +
-                               "): the replay of the recorded hand does not reproduce the recorded "
+        std::string sentence = of_surface +
+                               "the replay of the recorded hand does not reproduce the recorded "
                                "force; largest difference " +
                                text_of_number(difference_N) + " N";
         if (attempt.servo && attempt.servo->lost_records > 0) {

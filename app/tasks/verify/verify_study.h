@@ -26,7 +26,8 @@ struct VerifyResult {
 /// that its protocol, seed, row and group give, and that surfaces, answers and the options stored with
 /// them agree with the plan. With `replay_too`, the forces of every recorded hand are rendered
 /// again: bit for bit equal where the session was run by this build on this kind of machine, within
-/// each model's declared tolerance otherwise.
+/// each model's declared tolerance otherwise. The stored detectors of perceived instability and numbers of gaps in
+/// contact are compared with those of the recording.
 ///
 /// A build of a plug-in with which attempts were rendered and that is not among `builds` is one problem for all of its attempts,
 /// which are not replayed. Plans with it are checked nevertheless, from the declaration that the session stored.

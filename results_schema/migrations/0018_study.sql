@@ -144,7 +144,7 @@ CREATE TABLE attempt (
 ) STRICT;
 
 -- The material of the surface, and the height of its plane above that of the workspace, can differ between the surfaces of a
--- trial.
+-- trial. gaps_in_contact: those of servo_quality before or after which this surface was touched.
 CREATE TABLE presentation (
   attempt_id               INTEGER NOT NULL REFERENCES attempt,
   position                 INTEGER NOT NULL CHECK (position >= 1),
@@ -165,6 +165,7 @@ CREATE TABLE presentation (
   stiffness_N_per_m        REAL NOT NULL,
   friction                 REAL NOT NULL,
   raised_m                 REAL NOT NULL,
+  gaps_in_contact          INTEGER NOT NULL CHECK (gaps_in_contact >= 0),
   PRIMARY KEY (attempt_id, position)
 ) STRICT, WITHOUT ROWID;
 
