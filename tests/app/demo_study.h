@@ -17,11 +17,13 @@ class DemoStudy : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = std::make_unique<TemporaryFolder>();
-    new_demo_study(folder_->path() / "study", [](double) {});
+    new_demo_study(study_folder(), [](double) {});
   }
   static void TearDownTestSuite() { folder_.reset(); }
 
-  const std::filesystem::path study = folder_->path() / "study";
+  static std::filesystem::path study_folder() { return folder_->path() / "study"; }
+
+  const std::filesystem::path study = study_folder();
 
  private:
   static inline std::unique_ptr<TemporaryFolder> folder_{};
