@@ -15,7 +15,9 @@
 #include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
 #include "protocols/kinds/discrimination.h"
+#include "protocols/plan/block_rows.h"
 #include "protocols/plan/roughness_matching.h"
+#include "protocols/plan/surface_order.h"
 #include "protocols/procedures/procedure.h"
 
 namespace asperity {
@@ -148,16 +150,26 @@ class DesignWarnings final {
 
   void warn_of_positions(const Block& block, const std::string& pointer) {
     if (block.phase != Phase::main || block.kind != discrimination_kind().id || !block.vary ||
-        block.positions != Block::Positions::balanced || block.design->has_noise() ||
-        block.design->is_choice_of_three() || block.vary->values().size() < 2 ||
+        block.design->has_noise() || block.vary->values().size() < 2 ||
         chooses_levels_from_answers(block) || matches_roughness(protocol_, block)) {
       return;
     }
-    warn(
-        pointer + "/positions",
-        "positions are balanced over the block and not within each level, so that a level can have "
-        "the comparison more often in one position; increase the repetitions, and do not compare "
-        "positions by level");
+    const std::vector<BlockRow> rows = rows_of(protocol_, block);
+    if (balances_every_row(block, rows, trials_of(block, rows))) return;
+    const std::string surfaces = std::to_string(surfaces_in_trial(block));
+    std::string cause = "a level has a number of trials that is not a multiple of " + surfaces +
+                        ", the number of surfaces; set its repetitions to a multiple of " +
+                        surfaces;
+    if (block.until) {
+      cause = "\"until\" can end the block after any trial; remove it from this main block";
+    }
+    if (block.positions != Block::Positions::balanced) {
+      cause = "they are drawn for each trial; set \"positions\" to \"balanced\"";
+    }
+    warn(pointer + "/positions",
+         "positions need not be balanced within each level, so that a level can have the "
+         "comparison more often in one position, because " +
+             cause);
   }
 
   const Protocol& protocol_;

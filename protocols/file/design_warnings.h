@@ -15,8 +15,8 @@ namespace asperity {
 ///   (except `column`, which numbers repetitions);
 /// - procedure of which the prior of the threshold and the differences of the levels have no value in common;
 /// - block in which a participant is given one of so many parts of the pairs that these need not connect all levels;
-/// - main block of a choice between two surfaces with constant stimuli whose positions are balanced, because they are
-///   balanced over the block and not within each level.
+/// - main block of a choice between surfaces with constant stimuli whose positions need not be balanced within each level
+///   (balances_every_row).
 ///
 /// `file_name` is the file in the diagnostics.
 std::vector<Diagnostic> warnings_about_design(const Protocol& protocol,

@@ -16,6 +16,7 @@
 #include "protocols/plan/block_rows.h"
 #include "protocols/plan/groups.h"
 #include "protocols/plan/squares.h"
+#include "protocols/plan/surface_order.h"
 #include "protocols/plan/trial_order.h"
 
 namespace asperity {
@@ -64,22 +65,19 @@ std::vector<std::size_t> counterbalanced(const Protocol& protocol, const Allocat
   return square[row % square.size()];
 }
 
-std::vector<std::size_t> order_of(const Block& block, const std::vector<BlockRow>& rows,
-                                  const std::vector<BlockTrial>& unordered, const Random& random) {
-  const OrderProblem problem = order_problem(block, rows, unordered);
-  if (block.order == Block::Order::fixed) {
-    std::vector<std::size_t> order(problem.trials);
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    return order;
-  }
-  auto order = random_order(problem, random);
+std::vector<BlockTrial> in_order(const Block& block, const std::vector<BlockRow>& rows,
+                                 std::vector<BlockTrial> trials, const Random& random) {
+  if (block.order == Block::Order::fixed) return trials;
+  const auto order = random_order(order_problem(block, rows, trials), random);
   if (!order) {
     throw std::runtime_error(
         "block " + block.name +
         ": no order of its trials satisfies its constraints; relax maximum_in_a_row, "
         "minimum_distance or fixed_positions");
   }
-  return std::move(*order);
+  std::vector<BlockTrial> ordered{};
+  for (const std::size_t trial : *order) ordered.push_back(trials[trial]);
+  return ordered;
 }
 
 /// The probability of an answer that leads to a lower level: a logistic function of the place among the levels, from chance
@@ -289,28 +287,31 @@ BlockRun Course::with_matches(BlockRun run) const {
 void Course::add_block(const BlockRun& run) {
   const Block& block = *run.block;
   const std::vector<BlockRow> rows = rows_of_part(*protocol_, block, run.part);
-  const std::vector<BlockTrial> unordered = trials_of(block, rows);
-  const std::vector<std::size_t> order =
-      order_of(block, rows, unordered, run.random.split("order"));
+  const std::vector<BlockTrial> ordered_trials =
+      in_order(block, rows, trials_of(block, rows), run.random.split("order"));
   const std::size_t trials =
-      block.until ? std::min(order.size(), static_cast<std::size_t>(block.until->maximum_trials))
-                  : order.size();
+      block.until
+          ? std::min(ordered_trials.size(), static_cast<std::size_t>(block.until->maximum_trials))
+          : ordered_trials.size();
   std::map<std::string, std::vector<Level>, std::less<>> drawn{};
   for (const std::string& factor : block.drawn) {
     drawn[factor] = balanced_draws(protocol_->factors.at(factor).levels, trials,
                                    run.random.split("drawn").split(factor));
   }
-  const std::size_t in_trial = surfaces_of(block, rows.front()).size();
-  const auto positions =
-      positions_of(block.positions, in_trial, trials, run.random.split("positions"));
+  const Random of_positions = run.random.split("positions");
+  const SurfaceOrders positions =
+      balances_every_row(block, rows, ordered_trials)
+          ? positions_within_rows(block, rows, ordered_trials, of_positions)
+          : positions_of(block.positions, surfaces_of(block, rows.front()).size(), trials,
+                         of_positions);
   std::size_t ordered = 0;  // trials whose order of surfaces can be noticed
   for (std::size_t i = 0; i < trials; ++i) {
     add_pause(*run.run, i);
     add_anchor_before(run, i, trials / 2);
     Trial trial{};
-    trial.repetition = unordered[order[i]].repetition;
+    trial.repetition = ordered_trials[i].repetition;
     trial.factors = run.outer;
-    const BlockRow& row = rows[unordered[order[i]].row];
+    const BlockRow& row = rows[ordered_trials[i].row];
     trial.factors.insert(row.factors.begin(), row.factors.end());
     for (const auto& [factor, levels] : drawn) trial.factors[factor] = levels[i];
     const std::vector<Protocol::Presented> listed = surfaces_of(block, row);

@@ -11,6 +11,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "protocols/plan/block_rows.h"
+#include "protocols/plan/surface_order.h"
 
 namespace asperity {
 

@@ -12,7 +12,6 @@
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/arranged_patches.h"
 #include "protocols/plan/roughness_matching.h"
-#include "protocols/plan/squares.h"
 
 namespace asperity {
 
@@ -199,42 +198,6 @@ std::vector<Level> balanced_draws(const std::vector<Level>& levels, std::size_t 
     draws.insert(draws.end(), round.begin(), round.begin() + static_cast<std::ptrdiff_t>(wanted));
   }
   return draws;
-}
-
-std::vector<std::vector<std::size_t>> positions_of(Block::Positions how, std::size_t surfaces,
-                                                   std::size_t trials, Random random) {
-  std::vector<std::vector<std::size_t>> orders{};
-  std::vector<std::size_t> listed(surfaces);
-  for (std::size_t i = 0; i < surfaces; ++i) listed[i] = i;
-  switch (how) {
-    case Block::Positions::as_listed:
-      orders.assign(trials, listed);
-      break;
-    case Block::Positions::shuffle:
-      for (std::size_t trial = 0; trial < trials; ++trial) {
-        orders.push_back(listed);
-        random.shuffle(std::span<std::size_t>(orders.back()));
-      }
-      break;
-    case Block::Positions::balanced: {
-      // Complete Latin squares follow each other, each shuffled separately. The two halves of an odd Williams square
-      // alternate, so that orders are balanced too as far as possible.
-      const Square williams = williams_square(surfaces);
-      const std::size_t halves = williams.size() / surfaces;
-      std::size_t half = static_cast<std::size_t>(random.below(halves));
-      while (orders.size() < trials) {
-        Square rows(williams.begin() + static_cast<std::ptrdiff_t>(half * surfaces),
-                    williams.begin() + static_cast<std::ptrdiff_t>((half + 1) * surfaces));
-        random.shuffle(std::span<std::vector<std::size_t>>(rows));
-        const std::size_t wanted = std::min(rows.size(), trials - orders.size());
-        orders.insert(orders.end(), rows.begin(),
-                      rows.begin() + static_cast<std::ptrdiff_t>(wanted));
-        half = (half + 1) % halves;
-      }
-      break;
-    }
-  }
-  return orders;
 }
 
 namespace {

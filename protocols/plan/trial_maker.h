@@ -55,9 +55,4 @@ class TrialMaker final {
 std::vector<Level> balanced_draws(const std::vector<Level>& levels, std::size_t count,
                                   Random random);
 
-/// The order of `surfaces` surfaces in each of `trials` trials. A longer series begins with the shorter one.
-std::vector<std::vector<std::size_t>> positions_of(Protocol::Block::Positions how,
-                                                   std::size_t surfaces, std::size_t trials,
-                                                   Random random);
-
 }  // namespace asperity

@@ -80,16 +80,18 @@ TEST(ChoiceOfThree, PresentsTheCorrectSurfaceAtEveryPlaceEquallyOften) {
   for (const char* const design : kDesignsOfThree) {
     SCOPED_TRACE(design);
     std::map<std::size_t, int> by_place{};
-    std::map<std::string, int> by_level{};
+    std::map<std::string, std::map<std::size_t, int>> by_level{};
     for (const Trial& trial : test::main_trials(test::valid(constant_of_three(design)))) {
       ASSERT_EQ(trial.presentations.size(), 3U);
       EXPECT_EQ(trial.questions.front().options.size(), 3U);
       ++by_place[place_of_correct(trial)];
-      ++by_level[text_of(trial.factors.at("amplitude_m"))];
+      ++by_level[text_of(trial.factors.at("amplitude_m"))][place_of_correct(trial)];
     }
     EXPECT_EQ(by_place, (std::map<std::size_t, int>{{0, 10}, {1, 10}, {2, 10}}));
     ASSERT_EQ(by_level.size(), 5U);
-    for (const auto& [level, trials] : by_level) EXPECT_EQ(trials, 6) << level;
+    for (const auto& [level, places] : by_level) {
+      EXPECT_EQ(places, (std::map<std::size_t, int>{{0, 2}, {1, 2}, {2, 2}})) << level;
+    }
   }
 }
 

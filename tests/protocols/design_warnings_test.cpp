@@ -2,6 +2,7 @@
 
 #include "protocols/file/design_warnings.h"
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ namespace asperity {
 namespace {
 
 using nlohmann::json;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -69,23 +71,50 @@ TEST(DesignWarnings, AreAboutPartsThatNeedNotConnectAllLevels) {
                                               "participant need not connect all 10 levels"));
 }
 
-TEST(DesignWarnings, AreAboutPositionsThatAreNotBalancedWithinLevels) {
+/// amplitude_jnd_psi with constant stimuli.
+json constant_stimuli(int repetitions) {
   json file = test::library_file("amplitude_jnd_psi");
   for (auto& [name, block] : file["blocks"].items()) {
     if (!block.contains("procedure")) continue;
     block.erase("procedure");
     block["vary"].erase("levels_percent");
     block["vary"]["levels_percent"] = {10, 25, 50, 90};
-    block["repetitions"] = 6;
+    block["repetitions"] = repetitions;
     block["positions"] = "balanced";
   }
-  EXPECT_THAT(warned(file),
-              ElementsAre(HasSubstr("/positions: positions are balanced over the block and not "
-                                    "within each level")));
+  return file;
+}
+
+json& main_block_of(json& file) {
   for (auto& [name, block] : file["blocks"].items()) {
-    if (block.value("phase", "main") == "main") block["vary"]["levels_percent"] = {25};
+    if (block.value("phase", "main") == "main") return block;
   }
-  EXPECT_THAT(warned(file), IsEmpty());
+  throw std::logic_error("no main block");
+}
+
+TEST(DesignWarnings, AreAboutLevelsWithAnOddNumberOfTrialsInTwoPositions) {
+  EXPECT_THAT(warned(constant_stimuli(6)), IsEmpty());
+  json file = constant_stimuli(7);
+  EXPECT_THAT(warned(file), ElementsAre(AllOf(HasSubstr("/positions: positions need not be "
+                                                        "balanced within each level"),
+                                              HasSubstr("not a multiple of 2, the number of "
+                                                        "surfaces; set its repetitions to a "
+                                                        "multiple of 2"))));
+  main_block_of(file)["vary"]["levels_percent"] = {25};
+  main_block_of(file)["repetitions"] = 8;
+  EXPECT_THAT(warned(file), IsEmpty()) << "one level";
+}
+
+TEST(DesignWarnings, AreAboutPositionsOfABlockThatCanEndAfterAnyTrial) {
+  json file = constant_stimuli(6);
+  main_block_of(file)["until"] = {{"correct", 5}, {"of_last", 6}, {"maximum_trials", 24}};
+  EXPECT_THAT(warned(file), ElementsAre(HasSubstr("remove it from this main block")));
+}
+
+TEST(DesignWarnings, AreAboutPositionsThatAreDrawnForEachTrial) {
+  json file = constant_stimuli(6);
+  main_block_of(file)["positions"] = "shuffle";
+  EXPECT_THAT(warned(file), ElementsAre(HasSubstr("set \"positions\" to \"balanced\"")));
 }
 
 }  // namespace

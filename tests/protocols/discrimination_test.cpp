@@ -79,9 +79,20 @@ TEST(Discriminations, ArePlannedWithEveryLevelInBothOrders) {
     EXPECT_EQ(trials, 16) << level;
   }
   EXPECT_TRUE(by_level.contains("7.5e-05")) << "50 µm + 50 %";
+  for (const auto& [level, first] : comparison_first) {
+    EXPECT_EQ(first, 8) << level << ": 16 trials are a multiple of two surfaces";
+  }
+}
+
+TEST(Discriminations, BalancePositionsOverTheBlockWhereALevelHasAnOddNumberOfTrials) {
+  ProtocolJson protocol = amplitude_jnd();
+  main_block(protocol)["vary"]["levels_percent"] = {5, 10, 20, 50};
+  main_block(protocol)["repetitions"] = 7;
   int first = 0;
-  for (const auto& [level, trials] : comparison_first) first += trials;
-  EXPECT_EQ(first, 40) << "positions are balanced";
+  for (const Trial& trial : test::main_trials(test::valid(protocol))) {
+    first += trial.presentations[0].item == "comparison" ? 1 : 0;
+  }
+  EXPECT_EQ(first, 14) << "half of 28 trials";
 }
 
 TEST(Discriminations, ByComparisonHaveNoCorrectResponse) {
