@@ -45,10 +45,11 @@ choose_study() {
   rm --recursive "$empty"
 }
 
-# simulate_participants ASPERITY STUDY PROTOCOL…: what is complete already is left as it is.
+# simulate_participants ASPERITY STUDY SCRIPT PROTOCOL…: what is complete already is left as it is. SCRIPT is the command that
+# resumes the simulation after Ctrl-C.
 simulate_participants() {
-  local asperity=$1 study=$2 files=() protocol
-  shift 2
+  local asperity=$1 study=$2 script=$3 files=() protocol interrupted=
+  shift 3
   for protocol in "$@"; do
     files+=("$study/protocols/$protocol.json")
     if [[ ! -e ${files[-1]} ]]; then
@@ -60,11 +61,16 @@ simulate_participants() {
   echo "Completing $kParticipants virtual participants, ${#files[@]} sessions each" >&2
   # Without the line for every stored attempt, and on a terminal with one moving line of progress. At Ctrl-C asperity
   # finishes the trials under way, and writes that it does.
-  "$asperity" simulate "${files[@]}" --study "$study" --participants "$kParticipants" --seed "$kSeed" \
+  trap 'interrupted=1' INT
+  if ! "$asperity" simulate "${files[@]}" --study "$study" --participants "$kParticipants" --seed "$kSeed" \
     --jobs "$(nproc)" --resume 2>&1 | (trap '' INT; awk -v is_terminal="$(if [[ -t 2 ]]; then echo 1; fi)" '
       /^(done|stored) / { next }
       { if (moving) printf "\r" }
       { moving = is_terminal && /^simulating: /; printf moving ? "%s" : "%s\n", $0; fflush() }
-      END { if (moving) print "" }') >&2
+      END { if (moving) print "" }') >&2; then
+    if [[ $interrupted ]]; then echo "To resume the simulation, call $script again." >&2; fi
+    exit 1
+  fi
+  trap - INT
   echo >&2
 }

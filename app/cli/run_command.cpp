@@ -149,8 +149,9 @@ void add_run(CLI::App& program, Job& job) {
                        inputs.study / ("sheet-" + inputs.participant + ".png"));
       }
       SessionRequests requests;
-      const InterruptWatch interrupt("stopping after this trial",
-                                     [&requests] { requests.emergency_stop(); });
+      const InterruptWatch interrupt(
+          "stopping after the current trial, or now if no trial is running",
+          [&requests] { requests.emergency_stop(); });
       // Before the protocol's files are missed in what is no study. Closed before the session: SQLite refuses to write while
       // the process has the database open for reading only.
       (void)Study::open(inputs.study, Access::read_only);
@@ -198,7 +199,8 @@ void add_run(CLI::App& program, Job& job) {
         say("asperity: the session stopped: " + end.reason.english() +
             (end.as_the_protocol_says ? ""
                                       : "; every completed trial is stored. To resume the session, "
-                                        "repeat the command with --resume"));
+                                        "repeat the command") +
+            (end.as_the_protocol_says || inputs.resume ? "" : " with --resume"));
         return 1;
       }
       // Not before: who resumes the session is not told whether responses were correct.

@@ -386,10 +386,14 @@ TEST_F(Plugin, EndsWithTheCommandThatWaitsForIt) {
 TEST_F(Plugin, LetsASimulationStopAfterItsTrialAtTheFirstCtrlC) {
   for (const bool on_terminal : {false, true}) {
     const std::string label = on_terminal ? "typed" : "sent";
-    Program program(Invocation{
-        .arguments = {"simulate", example_->protocol(), "--study", folder_ / label,
-                      "--participants", "100", "--seed", "3", "--plugin", example_->plugin()},
-        .on_terminal = on_terminal});
+    const bool resumes = on_terminal;
+    std::vector<std::string> arguments{"simulate",       example_->protocol(),
+                                       "--study",        folder_ / label,
+                                       "--participants", "100",
+                                       "--seed",         "3",
+                                       "--plugin",       example_->plugin()};
+    if (resumes) arguments.emplace_back("--resume");
+    Program program(Invocation{.arguments = arguments, .on_terminal = on_terminal});
     ASSERT_TRUE(program.read_until([](const std::string&, const std::string& err) {
       return !done_lines(err).empty();
     })) << program.err();
@@ -400,7 +404,8 @@ TEST_F(Plugin, LetsASimulationStopAfterItsTrialAtTheFirstCtrlC) {
     }
     const Outcome stopped = program.finish();
     EXPECT_EQ(stopped.status, 1) << label << stopped.err;
-    EXPECT_THAT(stopped.err, HasSubstr("--resume"));
+    EXPECT_THAT(stopped.err, HasSubstr(resumes ? "start it again with the same arguments"
+                                               : "add --resume to the same arguments"));
     const std::string saying = "stopping after this trial";
     const std::size_t first = stopped.err.find(saying);
     EXPECT_NE(first, std::string::npos) << stopped.err;

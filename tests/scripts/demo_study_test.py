@@ -162,6 +162,14 @@ esac
         answer, asked = self.run_demo()
         self.assertEqual(answer.returncode, 1)
         self.assertEqual([line.split()[0] for line in asked], ["new", "simulate"])
+        self.assertNotIn("again", answer.stderr)  # it failed by itself
+
+    def test_names_the_command_that_resumes_after_an_interrupt(self):
+        self.pretend(simulate="kill -INT $PPID; exit 1")
+        answer, _ = self.run_demo()
+        self.assertEqual(answer.returncode, 1)
+        self.assertIn("To resume the simulation, call scripts/run again.", answer.stderr)
+        self.assertNotIn("--resume", answer.stderr)
 
     def test_shows_the_counts_of_virtual_participants_next_to_the_published_ones(self):
         text = self.run_demo()[0].stdout

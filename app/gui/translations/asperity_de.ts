@@ -8490,6 +8490,10 @@
         <translation>die Simulation wurde auf Wunsch gestoppt; jeder abgeschlossene Durchgang ist gespeichert, sie kann fortgesetzt werden</translation>
     </message>
     <message>
+        <source>the simulation was stopped on request; every completed trial is stored; to resume it, start it again with the same arguments</source>
+        <translation>die Simulation wurde auf Wunsch gestoppt; jeder abgeschlossene Durchgang ist gespeichert; um sie fortzusetzen, starten Sie sie noch einmal mit denselben Angaben</translation>
+    </message>
+    <message>
         <source>the session of %1 with &quot;%2&quot; stopped: %3; every completed trial is stored; resume with --resume</source>
         <translation>die Sitzung von %1 mit „%2“ wurde gestoppt: %3; jeder abgeschlossene Durchgang ist gespeichert, die Sitzung kann fortgesetzt werden</translation>
     </message>

@@ -391,9 +391,13 @@ SimulationResult Simulation::run() {
                                "simulate it");
     }
     throw PhrasedError(
-        phrase("Simulation",
-               "the simulation was stopped on request; every completed trial is stored; "
-               "to resume it, add --resume to the same arguments"));
+        inputs_.resume
+            ? phrase("Simulation",
+                     "the simulation was stopped on request; every completed trial is stored; "
+                     "to resume it, start it again with the same arguments")
+            : phrase("Simulation",
+                     "the simulation was stopped on request; every completed trial is stored; "
+                     "to resume it, add --resume to the same arguments"));
   }
   result_.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return result_;
