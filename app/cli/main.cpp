@@ -29,11 +29,18 @@ constexpr int kWrongUsage = 2;
 /// No subcommand, and perhaps the folder of a study: the window.
 void add_windows(CLI::App& program, asperity::Job& job, int& argc, char** argv) {
   auto study = std::make_shared<std::optional<std::filesystem::path>>();
+  const CLI::Option* const window =
+      program.add_flag("--window")->description("Open the window, as without a subcommand");
   program.require_subcommand(0, 1);
   program.add_option("STUDY", *study,
                      "Without a subcommand: folder of the study to show in the window");
-  program.callback([&program, &job, &argc, argv, study] {
+  program.callback([&program, &job, &argc, argv, study, window] {
     if (!program.get_subcommands().empty()) {
+      if (window->count() > 0) {
+        throw CLI::ValidationError("--window and the subcommand " +
+                                   program.get_subcommands().front()->get_name() +
+                                   " exclude each other; leave one out");
+      }
       if (*study) {
         throw CLI::ValidationError(
             "\"" + (*study)->string() + "\" before the subcommand " +

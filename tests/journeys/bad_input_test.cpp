@@ -566,10 +566,9 @@ TEST(WrongUsage, NamesTheOptionAndWhatWouldBeRight) {
                "\"vibrations\"; asperity models lists those that it needs\n");
   write_text(place / "p", "time_s\tx_m\ty_m\tz_m\n0\t0\t0\t0.001\n0.001\t0\t0\t-0.001\n");
   write_text(place / "v.tsv", "speed\n1\n");
-  const Outcome with_wrong_file =
-      asperity({"render", "--model", "data_driven", "--asset",
-                "vibration_models=" + (place / "v.tsv").string(), "--path", place / "p", "--out",
-                place / "f"});
+  const Outcome with_wrong_file = asperity({"render", "--model", "data_driven", "--asset",
+                                            "vibration_models=" + (place / "v.tsv").string(),
+                                            "--path", place / "p", "--out", place / "f"});
   EXPECT_EQ(with_wrong_file.status, 1);
   EXPECT_THAT(with_wrong_file.err,
               testing::StartsWith("asperity: " + (place / "v.tsv").string() + ":1: "));
@@ -595,6 +594,9 @@ TEST(WrongUsage, IsStatedInOneStyle) {
   const std::vector<Case> cases{
 #ifdef ASPERITY_WITH_WINDOWS
       {{"fly"}, "there is no subcommand and no folder \"fly\"; see asperity --help"},
+      {{"--widow"}, "asperity has no option --widow; did you mean --window?"},
+      {{"--window", "models"},
+       "--window and the subcommand models exclude each other; leave one out"},
 #endif
       {{"analyse", "study"}, "there is no subcommand \"analyse\"; did you mean analyze?"},
       {{"verfy"}, "there is no subcommand \"verfy\"; did you mean verify?"},

@@ -4,6 +4,7 @@ import contextlib
 import json
 import os
 import pathlib
+import re
 import shutil
 import sqlite3
 import stat
@@ -180,6 +181,7 @@ esac
             self.assertIn(row.split(), rows)
         self.assertIn("20 virtual participants completed 57 sessions", text.replace("\n", " "))
         self.assertIn("177 responses", text.replace("\n", " "))
+        self.assertRegex(text, rf"(?m)^  scripts/run {re.escape(str(self.study))} +the window with this study$")
         self.assertEqual([line for line in text.splitlines() if "answer" in line],
                          ['The "preference" question? Its answer.', 'The "whole" question? Its answer.',
                           'The "right" question? Its answer.'])
