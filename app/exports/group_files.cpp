@@ -165,19 +165,20 @@ void GroupFiles::finish_fit(CodebookFile& codebook, std::vector<Phrase>& not_wri
 
 void GroupFiles::finish_wide(CodebookFile& codebook) {
   const WideTable::Made made = wide_->make();
+  const WideColumns& table = made.table;
   if (options_.formats.contains(ExportFormat::wide)) {
     const std::string name = root_ + "wide.csv";
-    TableFile file(folder_.path_of(name), TableFile::Format::csv, column_names(made.columns));
-    for (const std::vector<Cell>& row : made.rows) file.add(row);
+    TableFile file(folder_.path_of(name), TableFile::Format::csv, column_names(table.columns));
+    for (const std::vector<Cell>& row : table.rows) file.add(row);
     folder_.add(name, file.finish(), made.left_out);
-    codebook.add(name, made.columns);
+    codebook.add(name, table.columns);
   }
   if (options_.formats.contains(ExportFormat::sav)) {
     const std::string name = root_ + "wide.sav";
-    SavTable file(made.columns, folder_.path_of(""));
-    for (const std::vector<Cell>& row : made.rows) file.add(row);
+    SavTable file(table.columns, folder_.path_of(""));
+    for (const std::vector<Cell>& row : table.rows) file.add(row);
     folder_.add(name, file.write(folder_.path_of(name), title_), made.left_out);
-    codebook.add(name, renamed(made.columns, file.names()));
+    codebook.add(name, renamed(table.columns, file.names()));
   }
 }
 

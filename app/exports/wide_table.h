@@ -2,15 +2,14 @@
 
 #pragma once
 
-#include <cstdint>
-#include <map>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "app/exports/columns/export_column.h"
 #include "app/exports/columns/study_vocabulary.h"
-#include "app/exports/threshold_columns.h"
+#include "app/exports/wide_answers.h"
+#include "app/exports/wide_columns.h"
 
 namespace asperity {
 
@@ -45,24 +44,17 @@ class WideTable final {
   void add_session_answer(const ExportPlace& at);
 
   struct Made {
-    std::vector<ExportColumn> columns{};  ///< without the functions that make cells
+    WideColumns table{};
     std::vector<std::string> left_out{};
-    std::vector<std::vector<Cell>> rows{};
   };
   Made make() const;
 
  private:
-  /// Numbers in numerical order, names in alphabetical order.
-  using Level = std::pair<double, std::string>;
-  using Condition = std::vector<std::pair<std::string, Level>>;  ///< by name of the factor
-  struct Asked {
-    std::string protocol{};
-    std::string version{};
-    std::string source_sha256{};  ///< of the first of those that differ only in texts
-    std::string question{};
-    auto operator<=>(const Asked&) const = default;
-  };
-  class ProtocolNames;
+  using Asked = WideAnswers::Asked;
+  using Condition = WideAnswers::Condition;
+  using Level = WideAnswers::Level;
+  using Person = WideAnswers::Person;
+  using Tally = WideAnswers::Tally;
   Asked asked_of(const ExportPlace& at) const;     ///< with a response
   Asked protocol_of(const ExportPlace& at) const;  ///< without a question
   const StudyVocabulary::AnswerMeaning* meaning_of(const Asked& asked) const;
@@ -71,46 +63,15 @@ class WideTable final {
   void mark_signal(const ExportPlace& at, Condition& condition) const;
   /// False where the response does not belong to a discrimination.
   bool add_discrimination(const ExportPlace& at, const Condition& condition);
-  struct Tally {
-    std::int64_t answers = 0;
-    std::int64_t numbers = 0;
-    double sum = 0.0;
-    std::int64_t judged = 0;
-    std::int64_t right = 0;
-    std::map<std::string, std::int64_t> chosen{};
-  };
   /// Whether the level of the trial was chosen from earlier responses: a mean over such trials depends on the levels.
   bool is_level_of_procedure(const ExportPlace& at) const;
-
-  struct Person {
-    std::vector<Cell> about{};
-    std::map<Asked, std::map<Condition, Tally>> tallies{};
-    /// Answers to questions of the session; those of a multiple choice by the number of the option.
-    std::map<Asked, Cell> said{};
-    struct Chosen {
-      std::int64_t session_id = 0;
-      std::set<int> options{};
-      bool is_answered = false;
-    };
-    std::map<Asked, Chosen> chosen{};
-    /// By protocol, with an empty question: whether its rule for errors in catch trials excludes the participant.
-    std::map<Asked, bool> excluded{};
-    std::map<Asked, bool> was_asked{};  ///< of the questions with a condition
-    std::int64_t answers = 0;
-    std::int64_t flagged = 0;
-    std::int64_t left_out = 0;
-    std::int64_t doubted = 0;
-    std::int64_t of_procedures = 0;
-    std::int64_t unfinished = 0;
-  };
 
   ExportAudience audience_;
   std::vector<ExportColumn> about_{};
   std::vector<std::string> left_out_{};
   StudyVocabulary vocabulary_{};
   std::set<std::string> withheld_{};  ///< questions of sessions that are not published
-  std::vector<Person> people_{};
-  std::map<Asked, ThresholdColumns> discriminations_{};
+  WideAnswers gathered_{};
 };
 
 }  // namespace asperity
