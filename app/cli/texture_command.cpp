@@ -199,7 +199,7 @@ void texture_of_photograph(TextureOptions& options, std::span<const std::byte> b
   std::cout << height_field_line(options.out, texture.field);
   // The advice is about brightness as height, and a method that uses the light answers the question about it.
   if (!texture_method(recipe.method).uses_light) {
-    std::cout << advice(evidence) << '\n' << recommendation_text(evidence) << '\n';
+    std::cout << advice(evidence) << '\n' << recommendation_text(evidence, recipe) << '\n';
   }
   if (const auto contradiction = contradiction_of_sign(evidence, recipe)) {
     say("asperity: warning: " + name + ": " + contradiction_text(*contradiction, evidence));

@@ -27,14 +27,15 @@ std::string about_direction(const PhotographEvidence& evidence) {
          "in even light from all sides. ";
 }
 
+/// The correct sign in each case, whichever is set.
 std::string about_skewness(double skewness) {
   if (skewness < -kSkewed) {
     return "The picture has narrow dark parts on brighter ground. If they are dark because they "
-           "lie low (grooves, pits), bright is high: keep the default sign. ";
+           "lie low (grooves, pits), bright is high: the correct sign is 1. ";
   }
   return "The picture has narrow bright parts on darker ground. If they stand out (grains, "
-         "fibres), bright is high: keep the default sign; if they lie low (light mortar between "
-         "bricks), choose the sign -1. ";
+         "fibres), bright is high: the correct sign is 1; if they lie low (light mortar between "
+         "bricks), it is -1. ";
 }
 
 }  // namespace
@@ -107,14 +108,16 @@ double opposite_deg(double direction_deg) noexcept {
   return direction_deg + (direction_deg > 0.0 ? -180.0 : 180.0);
 }
 
-std::string recommendation_text(const PhotographEvidence& evidence) {
+std::string recommendation_text(const PhotographEvidence& evidence, const TextureRecipe& recipe) {
   const MethodRecommendation even = recommended_method(PhotographLight::even);
   const MethodRecommendation lamp = recommended_method(PhotographLight::one_lamp);
   const double along_deg = direction_deg(evidence);
-  return std::string(
-             "Did the light come from one lamp at the side? The picture does not show it. "
-             "If not, recommended: --method ") +
-         even.method + " --spectral-tilt " + number_text(even.spectral_tilt) +
+  const bool is_set = recipe.method == even.method && recipe.spectral_tilt == even.spectral_tilt;
+  const std::string method = std::string("--method ") + even.method + " --spectral-tilt " +
+                             number_text(even.spectral_tilt);
+  return "Did the light come from one lamp at the side? The picture does not show it. If not, " +
+         (is_set ? "the method is the recommended one (" + method + ")"
+                 : "recommended: " + method) +
          ", because on nine of ten measured surfaces it was closer to the relief than the plain "
          "brightness. If so, recommended: --method " +
          lamp.method +

@@ -62,8 +62,8 @@ double direction_deg(const PhotographEvidence& evidence) noexcept;
 double opposite_deg(double direction_deg) noexcept;
 
 /// The question about the light and the recommendation for each answer, as English sentences with the options of the command
-/// line.
-std::string recommendation_text(const PhotographEvidence& evidence);
+/// line. What `recipe` has already is confirmed.
+std::string recommendation_text(const PhotographEvidence& evidence, const TextureRecipe& recipe);
 
 /// A sign of the heights that the skewness of the photograph contradicts.
 enum class SignContradiction {
@@ -78,8 +78,8 @@ std::optional<SignContradiction> contradiction_of_sign(const PhotographEvidence&
 /// The contradiction as English sentences with the skewness and the option of the command line.
 std::string contradiction_text(SignContradiction contradiction, const PhotographEvidence& evidence);
 
-/// Advice for the photographer, in sentences: which case the photograph resembles, the statistics, how to choose the
-/// sign, and what a single photograph cannot determine.
+/// Advice for the photographer, in sentences: which case the photograph resembles, the statistics, which sign is correct in
+/// which case, and what a single photograph cannot determine.
 std::string advice(const PhotographEvidence& evidence);
 
 }  // namespace asperity

@@ -38,7 +38,8 @@ TEST(PhotographAdvice, RecommendsAMethodForTheLightThatTheUserStates) {
 TEST(PhotographAdvice, AsksAboutTheLightWhateverTheAnisotropy) {
   for (const double anisotropy : {0.0, 0.14, 0.24, 0.9}) {
     EXPECT_THAT(
-        recommendation_text({.anisotropy = anisotropy, .direction_rad = std::numbers::pi / 3.0}),
+        recommendation_text({.anisotropy = anisotropy, .direction_rad = std::numbers::pi / 3.0},
+                            {}),
         testing::AllOf(
             StartsWith("Did the light come from one lamp at the side?"),
             HasSubstr("If not, recommended: --method brightness --spectral-tilt 0.5, because"),
@@ -46,6 +47,18 @@ TEST(PhotographAdvice, AsksAboutTheLightWhateverTheAnisotropy) {
             HasSubstr("along 60° and -120°")))
         << anisotropy;
   }
+}
+
+TEST(PhotographAdvice, ConfirmsTheRecommendedMethodWhereItIsSet) {
+  TextureRecipe recipe{};
+  recipe.method = "brightness";
+  recipe.spectral_tilt = 0.5;
+  const std::string set = recommendation_text({}, recipe);
+  EXPECT_THAT(set, HasSubstr("If not, the method is the recommended one"));
+  EXPECT_THAT(set, HasSubstr("If so, recommended: --method pentland"));
+  recipe.spectral_tilt = 0.0;
+  EXPECT_THAT(recommendation_text({}, recipe),
+              HasSubstr("If not, recommended: --method brightness --spectral-tilt 0.5"));
 }
 
 TEST(PhotographAdvice, HasTheDirectionOfTheLampOrTheOppositeOne) {
