@@ -9,6 +9,7 @@
 #include <QtWidgets/QToolTip>
 
 #include "app/gui/editor/json_colors.h"
+#include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 
 namespace asperity {
@@ -263,7 +264,7 @@ void ProtocolTextEdit::paint_numbers(QWidget& numbers) {
       const QColor color = with_problem.at(number);
       painter.setPen(color);
       painter.drawText(row.adjusted(kGrid / 2, 0.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignVCenter,
-                       color == theme().stop ? "✕" : "▲");
+                       shape_of(color == theme().stop ? State::stop : State::look));
     } else {
       painter.setPen(current ? theme().text : theme().muted);
     }

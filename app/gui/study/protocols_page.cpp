@@ -14,6 +14,7 @@
 #include "app/gui/base/progress_cell.h"
 #include "app/gui/base/shown_text.h"
 #include "app/gui/base/study_table.h"
+#include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
 #include "app/gui/look/wrapped_buttons.h"
 #include "app/gui/plan/plan_preview.h"
@@ -68,27 +69,29 @@ QString last_run_of(const ProtocolOverview& overview) {
       .arg(text_of_time(session.row.started_utc), text(session.row.participant), state);
 }
 
+QStandardItem* state_cell(State state, const QString& words, int order) {
+  QStandardItem* cell = text_cell(shape_of(state) + ' ' + words, order);
+  cell->setForeground(color_of(state));
+  return cell;
+}
+
+/// The same marks as in the editor and in the list of checks before a session.
 QStandardItem* validity_cell(const ProtocolOverview& overview) {
   const int problems = static_cast<int>(overview.check.diagnostics.size());
   const int warnings = static_cast<int>(overview.check.warnings.size());
-  if (overview.is_valid() && warnings > 0) {
-    QStandardItem* cell =
-        text_cell("▲ " + count_text(warnings, ProtocolsPage::tr("valid, 1 warning"),
-                                    ProtocolsPage::tr("valid, %1 warnings")),
-                  0);
-    cell->setForeground(theme().look);
-    return cell;
+  if (!overview.is_valid()) {
+    return state_cell(
+        State::stop,
+        count_text(problems, ProtocolsPage::tr("1 problem"), ProtocolsPage::tr("%1 problems")),
+        problems);
   }
-  if (overview.is_valid()) {
-    QStandardItem* cell = text_cell("● " + ProtocolsPage::tr("valid"), 0);
-    cell->setForeground(theme().fine);
-    return cell;
+  if (warnings > 0) {
+    return state_cell(State::look,
+                      count_text(warnings, ProtocolsPage::tr("valid, 1 warning"),
+                                 ProtocolsPage::tr("valid, %1 warnings")),
+                      0);
   }
-  QStandardItem* cell = text_cell(
-      "▲ " + count_text(problems, ProtocolsPage::tr("1 problem"), ProtocolsPage::tr("%1 problems")),
-      problems);
-  cell->setForeground(theme().look);
-  return cell;
+  return state_cell(State::fine, ProtocolsPage::tr("valid"), 0);
 }
 
 StudyTable::Row protocol_row(const ProtocolOverview& overview) {

@@ -145,7 +145,7 @@ class PagesToRead : public PagesOfAWindow {
 
 TEST_F(PagesToRead, ListTheProtocolsOfTheDemoStudyAsValid) {
   const StudyTable& table = table_of("protocols", "protocols_table", 4);
-  EXPECT_EQ(column(table, 5).count("● valid"), 3);
+  EXPECT_EQ(column(table, 5).count("✓ valid"), 3);
   const int recognition = static_cast<int>(column(table, 1).indexOf("chapter_recognition"));
   ASSERT_GE(recognition, 0);
   EXPECT_EQ(table.text_at(recognition, 2), "absolute identification");
@@ -188,6 +188,8 @@ TEST_F(PagesToRead, ShowTheProblemsOfABrokenProtocolAndRefuseToStartIt) {
   const auto& problems = child<StudyTable>(window_, "protocol_problems");
   ASSERT_EQ(problems.shown_rows(), 2);
   EXPECT_TRUE(problems.isVisible());
+  EXPECT_TRUE(column(table_of("protocols", "protocols_table", 4), 5).contains("✕ 2 problems"))
+      << "the mark that the editor shows next to the same problems";
   EXPECT_TRUE(problems.text_at(0, 1).contains("stimuli/mteal.png"));
   EXPECT_GT(problems.text_at(0, 0).toInt(), 1);
   EXPECT_FALSE(child<QPushButton>(window_, "protocol_start").isEnabled());
@@ -251,7 +253,7 @@ TEST_F(StudyPages, ListProtocolsWithoutWaitingForTheirStimuli) {
   window_.study()->examiner().set_examine(examine_through(gate));
   const StudyTable& table = table_of("protocols", "protocols_table", 3);
   ASSERT_TRUE(eventually([&] { return gate->has_begun(1); }));
-  EXPECT_EQ(column(table, 5).count("● valid"), 3);
+  EXPECT_EQ(column(table, 5).count("✓ valid"), 3);
   const auto& note = child<QLabel>(window_, "protocols_examining");
   EXPECT_TRUE(note.isVisible());
   EXPECT_EQ(note.text(), "Examining stimuli: 0 of 3");
