@@ -92,6 +92,7 @@ TEST_F(Verify, FindsEverythingAsItWasAndWritesNothing) {
   const auto before = contents_of(study_);
   const Outcome outcome = verify({"--replay"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(outcome.err.ends_with("verifying: 100 %\n")) << outcome.err;
   EXPECT_NE(outcome.out.find("bit for bit"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("4 recordings replayed\n"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("no problems found"), std::string::npos) << outcome.out;
