@@ -11368,6 +11368,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>%1 virtuell</translation>
     </message>
     <message>
+        <source>%1 + %2 virtual</source>
+        <translation>%1 + %2 virtuell</translation>
+    </message>
+    <message>
         <source>Withdraw…</source>
         <translation>Teilnahme zurückziehen…</translation>
     </message>
