@@ -82,10 +82,8 @@ std::optional<std::string> protocol_name(const std::string& text) {
 
 std::string with_protocol_name(std::string text, const std::string& name) {
   if (!protocol_name(text)) return text;
-  const std::size_t start = JsonDocument(text, {}).place_of(kNameKey).value();
-  std::size_t end = start + 1;
-  while (text[end] != '"') end += text[end] == '\\' ? 2 : 1;
-  return text.replace(start, end + 1 - start, '"' + name + '"');
+  const JsonPlace place = JsonDocument(text, {}).place_of(kNameKey).value();
+  return text.replace(place.value, place.end - place.value, '"' + name + '"');
 }
 
 int sessions_of_protocol(const Study& study, const std::filesystem::path& file) {

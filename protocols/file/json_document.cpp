@@ -315,12 +315,12 @@ class JsonDocument::Handler {
         *node = std::move(given);
       }
     }
-    document_.places_[pointer] = {key_start, from};
     began_ = true;
     last_end_ = read_;
     if (node->is_number()) {  // its end is known only after reading one more character
       last_end_ = std::min(document_.text_.find_first_not_of("+-.0123456789eE", from), read_);
     }
+    document_.places_[pointer] = {key_start, from, last_end_};
     return node;
   }
 
@@ -342,8 +342,9 @@ class JsonDocument::Handler {
   }
 
   bool close() {
-    stack_.pop_back();
     last_end_ = read_;
+    document_.places_[stack_.back().pointer].end = last_end_;
+    stack_.pop_back();
     return true;
   }
 
@@ -432,10 +433,10 @@ Diagnostic JsonDocument::at(const std::string& pointer, std::string message) con
   return diagnostic(offset, pointer, std::move(message));
 }
 
-std::optional<std::size_t> JsonDocument::place_of(const std::string& pointer) const {
+std::optional<JsonPlace> JsonDocument::place_of(const std::string& pointer) const {
   const auto found = places_.find(pointer);
   if (found == places_.end()) return {};
-  return found->second.value;
+  return found->second;
 }
 
 Diagnostic JsonDocument::at_key(const std::string& pointer, std::string message) const {

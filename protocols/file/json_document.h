@@ -16,6 +16,14 @@
 
 namespace asperity {
 
+/// The bytes of a value in the text: from `value` to before `end`. `key` is the first one of its key, or of the value
+/// itself if it has none.
+struct JsonPlace {
+  std::size_t key = 0;
+  std::size_t value = 0;
+  std::size_t end = 0;
+};
+
 /// Stores a parsed file with the position of every key and value.
 ///
 /// The accepted text is stricter than JSON, which bounds all subsequent recursion and search: UTF-8 without byte order
@@ -30,27 +38,25 @@ class JsonDocument final {
                std::vector<Diagnostic>* problems_of_texts = nullptr);
 
   const nlohmann::json& root() const noexcept { return root_; }
+  /// The characters that were parsed; the caller keeps them.
+  std::string_view text() const noexcept { return text_; }
   /// A copy with another tree. Values that occur in both trees have their positions in the text.
   JsonDocument with_root(nlohmann::json root) const;
   /// A diagnostic at a value, or at its nearest existing ancestor.
   Diagnostic at(const std::string& pointer, std::string message) const;
-  /// The offset of the value in the text; nullopt if it does not exist.
-  std::optional<std::size_t> place_of(const std::string& pointer) const;
+  /// The place of the value in the text; nullopt if it does not exist.
+  std::optional<JsonPlace> place_of(const std::string& pointer) const;
   /// A diagnostic at the last key of the pointer.
   Diagnostic at_key(const std::string& pointer, std::string message) const;
 
  private:
-  struct Place {
-    std::size_t key = 0;
-    std::size_t value = 0;
-  };
   class Handler;
   Diagnostic diagnostic(std::size_t offset, const std::string& pointer, std::string message) const;
 
   std::string_view text_{};
   std::string file_{};
   nlohmann::json root_{};
-  std::map<std::string, Place, std::less<>> places_{};
+  std::map<std::string, JsonPlace, std::less<>> places_{};
 };
 
 }  // namespace asperity
