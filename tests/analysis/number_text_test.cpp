@@ -1,9 +1,11 @@
-// Holds the text of a number to reading back, and the text of a count to the noun that it needs.
+// Holds the text of a number to reading back, its shift to the decimal point alone, and the text of a count to the noun that it needs.
 
 #include "analysis/numbers/number_text.h"
 
 #include <charconv>
 #include <limits>
+#include <optional>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -21,6 +23,60 @@ TEST(NumberText, IsTheShortestThatReadsBack) {
     double read = 0.0;
     std::from_chars(text.data(), text.data() + text.size(), read);
     EXPECT_EQ(read, number);
+  }
+}
+
+TEST(ShiftedDecimal, ConvertsBetweenUnits) {
+  EXPECT_EQ(shifted_decimal("2.3", -3), "0.0023");  // mm in m
+  EXPECT_EQ(shifted_decimal("0.0023", 3), "2.3");   // m in mm
+  EXPECT_EQ(shifted_decimal("5e-05", 6), "50");     // m in µm
+  EXPECT_EQ(shifted_decimal("50", -6), "0.00005");  // µm in m
+  EXPECT_EQ(shifted_decimal("0.1", -3),
+            "0.0001");  // 0.1 · 0.001 is 0.00010000000000000000479 in binary
+  EXPECT_EQ(shifted_decimal("1.1", 3), "1100");   // 1.1 · 1000 is 1100.0000000000002
+  EXPECT_EQ(shifted_decimal("-0.25", 2), "-25");  // 1 in %
+  EXPECT_EQ(shifted_decimal("12.50", 0), "12.50");
+  EXPECT_EQ(shifted_decimal("12.50", 1), "125");
+  EXPECT_EQ(shifted_decimal("1200", -1), "120");
+}
+
+TEST(ShiftedDecimal, KeepsEveryDigit) {
+  EXPECT_EQ(shifted_decimal("0.12345678901234567", 3), "123.45678901234567");
+  EXPECT_EQ(shifted_decimal("0.10000000000000001", 0), "0.10000000000000001");
+  EXPECT_EQ(shifted_decimal("-12345678901234567890123.4567", -3), "-12345678901234567890.1234567");
+  EXPECT_EQ(shifted_decimal("9.007199254740993E+15", -3), "9007199254740.993");
+}
+
+TEST(ShiftedDecimal, WritesAnExponentOnlyFarFromThePoint) {
+  EXPECT_EQ(shifted_decimal("1", -6), "0.000001");
+  EXPECT_EQ(shifted_decimal("1", -7), "1e-7");
+  EXPECT_EQ(shifted_decimal("-15", -9), "-1.5e-8");
+  EXPECT_EQ(shifted_decimal("1", 20), "100000000000000000000");
+  EXPECT_EQ(shifted_decimal("1", 21), "1e21");
+  EXPECT_EQ(shifted_decimal("1.25e300", 3), "1.25e303");
+}
+
+TEST(ShiftedDecimal, HasNoSignOrExponentForZero) {
+  EXPECT_EQ(shifted_decimal("0", 3), "0");
+  EXPECT_EQ(shifted_decimal("-0.000", -3), "0");
+  EXPECT_EQ(shifted_decimal("0e9999", -9), "0");
+}
+
+TEST(ShiftedDecimal, ThereAndBackIsTheSameNumber) {
+  for (const char* number : {"5e-05", "0.1", "-2.75", "3.0", "1e21", "123456.789", "2.5e-300"}) {
+    for (int places = -30; places <= 30; ++places) {
+      const std::string back =
+          shifted_decimal(shifted_decimal(number, places).value(), -places).value();
+      EXPECT_EQ(std::stod(back), std::stod(number)) << number << ' ' << places;
+    }
+  }
+}
+
+TEST(ShiftedDecimal, RefusesWhatIsNotANumberOfJson) {
+  for (const char* text : {"", "-", "+1", ".5", "5.", "01", "1,5", "1e", "1e+", "1e5x", " 1", "1 ",
+                           "0x1", "inf", "nan", "1e12345", "--1", "1.2.3"}) {
+    EXPECT_EQ(shifted_decimal(text, 3), std::nullopt) << text;
+    EXPECT_EQ(shifted_decimal(text, 0), std::nullopt) << text;
   }
 }
 

@@ -35,14 +35,8 @@ struct FormWords {
 
 /// value · 10^exponent by moving the decimal point, not by a product that rounds.
 double decimal_shifted(double value, int exponent) {
-  std::string text = number_text(value);
-  const std::size_t e = text.find('e');
-  if (e != std::string::npos) {
-    exponent += std::stoi(text.substr(e + 1));
-    text.erase(e);
-  }
-  text += "e" + std::to_string(exponent);
-  double shifted = 0.0;
+  const std::string text = shifted_decimal(number_text(value), exponent).value_or("");
+  double shifted = value;  // if it is not finite
   std::from_chars(text.data(), text.data() + text.size(), shifted);
   return shifted;
 }
