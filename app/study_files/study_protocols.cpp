@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "app/words/phrase.h"
+#include "protocols/editing/edits.h"
 #include "protocols/file/diagnostic.h"
 #include "protocols/file/json_document.h"
 #include "results_schema/files/atomic_file.h"
@@ -82,8 +83,7 @@ std::optional<std::string> protocol_name(const std::string& text) {
 
 std::string with_protocol_name(std::string text, const std::string& name) {
   if (!protocol_name(text)) return text;
-  const JsonPlace place = JsonDocument(text, {}).place_of(kNameKey).value();
-  return text.replace(place.value, place.end - place.value, '"' + name + '"');
+  return changed(text, set_value(JsonDocument(text, {}), kNameKey, json_string(name)));
 }
 
 int sessions_of_protocol(const Study& study, const std::filesystem::path& file) {

@@ -1,0 +1,197 @@
+// Implements the edits of a protocol's text.
+
+#include "protocols/editing/edits.h"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "protocols/design/json_pointer.h"
+#include "protocols/editing/text_entries.h"
+#include "protocols/editing/text_layout.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kNewValue = "the new value";
+
+[[noreturn]] void refuse(const JsonDocument& document, const std::string& pointer,
+                         std::string message) {
+  throw ProtocolError({document.at(pointer, std::move(message))});
+}
+
+/// The key in quotation marks. Errors: ProtocolError for one that a reader refuses.
+std::string quoted_key(std::string_view key) {
+  std::string text = json_string(key);
+  const JsonDocument check_of_limits("{" + text + ":0}", "the new key");
+  return text;
+}
+
+void require_free(const JsonDocument& document, const TextContainer& container,
+                  std::string_view key) {
+  if (!container.has(key)) return;
+  throw ProtocolError({document.at_key(
+      pointer_to(container.pointer(), key),
+      "the key " + json_string(key) + " occurs already in this object; choose another name")});
+}
+
+/// The container at the pointer, which must be of this type.
+TextContainer container_at(const JsonDocument& document, const std::string& pointer,
+                           bool is_object) {
+  TextContainer container(document, pointer);
+  if (container.is_object() != is_object) {
+    refuse(document, pointer,
+           is_object ? "this is a list; name an object {…}" : "this is an object; name a list […]");
+  }
+  return container;
+}
+
+void require_index(const JsonDocument& document, const TextContainer& container, std::size_t index,
+                   std::size_t greatest) {
+  if (index <= greatest) return;
+  refuse(document, container.pointer(),
+         "there is no position " + std::to_string(index) + " here; choose one from 0 to " +
+             std::to_string(greatest));
+}
+
+TextChanges filled(const EntryGap& gap, const std::string& entry) {
+  return {{gap.offset, 0, gap.before + entry + gap.after}};
+}
+
+std::size_t index_in_order(const TextContainer& object, std::string_view key,
+                           std::span<const std::string_view> order) {
+  const auto own = std::find(order.begin(), order.end(), key);
+  for (auto before = own; before != order.begin() && own != order.end();) {
+    if (object.has(*--before)) return object.index_of(*before) + 1;
+  }
+  for (auto after = own; after != order.end(); ++after) {
+    if (object.has(*after)) return object.index_of(*after);
+  }
+  return object.entries().size();
+}
+
+}  // namespace
+
+std::string json_string(std::string_view text) {
+  try {
+    return nlohmann::json(std::string(text)).dump();
+  } catch (const nlohmann::json::type_error&) {
+    throw std::invalid_argument("a new text is not UTF-8; enter it again");
+  }
+}
+
+TextChanges set_value(const JsonDocument& document, const std::string& pointer,
+                      std::string_view value) {
+  const JsonDocument given(value, kNewValue);
+  if (value_at(document, pointer) == given.root()) return {};
+  const JsonPlace place = document.place_of(pointer).value();
+  const JsonPlace characters = given.place_of("").value();
+  return {{place.value, place.end - place.value,
+           std::string(value.substr(characters.value, characters.end - characters.value))}};
+}
+
+TextChanges insert_member(const JsonDocument& document, const std::string& object,
+                          std::string_view key, std::string_view value,
+                          std::span<const std::string_view> order) {
+  const TextContainer container = container_at(document, object, true);
+  require_free(document, container, key);
+  const JsonDocument given(value, kNewValue);
+  const EntryGap gap = gap_at(document, container, index_in_order(container, key, order));
+  const std::string name = quoted_key(key);
+  return filled(gap, name + gap.colon + laid_out(given, gap, name));
+}
+
+TextChanges insert_entry(const JsonDocument& document, const std::string& array, std::size_t index,
+                         std::string_view value) {
+  const TextContainer container = container_at(document, array, false);
+  require_index(document, container, index, container.entries().size());
+  const JsonDocument given(value, kNewValue);
+  const EntryGap gap = gap_at(document, container, index);
+  return filled(gap, laid_out(given, gap, ""));
+}
+
+TextChanges remove_entry(const JsonDocument& document, const std::string& pointer) {
+  const auto [container, index] = entry_at(document, pointer);
+  const std::vector<TextEntry>& entries = container.entries();
+  std::size_t from = container.begin();
+  std::size_t to = entries[index].place.end;
+  if (index > 0) {
+    from = entries[index - 1].place.end;
+  } else if (entries.size() > 1) {
+    from = entries[0].place.key;
+    to = entries[1].place.key;
+  }
+  return {{from, to - from, {}}};
+}
+
+TextChanges move_entry(const JsonDocument& document, const std::string& pointer,
+                       std::size_t index) {
+  const auto [container, from] = entry_at(document, pointer);
+  const std::vector<TextEntry>& entries = container.entries();
+  require_index(document, container, index, entries.size() - 1);
+  if (index == from) return {};
+  const std::size_t first = std::min(from, index);
+  const std::size_t last = std::max(from, index);
+  std::string text{};
+  for (std::size_t i = first; i <= last; ++i) {
+    if (i > first) {
+      const std::size_t end = entries[i - 1].place.end;
+      text += document.text().substr(end, entries[i].place.key - end);
+    }
+    const std::size_t before = i == index ? from : (from < index ? i + 1 : i - 1);
+    text += container.text_of(before);
+  }
+  const std::size_t offset = entries[first].place.key;
+  return {{offset, entries[last].place.end - offset, std::move(text)}};
+}
+
+TextChanges duplicate_entry(const JsonDocument& document, const std::string& pointer,
+                            std::string_view key) {
+  const auto [container, index] = entry_at(document, pointer);
+  const EntryGap gap = gap_at(document, container, index + 1);
+  std::string entry(container.text_of(index));
+  if (container.is_object()) {
+    require_free(document, container, key);
+    const std::string_view before = container.text_before_value(index);
+    entry.replace(0, before.find_last_of('"') + 1, quoted_key(key));
+  }
+  return filled(gap, entry);
+}
+
+TextChanges replace_name(const JsonDocument& document, const std::vector<NameUse>& uses,
+                         std::string_view before, std::string_view after) {
+  if (before == after) return {};
+  const std::string name = quoted_key(after);
+  TextChanges changes{};
+  for (const NameUse& use : uses) {
+    std::optional<std::string> found{};
+    const nlohmann::json& value = value_at(document, use.pointer);
+    JsonPlace place = document.place_of(use.pointer).value();
+    if (use.is_key) {
+      const auto [container, index] = entry_at(document, use.pointer);
+      if (container.is_object()) found = container.entries()[index].key;
+      require_free(document, container, after);
+      place.value = place.key;
+      place.end = place.key + container.text_before_value(index).find_last_of('"') + 1;
+    } else if (value.is_string()) {
+      found = value.get<std::string>();
+    }
+    if (found != before) {
+      refuse(document, use.pointer,
+             "the name " + json_string(before) + " is not used here; read the text again");
+    }
+    changes.push_back({place.value, place.end - place.value, name});
+  }
+  std::sort(changes.begin(), changes.end(), [](const TextChange& one, const TextChange& other) {
+    return one.offset < other.offset;
+  });
+  const auto repeated = std::unique(
+      changes.begin(), changes.end(),
+      [](const TextChange& one, const TextChange& other) { return one.offset == other.offset; });
+  changes.erase(repeated, changes.end());
+  return changes;
+}
+
+}  // namespace asperity
