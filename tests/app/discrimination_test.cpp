@@ -211,7 +211,7 @@ TEST(Discrimination, ReportsAThresholdOutsideTheLevelsAsAStatus) {
   const std::vector<Finding> thresholds = part_of(outcome, "thresholds");
   const FoundNumbers found(thresholds);
   for (const auto& [key, word] :
-       {std::pair{"perfect|all", "below_levels"}, std::pair{"poor|all", "outside_levels"}}) {
+       {std::pair{"perfect|all", "below_levels"}, std::pair{"poor|all", "above_levels"}}) {
     for (const char* const quantity : {"jnd", "jnd.dprime1", "weber", "slope"}) {
       const Finding* const finding = found.find(quantity, key);
       ASSERT_NE(finding, nullptr) << key << quantity;

@@ -125,7 +125,7 @@ TEST_P(ThresholdGates, AGuessingObserverHasNoThreshold) {
   for (const Finding& jnd : counts.jnds) {
     EXPECT_FALSE(jnd.value) << jnd.key << ": " << *jnd.value;
     EXPECT_FALSE(jnd.low) << jnd.key;
-    EXPECT_TRUE(jnd.word == "outside_levels" || jnd.word == "not_increasing")
+    EXPECT_TRUE(jnd.word == "above_levels" || jnd.word == "not_increasing")
         << jnd.key << ": " << jnd.word;
   }
 }
@@ -143,7 +143,7 @@ TEST_P(ThresholdGates, AnObserverWithoutNoiseHasALowerOne) {
   // Without noise the threshold may lie below the lowest level, and so below every threshold within the levels.
   ASSERT_EQ(noiseless.jnds.size(), static_cast<std::size_t>(kParticipants));
   for (const Finding& jnd : noiseless.jnds) {
-    EXPECT_TRUE(jnd.value || jnd.word == "below_levels" || jnd.word == "outside_levels")
+    EXPECT_TRUE(jnd.value || jnd.word == "below_levels")
         << jnd.key << ": " << jnd.word;
   }
   const std::vector<double> low_m = numbers_of(noiseless);

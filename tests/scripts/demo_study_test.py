@@ -24,7 +24,7 @@ def make_database(file, schema, application=7):
 
 def outcome(protocol, table, question, column, counts, group="virtual"):
     """A part of asperity analyze --json, with numbers and texts that the result does not show."""
-    rows = [{column: name, "column_1": one, "column_2": two, "column_3": three, "all": one + two + three}
+    rows = [{column: name, "repetition_1": one, "repetition_2": two, "repetition_3": three, "all": one + two + three}
             for name, (one, two, three) in counts.items()]
     return {"protocol": protocol, "group": group, "participants": 20, "sessions": 19, "answers": 59, "remarks": [],
             "questions": [{"name": "another", "question": "Another?", "answer": "Another answer."},

@@ -37,7 +37,8 @@ const ResultColumn kAchievedMaximum =
 /// The counts of a level of the factor `column`, or of all.
 ResultColumn of_repetition(const std::string& level) {
   if (level == kAllColumns) return {.id = level, .heading = phrase("AnalysisWords", "all")};
-  return {.id = "column_" + level, .heading = phrase("AnalysisWords", "repetition %1").with(level)};
+  return {.id = "repetition_" + level,
+          .heading = phrase("AnalysisWords", "repetition %1").with(level)};
 }
 
 std::string finding_key(const ShareTable& shares, const ShareRow& row) {

@@ -56,7 +56,7 @@ struct MissingMeasure {
   std::string word{};
 };
 
-/// "jnd, weber: below_levels; jnd_dprime1: outside_levels"; missing where no number is.
+/// "jnd, weber: below_levels; jnd_dprime1: above_levels"; missing where no number is.
 ResultCell reasons_cell(const std::vector<MissingMeasure>& missing) {
   std::vector<std::pair<std::string, std::string>> measures{};  // word → measures
   for (const MissingMeasure& each : missing) {

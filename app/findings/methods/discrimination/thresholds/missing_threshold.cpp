@@ -69,13 +69,13 @@ SideOfThreshold side_of_threshold(const Finding& threshold) {
 }
 
 WhyNoThreshold threshold_above_levels() {
-  return {"outside_levels",
+  return {"above_levels",
           phrase("MissingThreshold",
                  "the threshold is above the presented levels: present larger differences")};
 }
 
 WhyNoThreshold threshold_below_levels() {
-  return {"outside_levels",
+  return {"below_levels",
           phrase("MissingThreshold",
                  "the threshold is below the presented levels: present smaller differences")};
 }
