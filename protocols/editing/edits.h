@@ -14,7 +14,7 @@
 namespace asperity {
 
 // An edit returns the changes of `document.text()`. All characters outside of the touched entry and one comma next to
-// it remain: order, white space, line breaks, comments and the notation of numbers. The new text is JSON again, with the
+// it remain: order, white space, line breaks, members `$comment` and the notation of numbers. The new text is JSON again, with the
 // tree that the same edit gives of `document.root()`. It can exceed a limit of JsonDocument, which its next reader
 // reports.
 //

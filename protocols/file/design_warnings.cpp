@@ -155,21 +155,32 @@ class DesignWarnings final {
       return;
     }
     const std::vector<BlockRow> rows = rows_of(protocol_, block);
-    if (balances_every_row(block, rows, trials_of(block, rows))) return;
+    const std::vector<BlockTrial> trials = trials_of(block, rows);
+    if (balances_every_row(block, rows, trials)) return;
     const std::string surfaces = std::to_string(surfaces_in_trial(block));
-    std::string cause = "a level has a number of trials that is not a multiple of " + surfaces +
-                        ", the number of surfaces; set its repetitions to a multiple of " +
-                        surfaces;
-    if (block.until) {
-      cause = "\"until\" can end the block after any trial; remove it from this main block";
-    }
+    std::vector<std::string> changes{};
     if (block.positions != Block::Positions::balanced) {
-      cause = "they are drawn for each trial; set \"positions\" to \"balanced\"";
+      changes.emplace_back(
+          "set \"positions\" to \"balanced\", since they are drawn for each trial");
     }
+    if (block.until) {
+      changes.emplace_back("remove \"until\", which can end the block after any trial");
+    }
+    if (block.procedure) {
+      changes.emplace_back(
+          "state \"repetitions\" in place of \"procedure\", whose trials are dealt positions over "
+          "all levels together");
+    } else if (!has_multiples_of_surfaces(block, rows, trials)) {
+      changes.push_back(
+          "set the repetitions so that each combination of levels has a multiple of " + surfaces +
+          " trials, the number of surfaces");
+    }
+    std::string remedy{};
+    for (const std::string& change : changes) remedy += (remedy.empty() ? "" : "; ") + change;
     warn(pointer + "/positions",
          "positions need not be balanced within each level, so that a level can have the "
-         "comparison more often in one position, because " +
-             cause);
+         "comparison more often in one position: " +
+             remedy);
   }
 
   const Protocol& protocol_;

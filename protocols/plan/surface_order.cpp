@@ -60,16 +60,19 @@ SurfaceOrders positions_of(Block::Positions how, std::size_t surfaces, std::size
   return orders;
 }
 
-bool balances_every_row(const Block& block, const std::vector<BlockRow>& rows,
-                        const std::vector<BlockTrial>& trials) {
-  if (block.kind != discrimination_kind().id || !block.vary || block.procedure || block.until ||
-      block.positions != Block::Positions::balanced || block.design->has_noise()) {
-    return false;
-  }
+bool has_multiples_of_surfaces(const Block& block, const std::vector<BlockRow>& rows,
+                               const std::vector<BlockTrial>& trials) {
   const std::size_t surfaces = surfaces_in_trial(block);
   const std::vector<std::size_t> counts = trials_per_row(rows.size(), trials);
   return std::all_of(counts.begin(), counts.end(),
                      [surfaces](std::size_t count) { return count % surfaces == 0; });
+}
+
+bool balances_every_row(const Block& block, const std::vector<BlockRow>& rows,
+                        const std::vector<BlockTrial>& trials) {
+  return block.kind == discrimination_kind().id && block.vary && !block.procedure && !block.until &&
+         block.positions == Block::Positions::balanced && !block.design->has_noise() &&
+         has_multiples_of_surfaces(block, rows, trials);
 }
 
 SurfaceOrders positions_within_rows(const Block& block, const std::vector<BlockRow>& rows,

@@ -18,9 +18,13 @@ using SurfaceOrders = std::vector<std::vector<std::size_t>>;
 SurfaceOrders positions_of(Protocol::Block::Positions how, std::size_t surfaces, std::size_t trials,
                            Random random);
 
+/// Whether the number of trials of every row is a multiple of the number of surfaces.
+bool has_multiples_of_surfaces(const Protocol::Block& block, const std::vector<BlockRow>& rows,
+                               const std::vector<BlockTrial>& trials);
+
 /// Whether `balanced` positions of `trials`, which are those of `rows`, are balanced within every row, and therefore within
-/// every level, and not only over the block: in a choice between surfaces with constant stimuli that no criterion can end
-/// early, if the number of trials of every row is a multiple of the number of surfaces.
+/// every level, and not only over the block: in a choice between surfaces whose levels are neither those of a procedure nor
+/// ended early by a criterion, with `has_multiples_of_surfaces`.
 bool balances_every_row(const Protocol::Block& block, const std::vector<BlockRow>& rows,
                         const std::vector<BlockTrial>& trials);
 

@@ -31,10 +31,9 @@ TEST(ShiftedDecimal, ConvertsBetweenUnits) {
   EXPECT_EQ(shifted_decimal("0.0023", 3), "2.3");   // m in mm
   EXPECT_EQ(shifted_decimal("5e-05", 6), "50");     // m in µm
   EXPECT_EQ(shifted_decimal("50", -6), "0.00005");  // µm in m
-  EXPECT_EQ(shifted_decimal("0.1", -3),
-            "0.0001");  // 0.1 · 0.001 is 0.00010000000000000000479 in binary
-  EXPECT_EQ(shifted_decimal("1.1", 3), "1100");   // 1.1 · 1000 is 1100.0000000000002
-  EXPECT_EQ(shifted_decimal("-0.25", 2), "-25");  // 1 in %
+  EXPECT_EQ(shifted_decimal("1.1", -1), "0.11");    // 1.1 · 0.1 is 0.11000000000000001
+  EXPECT_EQ(shifted_decimal("1.1", 3), "1100");     // 1.1 · 1000 is 1100.0000000000002
+  EXPECT_EQ(shifted_decimal("-0.25", 2), "-25");    // 1 in %
   EXPECT_EQ(shifted_decimal("12.50", 0), "12.50");
   EXPECT_EQ(shifted_decimal("12.50", 1), "125");
   EXPECT_EQ(shifted_decimal("1200", -1), "120");

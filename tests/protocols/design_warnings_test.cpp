@@ -21,6 +21,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 std::vector<std::string> warned(const json& file) {
   const Protocol protocol = test::valid(file, test::models_of_library());
@@ -97,18 +98,31 @@ TEST(DesignWarnings, AreAboutLevelsWithAnOddNumberOfTrialsInTwoPositions) {
   json file = constant_stimuli(7);
   EXPECT_THAT(warned(file), ElementsAre(AllOf(HasSubstr("/positions: positions need not be "
                                                         "balanced within each level"),
-                                              HasSubstr("not a multiple of 2, the number of "
-                                                        "surfaces; set its repetitions to a "
-                                                        "multiple of 2"))));
+                                              HasSubstr("set the repetitions so that each "
+                                                        "combination of levels has a multiple of "
+                                                        "2 trials"))));
   main_block_of(file)["vary"]["levels_percent"] = {25};
   main_block_of(file)["repetitions"] = 8;
+  main_block_of(file)["positions"] = "shuffle";
   EXPECT_THAT(warned(file), IsEmpty()) << "one level";
 }
 
 TEST(DesignWarnings, AreAboutPositionsOfABlockThatCanEndAfterAnyTrial) {
   json file = constant_stimuli(6);
   main_block_of(file)["until"] = {{"correct", 5}, {"of_last", 6}, {"maximum_trials", 24}};
-  EXPECT_THAT(warned(file), ElementsAre(HasSubstr("remove it from this main block")));
+  EXPECT_THAT(warned(file), ElementsAre(HasSubstr("remove \"until\"")));
+  main_block_of(file)["positions"] = "shuffle";
+  EXPECT_THAT(warned(file), ElementsAre(AllOf(HasSubstr("remove \"until\""),
+                                              HasSubstr("set \"positions\" to \"balanced\""))));
+}
+
+TEST(DesignWarnings, AreAboutPositionsThatAProcedureDealsOverAllLevels) {
+  json file = constant_stimuli(6);
+  json& block = main_block_of(file);
+  block.erase("repetitions");
+  block["procedure"] = {{"method", "constant_stimuli"}, {"repetitions", 8}};
+  EXPECT_THAT(warned(file), ElementsAre(AllOf(HasSubstr("in place of \"procedure\""),
+                                              Not(HasSubstr("set the repetitions")))));
 }
 
 TEST(DesignWarnings, AreAboutPositionsThatAreDrawnForEachTrial) {

@@ -36,7 +36,7 @@ struct FormWords {
 /// value · 10^exponent by moving the decimal point, not by a product that rounds.
 double decimal_shifted(double value, int exponent) {
   const std::string text = shifted_decimal(number_text(value), exponent).value_or("");
-  double shifted = value;  // if it is not finite
+  double shifted = 0.0;
   std::from_chars(text.data(), text.data() + text.size(), shifted);
   return shifted;
 }
