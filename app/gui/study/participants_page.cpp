@@ -132,9 +132,7 @@ void ParticipantsPage::show_people(const std::vector<ParticipantOverview>& peopl
   for (const ParticipantOverview& one : all_) rows.push_back(one.row);
   next_label_->setText(tr("Next suggested participant label: %1.")
                            .arg(QString::fromStdString(suggested_label(rows))));
-  emit counted(virtual_ones == 0 ? QString::number(persons)
-               : persons == 0    ? tr("%1 virtual").arg(virtual_ones)
-                                 : tr("%1 + %2 virtual").arg(persons).arg(virtual_ones));
+  count_people_and_virtual(persons, virtual_ones);
   show_empty(all_.empty());
   fill();
 }

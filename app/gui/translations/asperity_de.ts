@@ -8487,7 +8487,7 @@
     <name>Simulation</name>
     <message>
         <source>the simulation was stopped on request; every completed trial is stored; to resume it, add --resume to the same arguments</source>
-        <translation>die Simulation wurde auf Wunsch gestoppt; jeder abgeschlossene Durchgang ist gespeichert, sie kann fortgesetzt werden</translation>
+        <translation>die Simulation wurde auf Wunsch gestoppt; jeder abgeschlossene Durchgang ist gespeichert; um sie fortzusetzen, fügen Sie denselben Angaben --resume hinzu</translation>
     </message>
     <message>
         <source>the simulation was stopped on request; every completed trial is stored; to resume it, start it again with the same arguments</source>
@@ -8496,6 +8496,10 @@
     <message>
         <source>the session of %1 with &quot;%2&quot; stopped: %3; every completed trial is stored; resume with --resume</source>
         <translation>die Sitzung von %1 mit „%2“ wurde gestoppt: %3; jeder abgeschlossene Durchgang ist gespeichert, die Sitzung kann fortgesetzt werden</translation>
+    </message>
+    <message>
+        <source>the session of %1 with &quot;%2&quot; stopped: %3; every completed trial is stored; repeat the command to resume it</source>
+        <translation>die Sitzung von %1 mit „%2“ wurde gestoppt: %3; jeder abgeschlossene Durchgang ist gespeichert; um sie fortzusetzen, wiederholen Sie den Befehl</translation>
     </message>
     <message>
         <source>the simulation in %3 (participants: %1, seed: %2) is not complete; to complete it, add --resume; to add further participants, use another --seed. No participant was added</source>
@@ -11364,14 +11368,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Virtuell %1</translation>
     </message>
     <message>
-        <source>%1 virtual</source>
-        <translation>%1 virtuell</translation>
-    </message>
-    <message>
-        <source>%1 + %2 virtual</source>
-        <translation>%1 + %2 virtuell</translation>
-    </message>
-    <message>
         <source>Withdraw…</source>
         <translation>Teilnahme zurückziehen…</translation>
     </message>
@@ -13203,10 +13199,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Diese Studie ist schreibgeschützt: Es kann keine Sitzung gespeichert werden. Die Studie in einen beschreibbaren Ordner kopieren.</translation>
     </message>
     <message>
-        <source>%1 virtual</source>
-        <translation>%1 virtuell</translation>
-    </message>
-    <message>
         <source>Choose a protocol on the Protocols page and press “Start session…”. To preview the results, press “Simulate…” there: a simulation takes minutes, a session about an hour.</source>
         <translation>Auf der Seite „Protokolle“ ein Protokoll wählen und „Sitzung starten…“ drücken. Für eine Vorschau der Ergebnisse dort „Simulieren…“ drücken: Eine Simulation dauert Minuten, eine Sitzung eine Stunde.</translation>
     </message>
@@ -13756,6 +13748,14 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
 </context>
 <context>
     <name>asperity::StudyPage</name>
+    <message>
+        <source>%1 virtual</source>
+        <translation>%1 virtuell</translation>
+    </message>
+    <message>
+        <source>%1 + %2 virtual</source>
+        <translation>%1 + %2 virtuell</translation>
+    </message>
     <message>
         <source>The study could not be read: %1</source>
         <translation>Die Studie konnte nicht gelesen werden: %1</translation>
