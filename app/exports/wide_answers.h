@@ -35,7 +35,14 @@ struct WideAnswers {
     std::int64_t right = 0;
     std::map<std::string, std::int64_t> chosen{};
 
-    void add(const Tally& other);
+    void add(const Tally& other) {
+      answers += other.answers;
+      numbers += other.numbers;
+      sum += other.sum;
+      judged += other.judged;
+      right += other.right;
+      for (const auto& [option, times] : other.chosen) chosen[option] += times;
+    }
   };
   struct Chosen {
     std::int64_t session_id = 0;

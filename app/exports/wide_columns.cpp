@@ -187,8 +187,7 @@ class WideColumnMaker final {
   }
 
   const StudyVocabulary::AnswerMeaning* meaning_of(const Asked& asked) const {
-    const auto found = vocabulary_.questions_of_source.find({asked.source_sha256, asked.question});
-    return found == vocabulary_.questions_of_source.end() ? nullptr : &found->second;
+    return vocabulary_.meaning_of(asked.source_sha256, asked.question);
   }
 
   ExportColumn session_column(const Asked& asked, const std::string& what, const char* type,
@@ -325,24 +324,25 @@ class WideColumnMaker final {
         when += (when.empty() ? " where " : ", ") + factor + " = " + level.second;
       }
       const std::string of = words_of(asked) + when;
-      const auto tally_of = [&](const Person& person) {
+      static const Tally kNone{};
+      const auto tally_of = [&](const Person& person) -> const Tally& {
         const auto* const tallies = found_in(person.tallies, asked);
-        if (tallies == nullptr) return Tally{};
+        if (tallies == nullptr) return kNone;
         const auto found = tallies->find(condition);
-        return found == tallies->end() ? Tally{} : found->second;
+        return found == tallies->end() ? kNone : found->second;
       };
       if (are_numbers) {
         add(number_column(name + "_mean", "number", "mean response" + of, std::nullopt,
                           std::nullopt, "no such response"),
             [&](const Person& person) {
-              const Tally tally = tally_of(person);
+              const Tally& tally = tally_of(person);
               return tally.numbers == 0 ? Cell{}
                                         : Cell{tally.sum / static_cast<double>(tally.numbers)};
             });
       } else if (all.judged > 0) {
         add(proportion_column(name + "_correct", "proportion correct" + of),
             [&](const Person& person) {
-              const Tally tally = tally_of(person);
+              const Tally& tally = tally_of(person);
               return proportion(tally.right, tally.judged);
             });
       } else {
@@ -351,8 +351,9 @@ class WideColumnMaker final {
           add(proportion_column(name + "_" + option,
                                 "proportion of responses \"" + option + "\"" + of),
               [&](const Person& person) {
-                Tally tally = tally_of(person);
-                return proportion(tally.chosen[option], tally.answers);
+                const Tally& tally = tally_of(person);
+                const auto times = tally.chosen.find(option);
+                return proportion(times == tally.chosen.end() ? 0 : times->second, tally.answers);
               });
         }
       }
@@ -392,15 +393,6 @@ class WideColumnMaker final {
 };
 
 }  // namespace
-
-void WideAnswers::Tally::add(const Tally& other) {
-  answers += other.answers;
-  numbers += other.numbers;
-  sum += other.sum;
-  judged += other.judged;
-  right += other.right;
-  for (const auto& [option, times] : other.chosen) chosen[option] += times;
-}
 
 WideColumns wide_columns(const WideAnswers& answers, std::vector<ExportColumn> about,
                          const StudyVocabulary& vocabulary) {

@@ -164,7 +164,8 @@ void WideTable::add_session_answer(const ExportPlace& at) {
   }
   Person& person = gathered_.people.back();
   const Asked asked = asked_of(at);
-  const StudyVocabulary::AnswerMeaning* const meaning = meaning_of(asked);
+  const StudyVocabulary::AnswerMeaning* const meaning =
+      vocabulary_.meaning_of(asked.source_sha256, asked.question);
   if (meaning != nullptr && !meaning->condition.empty()) {
     person.was_asked[asked] = response.source != kNotAsked;
   }
@@ -179,11 +180,6 @@ void WideTable::add_session_answer(const ExportPlace& at) {
   person.said[asked] = response.answer_number    ? Cell{*response.answer_number}
                        : response.answer.empty() ? Cell{}
                                                  : Cell{response.answer};
-}
-
-const StudyVocabulary::AnswerMeaning* WideTable::meaning_of(const Asked& asked) const {
-  const auto found = vocabulary_.questions_of_source.find({asked.source_sha256, asked.question});
-  return found == vocabulary_.questions_of_source.end() ? nullptr : &found->second;
 }
 
 WideTable::Made WideTable::make() const {

@@ -57,7 +57,6 @@ class WideTable final {
   using Tally = WideAnswers::Tally;
   Asked asked_of(const ExportPlace& at) const;     ///< with a response
   Asked protocol_of(const ExportPlace& at) const;  ///< without a question
-  const StudyVocabulary::AnswerMeaning* meaning_of(const Asked& asked) const;
   /// In a yes/no or same–different task, in which responses to trials with and without a signal must not be averaged
   /// together: adds whether there was a signal, and removes the level of a trial without one.
   void mark_signal(const ExportPlace& at, Condition& condition) const;

@@ -150,6 +150,12 @@ bool StudyVocabulary::is_published(const std::string& question) const {
   return known != questions.end() && !known->second.free_text && for_public.contains(question);
 }
 
+const StudyVocabulary::AnswerMeaning* StudyVocabulary::meaning_of(
+    const std::string& source_sha256, const std::string& question) const {
+  const auto found = questions_of_source.find({source_sha256, question});
+  return found == questions_of_source.end() ? nullptr : &found->second;
+}
+
 StudyVocabulary vocabulary_of(const Study& study, const ModelRegistry& loaded) {
   const ModelRegistry models = with_stored_plugins(loaded, study);
   StudyVocabulary vocabulary{};

@@ -94,6 +94,9 @@ struct StudyVocabulary {
   /// Whether a public export includes the responses to this question of a questionnaire. False for free text,
   /// and for a question that no protocol declares.
   bool is_published(const std::string& question) const;
+  /// Of the question of a questionnaire in the protocol file with this SHA-256; null if the file declares none.
+  const AnswerMeaning* meaning_of(const std::string& source_sha256,
+                                  const std::string& question) const;
 };
 
 /// A protocol that cannot be read and a model that this program does not know declare nothing: their columns
