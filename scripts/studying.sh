@@ -62,14 +62,16 @@ simulate_participants() {
   # Without the line for every stored attempt, and on a terminal with one moving line of progress. At Ctrl-C asperity
   # finishes the trials under way, and writes that it does.
   trap 'interrupted=1' INT
-  if ! "$asperity" simulate "${files[@]}" --study "$study" --participants "$kParticipants" --seed "$kSeed" \
+  local status=0
+  "$asperity" simulate "${files[@]}" --study "$study" --participants "$kParticipants" --seed "$kSeed" \
     --jobs "$(nproc)" --resume 2>&1 | (trap '' INT; awk -v is_terminal="$(if [[ -t 2 ]]; then echo 1; fi)" '
       /^(done|stored) / { next }
       { if (moving) printf "\r" }
       { moving = is_terminal && /^simulating: /; printf moving ? "%s" : "%s\n", $0; fflush() }
-      END { if (moving) print "" }') >&2; then
+      END { if (moving) print "" }') >&2 || status=$?
+  if [[ $status -ne 0 ]]; then
     if [[ $interrupted ]]; then echo "To resume the simulation, call $script again." >&2; fi
-    exit 1
+    exit "$status"
   fi
   trap - INT
   echo >&2

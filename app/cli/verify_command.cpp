@@ -59,7 +59,7 @@ void add_verify(CLI::App& program, Job& job) {
   command->add_flag(
       "--replay", options->replay,
       "Also replay every recorded hand movement through its force models, and compare the "
-      "stored detectors of perceived instability");
+      "stored detectors of perceived instability and numbers of gaps in contact");
   add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
     job = watched_with(options->plugins, [options] {

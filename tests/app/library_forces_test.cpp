@@ -162,7 +162,7 @@ TEST_F(DemoStudy, HasForcesSideBySideThatAreSentAsRendered) {
   const SessionRow session = stored.sessions().back();
   std::int64_t ticks_at_full_gain = 0;
   for (const AttemptRow& attempt : stored.attempts(session.id)) {
-    EXPECT_EQ(attempt.servo.value_or(ServoQualityRow{}).slew_limited_ticks, 0);
+    EXPECT_EQ(attempt.servo.value().slew_limited_ticks, 0);
     const std::filesystem::path file = own_study / attempt.recording.value().path;
     std::int64_t changed = 0;
     for (const TickRecord& record : records_of(read_recording(file), file)) {

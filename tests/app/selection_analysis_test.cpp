@@ -20,7 +20,8 @@ using testing::HasSubstr;
 
 TEST(Selection, ReproducesTheChaptersFirstTable) {
   const Table& table = table_of(selections_of_the_chapter(), "table_1").table;
-  EXPECT_THAT(table.columns, ElementsAre("item", "repetition_1", "repetition_2", "repetition_3", "all"));
+  EXPECT_THAT(table.columns,
+              ElementsAre("item", "repetition_1", "repetition_2", "repetition_3", "all"));
   using Row = std::vector<Cell>;
   const auto n = [](std::int64_t count) { return Cell{count}; };
   EXPECT_THAT(table.rows, ElementsAre(Row{"height_map", n(12), n(11), n(13), n(36)},

@@ -143,8 +143,7 @@ TEST_P(ThresholdGates, AnObserverWithoutNoiseHasALowerOne) {
   // Without noise the threshold may lie below the lowest level, and so below every threshold within the levels.
   ASSERT_EQ(noiseless.jnds.size(), static_cast<std::size_t>(kParticipants));
   for (const Finding& jnd : noiseless.jnds) {
-    EXPECT_TRUE(jnd.value || jnd.word == "below_levels")
-        << jnd.key << ": " << jnd.word;
+    EXPECT_TRUE(jnd.value || jnd.word == "below_levels") << jnd.key << ": " << jnd.word;
   }
   const std::vector<double> low_m = numbers_of(noiseless);
   if (low_m.empty()) return;

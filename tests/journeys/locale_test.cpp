@@ -145,7 +145,7 @@ TEST(Locale, ChangesNoByte) {
   }
 }
 
-// Of the other one a test follows: it measures.
+// device-test measures: the last test of this file is about its decimal point.
 TEST(Locale, IsTriedWithEveryCommandOfHelp) {
   std::set<std::string> tried{"device-test"};
   for (const std::vector<std::string>& step : steps_of_journey()) tried.insert(step.front());

@@ -134,7 +134,7 @@ std::vector<Event> events_of_touch() {
     };
   };
   const Bound limit = [](const Scene&, const Measured&) { return ForceLimits{}.slew_N; };
-  // What a law takes from the depth grows by the stiffness times the way, and on the slopes of this grating by 5 % more. What it
+  // What a law takes from the depth grows by the stiffness times the way, and on the slopes of this grating by up to a tenth more. What it
   // does not take from the depth is a force along the surface, of a hand that comes straight down: it fades in (contact_fade.h).
   const Bound begins_at_zero = [](const Scene& scene, const Measured&) {
     constexpr double kSlopes = 1.1;
@@ -156,9 +156,9 @@ std::vector<Event> events_of_touch() {
   };
   return {
       {.name = "touch-down in the middle, 50 mm/s",
-       .reason =
-           "the force begins at 0, or fades in over 0.1 mm: stiffness × way, and in 1 ms three "
-           "quarters of a force along the surface",
+       .reason = "the force begins at 0, or fades in over 0.1 mm: 1.1 × stiffness × way, and in 1 "
+                 "ms three "
+                 "quarters of a force along the surface",
        .run = down(0.0),
        .bound = begins_at_zero,
        .places = kEveryBody},

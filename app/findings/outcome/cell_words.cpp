@@ -313,7 +313,7 @@ Phrase word_in(const CellWords& words, const std::string& code) {
   return found == words.end() ? words_of_name(code) : found->second;
 }
 
-/// "outside_levels", "jnd, weber: outside_levels; pse: not_increasing".
+/// "above_levels", "jnd, weber: above_levels; slope: not_increasing".
 Phrase words_of_several_reasons(const std::string& text) {
   if (text.find(": ") == std::string::npos) return word_in(words_of_reasons(), text);
   Phrase all{};

@@ -36,7 +36,7 @@ Phrase words_of_method(const std::string& code, const std::string& permutations)
 Phrase words_of_count(std::size_t count, const std::string& unit);
 Phrase words_of_unit(const std::string& unit);
 /// A reason in place of a number: "outside the presented levels"; also of several measures,
-/// `jnd, weber: outside_levels; pse: not_increasing`.
+/// `jnd, weber: above_levels; slope: not_increasing`.
 Phrase words_of_status(const std::string& code);
 /// "trial, per 10", "amplitude"
 Phrase words_of_factor(const std::string& code);

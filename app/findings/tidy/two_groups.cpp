@@ -1,4 +1,4 @@
-// Refuses rows without a group.
+// Implements the reading of two groups.
 
 #include "app/findings/tidy/two_groups.h"
 
