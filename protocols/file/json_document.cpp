@@ -195,10 +195,9 @@ class JsonDocument::Handler {
     }
     Open& parent = stack_.back();
     key_ = given;
-    const std::string pointer = pointer_to(parent.pointer, given);
     if (parent.node->contains(given)) {
       problems_.push_back(document_.diagnostic(
-          key_start_, pointer,
+          key_start_, pointer_to(parent.pointer, given),
           "the key " + printable(given) + " occurs twice in this object; keep one"));
     }
     if (has_zero(given)) {

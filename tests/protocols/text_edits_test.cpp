@@ -113,6 +113,12 @@ TEST(TextEdits, AnEntryIsRemovedWithItsCommaAndItsLine) {
   EXPECT_EQ(removed(text, "/b/0"), "{\n  \"a\": 1,\n  \"b\": [] ,\n  \"c\": 3\n}");
 }
 
+TEST(TextEdits, AnEmptyObjectIsTheSameAfterAnInsertionAndARemoval) {
+  for (const std::string empty : {"{}", "{ }", "{\n}", "{\r\n\t}"}) {
+    EXPECT_EQ(removed(inserted(empty, "", "model", "1"), "/model"), empty);
+  }
+}
+
 TEST(TextEdits, AnEntryMovesAmongItsSiblings) {
   const std::string text = "[1,\n  22 , {\"a\": 3}, 4]";
   EXPECT_EQ(moved(text, "/0", 2), "[22,\n  {\"a\": 3} , 1, 4]");
