@@ -54,12 +54,6 @@ void StudyPage::forget_readings() {
   when_shown_.clear();
 }
 
-void StudyPage::count_people_and_virtual(std::ptrdiff_t of_people, std::ptrdiff_t of_virtual) {
-  emit counted(of_virtual == 0  ? QString::number(of_people)
-               : of_people == 0 ? tr("%1 virtual").arg(of_virtual)
-                                : tr("%1 + %2 virtual").arg(of_people).arg(of_virtual));
-}
-
 void StudyPage::set_empty_state(EmptyState* empty) { stack_->addWidget(empty); }
 
 void StudyPage::show_empty(bool empty) { stack_->setCurrentIndex(empty ? 1 : 0); }

@@ -36,8 +36,6 @@ class StudyPage : public QWidget {
   OpenStudy& study() noexcept { return study_; }
   Banner& banner() noexcept { return *banner_; }
   QLabel& title() noexcept { return *title_; }
-  /// Emits `counted` with what concerns people and virtual participants: "12", "7 virtual" or "12 + 7 virtual".
-  void count_people_and_virtual(std::ptrdiff_t of_people, std::ptrdiff_t of_virtual);
   /// For what belongs at the right of the title.
   QHBoxLayout& head() noexcept { return *head_; }
   QVBoxLayout& body() noexcept { return *body_; }

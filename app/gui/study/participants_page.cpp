@@ -132,7 +132,8 @@ void ParticipantsPage::show_people(const std::vector<ParticipantOverview>& peopl
   for (const ParticipantOverview& one : all_) rows.push_back(one.row);
   next_label_->setText(tr("Next suggested participant label: %1.")
                            .arg(QString::fromStdString(suggested_label(rows))));
-  count_people_and_virtual(persons, virtual_ones);
+  emit counted(persons == 0 && virtual_ones > 0 ? tr("%1 virtual").arg(virtual_ones)
+                                                : QString::number(persons));
   show_empty(all_.empty());
   fill();
 }

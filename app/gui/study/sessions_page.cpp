@@ -196,11 +196,13 @@ void SessionsPage::show_sessions(const std::vector<SessionOverview>& sessions) {
   }
   table_->fill(rows);
   show_empty(sessions_.empty());
+  // As the participants are counted.
   const auto simulated = std::count_if(
       sessions_.begin(), sessions_.end(),
       [](const SessionOverview& session) { return session.row.mode == SessionMode::simulate; });
   const auto of_people = static_cast<std::ptrdiff_t>(sessions_.size()) - simulated;
-  count_people_and_virtual(of_people, simulated);
+  emit counted(of_people == 0 && simulated > 0 ? tr("%1 virtual").arg(simulated)
+                                               : QString::number(of_people));
 }
 
 const SessionOverview* SessionsPage::selected() const {

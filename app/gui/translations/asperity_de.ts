@@ -11368,6 +11368,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Virtuell %1</translation>
     </message>
     <message>
+        <source>%1 virtual</source>
+        <translation>%1 virtuell</translation>
+    </message>
+    <message>
         <source>Withdraw…</source>
         <translation>Teilnahme zurückziehen…</translation>
     </message>
@@ -13199,6 +13203,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Diese Studie ist schreibgeschützt: Es kann keine Sitzung gespeichert werden. Die Studie in einen beschreibbaren Ordner kopieren.</translation>
     </message>
     <message>
+        <source>%1 virtual</source>
+        <translation>%1 virtuell</translation>
+    </message>
+    <message>
         <source>Choose a protocol on the Protocols page and press “Start session…”. To preview the results, press “Simulate…” there: a simulation takes minutes, a session about an hour.</source>
         <translation>Auf der Seite „Protokolle“ ein Protokoll wählen und „Sitzung starten…“ drücken. Für eine Vorschau der Ergebnisse dort „Simulieren…“ drücken: Eine Simulation dauert Minuten, eine Sitzung eine Stunde.</translation>
     </message>
@@ -13748,14 +13756,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
 </context>
 <context>
     <name>asperity::StudyPage</name>
-    <message>
-        <source>%1 virtual</source>
-        <translation>%1 virtuell</translation>
-    </message>
-    <message>
-        <source>%1 + %2 virtual</source>
-        <translation>%1 + %2 virtuell</translation>
-    </message>
     <message>
         <source>The study could not be read: %1</source>
         <translation>Die Studie konnte nicht gelesen werden: %1</translation>

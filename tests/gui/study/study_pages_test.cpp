@@ -281,7 +281,7 @@ TEST_F(StudyPages, RefuseToStartAProtocolWhoseStimuliHaveAProblem) {
     return StimulusExamination{.problems = {{.message = "the hand never touches it"}}};
   });
   const StudyTable& table = table_of("protocols", "protocols_table", 3);
-  EXPECT_TRUE(eventually([&] { return column(table, 5).count("▲ 1 problem") == 3; }));
+  EXPECT_TRUE(eventually([&] { return column(table, 5).count("✕ 1 problem") == 3; }));
   EXPECT_EQ(child<StudyTable>(window_, "protocol_problems").text_at(0, 1),
             "the hand never touches it");
   EXPECT_FALSE(child<QPushButton>(window_, "protocol_start").isEnabled());
