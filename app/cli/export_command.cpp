@@ -147,7 +147,6 @@ void add_export(CLI::App& program, Job& job) {
         Progress progress("exporting");
         outcome = export_study(study, models, options->out, wanted, interrupt.token(),
                                [&progress](double fraction) { progress.show(fraction); });
-        if (!outcome.files.empty()) progress.show(1.0);
       }
       if (outcome.files.empty()) {
         say("asperity: the export was stopped, and the incomplete export was removed; repeat the "

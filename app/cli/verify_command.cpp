@@ -71,7 +71,6 @@ void add_verify(CLI::App& program, Job& job) {
         Progress progress("verifying");
         result = verify_study(study, builds, options->replay, interrupt.token(),
                               [&progress](double fraction) { progress.show(fraction); });
-        if (!interrupt.token().stop_requested()) progress.show(1.0);
       }
       if (interrupt.token().stop_requested()) {
         say("asperity: the verification was stopped before it was complete; repeat the command to "

@@ -439,7 +439,9 @@ ExportOutcome export_study(const Study& study, const ModelRegistry& models, cons
     making->write("import.py", import_script_for_python());
     outcome.files = making->take_place();
   });
-  return stopped ? ExportOutcome{} : outcome;
+  if (stopped) return {};
+  if (progress) progress(1.0);
+  return outcome;
 }
 
 }  // namespace asperity

@@ -524,7 +524,10 @@ VerifyResult verify_study(Study& study, const ModelBuilds& builds, bool replay_t
   for (;;) {
     const std::size_t withdrawals = number_of_withdrawals(study);
     VerifyResult result = verify_once(study, builds, replay_too, asked_to_stop, progress);
-    if (result.problems.empty() || number_of_withdrawals(study) == withdrawals) return result;
+    if (result.problems.empty() || number_of_withdrawals(study) == withdrawals) {
+      if (!asked_to_stop.stop_requested()) progress(1.0);
+      return result;
+    }
   }
 }
 
