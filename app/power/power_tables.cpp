@@ -31,7 +31,7 @@ void refuse_external_levels(const Protocol::Block& block) {
 /// The comparison of groups in the family of which no parameter is the effect: its power would be that of equal groups.
 std::string group_test_without_effect(const TabulatedBlock::OfQuestion& made) {
   const std::vector<ResponseParameter> parameters = made.table->parameters(made.asked);
-  for (const char* const test : {"groups", "group_profiles"}) {
+  for (const char* const test : {kGroupsTest, kGroupProfilesTest}) {
     const std::vector<std::string>& family = made.asked.family;
     if (std::find(family.begin(), family.end(), test) == family.end()) continue;
     const bool has_effect =

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace asperity {
@@ -30,6 +31,13 @@ struct CatchExclusion {
 
   bool operator==(const CatchExclusion&) const = default;
 };
+
+/// The names of the tests that compare the groups to which the protocol assigns participants, and the form of their profiles.
+inline constexpr const char* kGroupsTest = "groups";
+inline constexpr const char* kGroupProfilesTest = "group_profiles";
+inline bool compares_groups(std::string_view test) noexcept {
+  return test == kGroupsTest || test == kGroupProfilesTest;
+}
 
 /// The key `analysis`. The p values of the family are Holm-corrected together. This keeps the probability of any false
 /// positive among them at the set level only if the family was chosen before the data.

@@ -115,7 +115,7 @@ void Meaning::check_analysis() {
       report(pointer, "a " + kinds + " has no test " + in_quotes(name) + "; use " + one_of(tests));
     } else if (std::find(declared.family.begin(), here, name) != here) {
       report(pointer, "the test " + in_quotes(name) + " is named twice; name it once");
-    } else if ((name == "groups" || name == "group_profiles") && !protocol_.groups) {
+    } else if (compares_groups(name) && !protocol_.groups) {
       report(pointer, "the test " + in_quotes(name) +
                           " compares the groups of the protocol, which has none: add the key "
                           "groups");

@@ -26,7 +26,7 @@ void add_choice_parameters(const TabulatedQuestion& asked, ParameterList& list) 
                                        *asked.protocol.analysis.target +
                                        "\" is chosen rather than any one other item"},
                  .tests = {"target_pairs", "pairs", "preference"},
-                 .compared_in = {"groups", "textures"},
+                 .compared_in = {kGroupsTest, "textures"},
                  .sd_unit = "log-odds",
                  .sd_meaning = "SD over participants of the log-odds between any two items",
                  .usual_sd = 1.0});

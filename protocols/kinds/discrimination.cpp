@@ -27,7 +27,8 @@ constexpr std::array kDiscriminationTests{
     KindTest{"conditions", "do the thresholds differ between the conditions"},
     KindTest{"point_of_subjective_equality",
              "is the point of subjective equality different from the standard"},
-    KindTest{"groups", "for every pair of groups: do the thresholds differ, or with one level d′"}};
+    KindTest{kGroupsTest,
+             "for every pair of groups: do the thresholds differ, or with one level d′"}};
 
 constexpr std::array<std::string_view, 2> kDiscriminationRoles{"standard", "comparison"};
 

@@ -27,8 +27,8 @@ constexpr std::array kMagnitudeTests{
              "condition"},
     KindTest{"stimuli_by_condition",
              "with a factor in place of the spacing: does its effect depend on the condition"},
-    KindTest{"groups", "with a predictor, for every pair of groups: do the exponents differ"},
-    KindTest{"group_profiles",
+    KindTest{kGroupsTest, "with a predictor, for every pair of groups: do the exponents differ"},
+    KindTest{kGroupProfilesTest,
              "for every pair of groups: does the effect of the stimulus differ"}};
 
 constexpr const char* kStandardRole = "standard";

@@ -19,7 +19,7 @@ constexpr std::array kMatchingTests{
     KindTest{"textures",
              "for every texture: is it matched correctly more often than expected by chance"},
     KindTest{"sexes", "do women and men differ"},
-    KindTest{"groups", "for every pair of groups: do they differ"}};
+    KindTest{kGroupsTest, "for every pair of groups: do they differ"}};
 
 std::string item_of_matching(const PlannedPresentation& surface) {
   return surface.stimulus.texture;

@@ -21,7 +21,8 @@ constexpr std::array kPairedTests{
     KindTest{"pairs", "every pair of items: is one chosen more often than the other"},
     KindTest{"preference", "are all items chosen equally often"},
     KindTest{"position", "are both positions chosen equally often"},
-    KindTest{"group_profiles", "for every pair of groups: do the proportions of choices of the items differ"}};
+    KindTest{kGroupProfilesTest,
+             "for every pair of groups: do the proportions of choices of the items differ"}};
 
 constexpr std::array kPairedKeys{kRealismStandard};
 

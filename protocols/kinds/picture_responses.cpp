@@ -23,7 +23,7 @@ void add_sensitivity(const TabulatedQuestion& asked, std::vector<std::string> te
                           .meaning = "d′ of the median participant: how far the picture of the "
                                      "texture felt stands out"},
                .tests = std::move(tests),
-               .compared_in = {"groups", "sexes"},
+               .compared_in = {kGroupsTest, "sexes"},
                .sd_meaning = "SD over participants of the natural logarithm of d′",
                .usual_sd = 0.5});
   if (const auto* const groups = groups_in(asked)) {

@@ -25,8 +25,8 @@ constexpr std::array kRatingTests{
     KindTest{"accompanying_scales",
              "for every scale that accompanies a question with correct responses: do the ratings "
              "differ between correct and incorrect responses"},
-    KindTest{"groups", "for every scale and pair of groups: do the mean ratings differ"},
-    KindTest{"group_profiles",
+    KindTest{kGroupsTest, "for every scale and pair of groups: do the mean ratings differ"},
+    KindTest{kGroupProfilesTest,
              "for every scale and pair of groups: do the differences between the items differ"}};
 
 std::string item_of_rating(const PlannedPresentation& surface) {

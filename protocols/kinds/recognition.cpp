@@ -19,7 +19,7 @@ constexpr std::array kRecognitionTests{
     KindTest{"textures", "for every texture: is it recognised more often than expected by chance"},
     KindTest{"information", "do the responses depend on the stimulus"},
     KindTest{"sexes", "do women and men differ"},
-    KindTest{"groups", "for every pair of groups: do they differ"}};
+    KindTest{kGroupsTest, "for every pair of groups: do they differ"}};
 
 std::string item_of_recognition(const PlannedPresentation& surface) {
   return surface.stimulus.texture;

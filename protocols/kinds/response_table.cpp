@@ -177,7 +177,7 @@ std::string ParameterList::in_family(const std::vector<std::string>& tests) cons
 }
 
 void ParameterList::effect_of_groups(ResponseParameter effect) {
-  effect.tests = in_family({"groups"});
+  effect.tests = in_family({kGroupsTest});
   if (effect.tests.empty()) {
     effect.value = effect.null_value;
   } else {
@@ -187,7 +187,7 @@ void ParameterList::effect_of_groups(ResponseParameter effect) {
 }
 
 void ParameterList::varies_within_groups(const std::string& sd) {
-  if (in_family({"groups"}).empty()) return;
+  if (in_family({kGroupsTest}).empty()) return;
   const auto found = std::find_if(parameters_.begin(), parameters_.end(),
                                   [&sd](const ResponseParameter& one) { return one.name == sd; });
   found->value.reset();

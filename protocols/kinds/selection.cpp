@@ -24,8 +24,8 @@ constexpr std::array kSelectionTests{
     KindTest{"preference", "are all items chosen equally often"},
     KindTest{"position", "are all positions chosen equally often"},
     KindTest{"textures", "is the target chosen equally often with every texture", true},
-    KindTest{"groups", "for every pair of groups: is the target chosen equally often", true},
-    KindTest{"group_profiles",
+    KindTest{kGroupsTest, "for every pair of groups: is the target chosen equally often", true},
+    KindTest{kGroupProfilesTest,
              "for every pair of groups: do the proportions of choices of the items differ"}};
 
 constexpr std::array kSelectionKeys{

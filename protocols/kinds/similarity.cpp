@@ -22,7 +22,8 @@ constexpr std::array kSimilarityTests{
     KindTest{"identical", "with identical pairs: are different surfaces rated as more dissimilar"},
     KindTest{"properties",
              "for every measured property of the surfaces: is it related to the configuration"},
-    KindTest{"group_profiles", "for every pair of groups: do the dissimilarities of the pairs differ"}};
+    KindTest{kGroupProfilesTest,
+             "for every pair of groups: do the dissimilarities of the pairs differ"}};
 
 RatedQuantity rated_quantity(const Protocol::TrialQuestionTemplate& question) {
   return question.rates.value_or(RatedQuantity::dissimilarity);

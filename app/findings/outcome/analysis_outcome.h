@@ -13,6 +13,7 @@
 #include "app/findings/gathering/gathered_answers.h"
 #include "app/findings/outcome/result_table.h"
 #include "app/words/phrase.h"
+#include "protocols/design/analysis_declaration.h"
 
 namespace asperity {
 
@@ -42,10 +43,6 @@ struct TestMethod;
 
 /// The comparison of women and men; see KindTest.
 inline constexpr const char* kSexesTest = "sexes";
-/// The comparison of the groups to which the protocol assigns participants; see KindTest.
-inline constexpr const char* kGroupsTest = "groups";
-/// The comparison of the form of their profiles; see KindTest.
-inline constexpr const char* kGroupProfilesTest = "group_profiles";
 
 /// The role of a test as specified in advance.
 enum class TestRole {

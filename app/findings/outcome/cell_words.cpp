@@ -12,6 +12,7 @@
 #include "app/findings/outcome/test_methods.h"
 #include "app/records/felt_octaves.h"
 #include "app/words/text_parts.h"
+#include "protocols/design/analysis_declaration.h"
 #include "results_schema/tables/table.h"
 
 namespace asperity {
@@ -98,8 +99,8 @@ const CellWords& words_of_test_names() {
       {"configuration", phrase("CellWords", "configuration")},
       {"conditions", phrase("CellWords", "conditions")},
       {"exponent", phrase("CellWords", "exponent of the power function")},
-      {"group_profiles", phrase("CellWords", "profiles of the groups")},
-      {"groups", phrase("CellWords", "groups")},
+      {kGroupProfilesTest, phrase("CellWords", "profiles of the groups")},
+      {kGroupsTest, phrase("CellWords", "groups")},
       {"identical", phrase("CellWords", "different and identical surfaces")},
       {"information", phrase("CellWords", "information")},
       {"interaction", phrase("CellWords", "spacing by condition")},

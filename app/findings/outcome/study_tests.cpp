@@ -58,8 +58,8 @@ std::string reason_for(const std::string& name) {
   constexpr std::array kReasons{WhyNot{"accompanying_scales", "no_correct_responses"},
                                 WhyNot{"condition", "one_condition"},
                                 WhyNot{"exponent", "no_predictor"},
-                                WhyNot{"group_profiles", "one_group"},
-                                WhyNot{"groups", "one_group"},
+                                WhyNot{kGroupProfilesTest, "one_group"},
+                                WhyNot{kGroupsTest, "one_group"},
                                 WhyNot{"identical", "no_identical_pairs"},
                                 WhyNot{"information", "pictures_differ"},
                                 WhyNot{"interaction", "one_condition"},
@@ -181,8 +181,7 @@ ResultRow row_of(const StudyTests::Test& test, const std::string& family) {
 void note_smallest_p(std::optional<double> smallest, std::size_t people, StudyTests::Test& test) {
   if (!test.p || !smallest) return;
   constexpr double kRounding = 1e-9;  // of a sum over all permutations
-  const bool compares_groups = test.name == kGroupsTest || test.name == kGroupProfilesTest;
-  if (compares_groups && *smallest > 1.0 - kRounding) {
+  if (compares_groups(test.name) && *smallest > 1.0 - kRounding) {
     test.p.reset();
     test.status = "one_in_each_group";
     return;

@@ -11,7 +11,7 @@ namespace asperity {
 
 /// Of groups that are compared in which items they choose, of every kind with such choices.
 inline constexpr TestClaim kClaimOfChosenItems{
-    "group_profiles", "",
+    kGroupProfilesTest, "",
     "The proportions of choices of the items were significantly different in the groups %1 and %2",
     "",
     "The proportions of choices of the items were not significantly different in the groups %1 and "

@@ -46,11 +46,11 @@ constexpr std::array kDiscriminationClaims{
               "The point of subjective equality of the %1 was significantly below the standard",
               "The point of subjective equality of the %1 was not significantly different from the "
               "standard"},
-    TestClaim{"groups", "group_permutation_log",
+    TestClaim{kGroupsTest, "group_permutation_log",
               "The thresholds%5 were significantly higher in the group %1 than in the group %2",
               "The thresholds%5 were significantly lower in the group %1 than in the group %2",
               "The thresholds%5 of the groups %1 and %2 were not significantly different"},
-    TestClaim{"groups", "",
+    TestClaim{kGroupsTest, "",
               "The mean d′%5 was significantly higher in the group %1 than in the group %2",
               "The mean d′%5 was significantly lower in the group %1 than in the group %2",
               "The mean d′%5 of the groups %1 and %2 was not significantly different"}};

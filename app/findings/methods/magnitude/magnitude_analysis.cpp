@@ -44,11 +44,11 @@ constexpr std::array kMagnitudeClaims{
               "",
               "The effect of the stimulus on the estimates did not differ significantly between "
               "the conditions"},
-    TestClaim{"groups", "",
+    TestClaim{kGroupsTest, "",
               "The exponents%5 were significantly larger in the group %1 than in the group %2",
               "The exponents%5 were significantly smaller in the group %1 than in the group %2",
               "The exponents%5 of the groups %1 and %2 were not significantly different"},
-    TestClaim{"group_profiles", "",
+    TestClaim{kGroupProfilesTest, "",
               "The effect of the stimulus on the estimates was significantly different in the "
               "groups %1 and %2",
               "",

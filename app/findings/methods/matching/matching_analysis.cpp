@@ -28,7 +28,7 @@ constexpr std::array kMatchingClaims{
               "Women matched significantly fewer items correctly than men",
               "The numbers of correctly matched items of women and men were not significantly "
               "different"},
-    TestClaim{"groups", "",
+    TestClaim{kGroupsTest, "",
               "The group %1 matched a significantly higher proportion of items correctly than the "
               "group %2",
               "The group %1 matched a significantly lower proportion of items correctly than the "

@@ -35,11 +35,11 @@ constexpr std::array kRatingClaims{
               "incorrect responses to the question “%2”",
               "The ratings on the scale “%1” did not differ significantly between correct and "
               "incorrect responses to the question “%2”"},
-    TestClaim{"groups", "",
+    TestClaim{kGroupsTest, "",
               "The mean ratings%4 were significantly higher in the group %1 than in the group %2",
               "The mean ratings%4 were significantly lower in the group %1 than in the group %2",
               "The mean ratings%4 of the groups %1 and %2 were not significantly different"},
-    TestClaim{"group_profiles", "",
+    TestClaim{kGroupProfilesTest, "",
               "The differences between the items in the ratings%4 were significantly different in "
               "the groups %1 and %2",
               "",

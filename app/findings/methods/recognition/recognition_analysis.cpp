@@ -29,7 +29,7 @@ constexpr std::array kRecognitionClaims{
               "The mean proportion correct of women was significantly higher than that of men",
               "The mean proportion correct of women was significantly lower than that of men",
               "The mean proportions correct of women and men were not significantly different"},
-    TestClaim{"groups", "",
+    TestClaim{kGroupsTest, "",
               "The mean proportion correct was significantly higher in the group %1 than in the "
               "group %2",
               "The mean proportion correct was significantly lower in the group %1 than in the "

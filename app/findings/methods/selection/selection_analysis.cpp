@@ -32,7 +32,7 @@ constexpr std::array kSelectionClaims{
               "",
               "The proportion of choices of the target did not differ significantly between the "
               "textures"},
-    TestClaim{"groups", "",
+    TestClaim{kGroupsTest, "",
               "The mean proportion of choices of the target was significantly higher in the group "
               "%1 than in the group %2",
               "The mean proportion of choices of the target was significantly lower in the group "

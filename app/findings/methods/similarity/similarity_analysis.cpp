@@ -25,7 +25,7 @@ constexpr std::array kSimilarityClaims{
               "The ratings of different and identical surfaces were not significantly different"},
     TestClaim{"properties", "", "The property “%1” was significantly related to the configuration",
               "", "The property “%1” was not significantly related to the configuration"},
-    TestClaim{"group_profiles", "",
+    TestClaim{kGroupProfilesTest, "",
               "The ratings of the pairs were significantly different in the groups %1 and %2", "",
               "The ratings of the pairs were not significantly different in the groups %1 and "
               "%2"}};
