@@ -58,8 +58,7 @@ TabulatedBlock::OfQuestion tabulated(const Protocol& protocol, const Protocol::B
     const std::string why = made.table->refusal(made.asked);
     if (!why.empty()) refuse(block, why);
   }
-  // Scales that accompany another question are not compared between groups.
-  const std::string test = made.is_of_block ? group_test_without_effect(made) : std::string();
+  const std::string test = group_test_without_effect(made);
   if (!test.empty()) {
     refuse(block, "response tables have no effect of the groups for the test \"" + test + '"');
   }

@@ -127,9 +127,10 @@ const KindTest* find_test(const ExperimentKind& kind, std::string_view name) noe
 /// spacings that of the stimuli, or of the predictor.
 std::string_view default_test_of(const ExperimentKind& kind,
                                  const EstimationDeclaration& estimation) noexcept;
-/// The tests of the kind that are corrected together: those of the declared family, or the default one where it has none.
+/// The tests of the kind that are corrected together: those of the declared family, or the default one where it has none. Of
+/// questions that only accompany those of another kind there is no default one, and groups are not compared.
 std::vector<std::string> family_of(const ExperimentKind& kind, const AnalysisDeclaration& analysis,
-                                   const EstimationDeclaration& estimation);
+                                   const EstimationDeclaration& estimation, bool only_accompanies);
 
 /// All kinds, in the order in which documents list them.
 std::span<const ExperimentKind* const> experiment_kinds();

@@ -44,11 +44,14 @@ std::string_view default_test_of(const ExperimentKind& kind,
 }
 
 std::vector<std::string> family_of(const ExperimentKind& kind, const AnalysisDeclaration& analysis,
-                                   const EstimationDeclaration& estimation) {
+                                   const EstimationDeclaration& estimation, bool only_accompanies) {
   std::vector<std::string> family = analysis.family;
-  std::erase_if(family,
-                [&kind](const std::string& name) { return find_test(kind, name) == nullptr; });
-  if (family.empty()) family.emplace_back(default_test_of(kind, estimation));
+  std::erase_if(family, [&](const std::string& name) {
+    return find_test(kind, name) == nullptr || (only_accompanies && compares_groups(name));
+  });
+  if (family.empty() && !only_accompanies) {
+    family.emplace_back(default_test_of(kind, estimation));
+  }
   return family;
 }
 

@@ -62,19 +62,6 @@ bool has_several_items(const TabulatedQuestion& asked) {
          (asked.items.size() > 1 || !rated_factors(asked).empty());
 }
 
-/// The tests that concern the scale: one that accompanies another question has no family by default.
-std::vector<std::string> family_of_scale(const TabulatedQuestion& asked) {
-  std::vector<std::string> family = asked.family;
-  const std::vector<std::string>& declared = asked.protocol.analysis.family;
-  if (accompanies(asked)) {
-    std::erase_if(family, [&declared](const std::string& name) {
-      return name == "groups" || name == "group_profiles" ||
-             std::find(declared.begin(), declared.end(), name) == declared.end();
-    });
-  }
-  return family;
-}
-
 /// The names of what is rated, in the order of `difference`: the items, or the combinations of levels.
 std::vector<std::string> rated_names(const TabulatedQuestion& asked) {
   if (asked.items.size() > 1) return asked.items;
@@ -120,9 +107,7 @@ RatedItem rated_item_of(const TabulatedTrial& trial) {
   return item;
 }
 
-std::vector<ResponseParameter> parameters_of_rating(const TabulatedQuestion& of) {
-  TabulatedQuestion asked = of;
-  asked.family = family_of_scale(of);
+std::vector<ResponseParameter> parameters_of_rating(const TabulatedQuestion& asked) {
   const auto& form = std::get<ScaleForm>(asked.question.form);
   const double range = form.maximum - form.minimum;
   const std::string on_scale = ", " + scale_text(form);

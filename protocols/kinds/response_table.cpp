@@ -88,9 +88,11 @@ TabulatedQuestion tabulated_question(const Protocol& protocol, const Protocol::B
                                      const Protocol::TrialQuestionTemplate& question,
                                      const std::vector<Trial>& possible) {
   TabulatedQuestion asked{.protocol = protocol, .block = block, .question = question};
-  const ExperimentKind& kind = *kind_of_question(kind_of(block), question.form);
+  const ExperimentKind& of_block = kind_of(block);
+  const ExperimentKind& kind = *kind_of_question(of_block, question.form);
   asked.family =
-      family_of(kind, protocol.analysis, protocol.estimation.value_or(EstimationDeclaration{}));
+      family_of(kind, protocol.analysis, protocol.estimation.value_or(EstimationDeclaration{}),
+                &kind != &of_block);
   std::set<std::string> items{};
   std::map<std::string, std::set<std::string>> levels{};
   for (const Trial& trial : possible) {

@@ -202,22 +202,13 @@ void note_smallest_p(std::optional<double> smallest, std::size_t people, StudyTe
 StudyTests::StudyTests(const GatheredAnswers& gathered)
     : kind_(gathered.kind), people_(gathered.people.size()), family_(gathered.declared.family) {
   const ExperimentKind* const kind = find_kind(gathered.kind);
-  // The family names the tests of all kinds of the protocol.
+  const std::vector<std::string>& declared = gathered.declared.family;
   if (kind != nullptr) {
-    std::erase_if(family_,
-                  [kind](const std::string& name) { return find_test(*kind, name) == nullptr; });
+    family_ = family_of(*kind, gathered.declared, gathered.estimation, gathered.only_accompanies);
   }
-  // Scales that only accompany other questions are not compared between groups.
-  if (gathered.only_accompanies) {
-    std::erase_if(family_, [](const std::string& name) {
-      return name == kGroupsTest || name == kGroupProfilesTest;
-    });
-  }
-  is_declared_ = !family_.empty();
-  is_of_other_kinds_ = family_.empty() && !gathered.declared.family.empty();
-  if (family_.empty() && kind != nullptr && !gathered.only_accompanies) {
-    family_.emplace_back(default_test_of(*kind, gathered.estimation));
-  }
+  is_declared_ = std::any_of(declared.begin(), declared.end(),
+                             [this](const std::string& name) { return is_in_family(name); });
+  is_of_other_kinds_ = !is_declared_ && !declared.empty();
   name_family();
 }
 
