@@ -15,7 +15,7 @@ namespace {
 /// A threshold as columns: the end of its name, its quantity, and its description.
 struct ThresholdOfWide {
   const char* ending = "";
-  const char* quantity = "";
+  QuantityName quantity{};
   const char* description = "";
   bool has_unit = true;
 };
@@ -185,8 +185,7 @@ std::vector<ThresholdColumns::Column> ThresholdColumns::make_task(const OfTask& 
                          "no such response, or the threshold cannot be estimated within the "
                          "presented levels"};
       for (const auto& [person, hits] : people) {
-        const std::optional<double> number =
-            found.value(threshold.quantity, key_of_person(person));
+        const std::optional<double> number = found.value(threshold.quantity, key_of_person(person));
         made.cells[person] = number ? Cell{*number} : Cell{};
       }
       columns.push_back(std::move(made));

@@ -305,7 +305,7 @@ TEST(Discrimination, StatesReasonsInTheWordsOfTheJudgement) {
                                             std::tuple{"never|all", "slope", "above_levels"},
                                             std::tuple{"steep|all", "jnd", "slope_at_bound"},
                                             std::tuple{"steep|all", "slope", "slope_at_bound"}}) {
-    const Finding* const finding = found.find(quantity, key);
+    const Finding* const finding = found.find(composed_quantity(quantity), key);
     ASSERT_NE(finding, nullptr) << key << quantity;
     EXPECT_FALSE(finding->value) << key << quantity;
     EXPECT_EQ(finding->word, word) << key << quantity;

@@ -17,10 +17,10 @@
 #include "app/findings/methods/discrimination/thresholds/discrimination_tasks.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_thresholds.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_tracks.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/study_analysis.h"
 #include "app/findings/outcome/study_tests.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/outcome/found_numbers.h"
 #include "protocols/file/stored_protocol.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/made_up_study.h"
@@ -191,7 +191,7 @@ TEST(Discrimination, RepeatsTheProcedureForTheIntervalsOfItsThresholds) {
   int compared = 0;
   for (const Finding& each : part_of(alone, "thresholds")) {
     if (each.key != "p10|all") continue;
-    const Finding* const same = found.find(each.quantity, each.key);
+    const Finding* const same = found.find(composed_quantity(each.quantity), each.key);
     ASSERT_NE(same, nullptr) << each.quantity;
     EXPECT_EQ(each, *same) << each.quantity << ": the same for the same responses";
     ++compared;

@@ -18,10 +18,10 @@
 #include "app/findings/methods/discrimination/thresholds/discrimination_tasks.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/estimate_sentences.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/study_analysis.h"
 #include "app/findings/outcome/study_tests.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/outcome/found_numbers.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "renderers/built_in_models.h"
@@ -212,7 +212,8 @@ TEST(Discrimination, ReportsAThresholdOutsideTheLevelsAsAStatus) {
   const FoundNumbers found(thresholds);
   for (const auto& [key, word] :
        {std::pair{"perfect|all", "below_levels"}, std::pair{"poor|all", "above_levels"}}) {
-    for (const char* const quantity : {"jnd", "jnd.dprime1", "weber", "slope"}) {
+    for (const QuantityName quantity :
+         std::initializer_list<QuantityName>{"jnd", "jnd.dprime1", "weber", "slope"}) {
       const Finding* const finding = found.find(quantity, key);
       ASSERT_NE(finding, nullptr) << key << quantity;
       EXPECT_FALSE(finding->value) << key << quantity;
@@ -420,7 +421,8 @@ TEST(Discrimination, HasNoIntervalOfAMeanThatLeavesOutThresholds) {
       HasSubstr("Of the 4 JNDs, the mean does not include 1 below the presented levels; the "
                 "mean of the others is an upper bound and has no CI."));
   const std::vector<Finding> means = part_of(outcome, "mean_thresholds");
-  for (const char* const quantity : {"mean.jnd", "geomean.jnd", "geomean.weber"}) {
+  for (const QuantityName quantity :
+       std::initializer_list<QuantityName>{"mean.jnd", "geomean.jnd", "geomean.weber"}) {
     const Finding* const mean = FoundNumbers(means).find(quantity, "all");
     ASSERT_TRUE(mean != nullptr && mean->value) << quantity;
     EXPECT_FALSE(mean->low || mean->high || mean->confidence) << quantity;

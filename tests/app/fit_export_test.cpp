@@ -185,7 +185,8 @@ TEST(ExportedDetections, AreHitsAndFalseAlarmsAsTheAnalysisCountsThem) {
       EXPECT_EQ(cell_of(counts, row, "design"), Cell{is_pair ? "samediff" : "yesno"});
       EXPECT_EQ(cell_of(counts, row, "subject"), Cell{"p1"});
     }
-    const std::string quantity = is_pair ? "dprime.diff.loglinear" : "dprime.loglinear";
+    const QuantityName quantity =
+        is_pair ? QuantityName("dprime.diff.loglinear") : "dprime.loglinear";
     const std::vector<Finding> own = part_of(discrimination_in(exported.made), "sensitivity");
     const std::vector<Finding> of_file =
         findings_of_file("dprime", exported.out() / "detection.tsv", "{}");

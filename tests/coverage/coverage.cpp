@@ -73,7 +73,7 @@ void count_table(const std::vector<Finding>& findings,
   for (const CheckedTest& checked : tests) {
     CoverageCount& count = counts[place++];
     ++count.tables;
-    const auto p = found.value(checked.quantity, checked.key);
+    const auto p = found.value(composed_quantity(checked.quantity), checked.key);
     if (!p) continue;
     ++count.given;
     if (*p <= kLevel) ++count.rejected;
@@ -86,12 +86,12 @@ void count_table(const std::vector<Finding>& findings,
 std::optional<ConfidenceInterval> interval_in(const FoundNumbers& found,
                                               const CheckedInterval& checked) {
   if (checked.lower.empty()) {
-    const Finding* const finding = found.find(checked.quantity, checked.key);
+    const Finding* const finding = found.find(composed_quantity(checked.quantity), checked.key);
     if (finding == nullptr || !finding->low || !finding->high) return {};
     return ConfidenceInterval{.low = *finding->low, .high = *finding->high};
   }
-  const auto low = found.value(checked.lower, checked.key);
-  const auto high = found.value(checked.upper, checked.key);
+  const auto low = found.value(composed_quantity(checked.lower), checked.key);
+  const auto high = found.value(composed_quantity(checked.upper), checked.key);
   if (!low || !high) return {};
   return ConfidenceInterval{.low = *low, .high = *high};
 }

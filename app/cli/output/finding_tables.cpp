@@ -10,8 +10,8 @@
 
 #include "app/cli/output/analysis_output.h"
 #include "app/cli/output/terminal.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/found_numbers.h"
+#include "app/findings/outcome/reading_number.h"
 
 namespace asperity {
 namespace {
@@ -24,8 +24,7 @@ constexpr const char* kInterval = " interval";
 /// Student's interval of a mean proportion is shown as far as a proportion can go; programs that compare it have it
 /// uncut.
 std::string reading_value(const Finding& finding) {
-  const bool is_of_share =
-      finding.quantity == "subj.ci.lower" || finding.quantity == "subj.ci.upper";
+  const bool is_of_share = is(finding, "subj.ci.lower") || is(finding, "subj.ci.upper");
   if (is_of_share && finding.value) return reading_number(std::clamp(*finding.value, 0.0, 1.0));
   return finding.value ? reading_number(*finding.value) : finding.word;
 }

@@ -27,7 +27,7 @@ std::string one_estimate(const Finding& estimate, const std::string& about,
 }  // namespace
 
 std::vector<const Finding*> numbers_among(const AnalysisOutcome& outcome, std::string_view analysis,
-                                          std::string_view quantity) {
+                                          QuantityName quantity) {
   std::vector<const Finding*> found{};
   for (const Finding& finding : outcome.findings) {
     if (finding.analysis == analysis && finding.quantity == quantity && finding.value) {
@@ -38,7 +38,7 @@ std::vector<const Finding*> numbers_among(const AnalysisOutcome& outcome, std::s
 }
 
 std::vector<const Finding*> estimates_among(const AnalysisOutcome& outcome,
-                                            std::string_view analysis, std::string_view quantity) {
+                                            std::string_view analysis, QuantityName quantity) {
   std::vector<const Finding*> found = numbers_among(outcome, analysis, quantity);
   // The key of a pair consists of both names.
   std::erase_if(found, [](const Finding* one) { return one->key.find('|') != std::string::npos; });
@@ -70,7 +70,7 @@ EstimateSentence choices_sentence(const AnalysisOutcome& outcome) {
 EstimateSentence pairs_sentence(const AnalysisOutcome& outcome) {
   constexpr int kDecimals = 2;
   std::vector<std::string> sentences{};
-  const auto state = [&](const char* start, std::string_view analysis, std::string_view quantity,
+  const auto state = [&](const char* start, std::string_view analysis, QuantityName quantity,
                          const EstimateText& shown) {
     const std::vector<const Finding*> found = estimates_among(outcome, analysis, quantity);
     if (!found.empty()) sentences.push_back(start + all_estimates(found, "", shown) + '.');

@@ -8,15 +8,16 @@
 #include <vector>
 
 #include "app/findings/outcome/analysis_outcome.h"
+#include "app/findings/tidy/quantity_name.h"
 
 namespace asperity {
 
 /// The findings of an analysis that are numbers of this quantity, in their order. The outcome must outlive them.
 std::vector<const Finding*> numbers_among(const AnalysisOutcome& outcome, std::string_view analysis,
-                                          std::string_view quantity);
+                                          QuantityName quantity);
 /// The same without those of pairs, whose keys are two names.
 std::vector<const Finding*> estimates_among(const AnalysisOutcome& outcome,
-                                            std::string_view analysis, std::string_view quantity);
+                                            std::string_view analysis, QuantityName quantity);
 
 using EstimateText = std::function<std::string(double)>;
 /// "83 % (95 % CI [49 %, 96 %]) for height_map and 17 % (…) for sinusoid, N = 6"; the estimate of `only_key` without its key.
@@ -44,7 +45,7 @@ EstimateSentence configuration_sentence(const AnalysisOutcome& outcome);
 /// The means of items, which the sentences of confirmatory tests state.
 struct MeansOfItems {
   std::string_view analysis{};  ///< of the findings
-  std::string_view quantity{};
+  QuantityName quantity{};
   std::string scale{};  ///< with which their keys begin; empty: an item is the key
   std::vector<std::string> items{};
   std::vector<std::string> tests{};  ///< of all items, about the scale

@@ -14,17 +14,17 @@ FoundNumbers::FoundNumbers(std::span<const Finding> findings) : in_order_(findin
   }
 }
 
-const Finding* FoundNumbers::find(std::string_view quantity, std::string_view key) const {
+const Finding* FoundNumbers::find(QuantityName quantity, std::string_view key) const {
   const auto found = findings_.find({quantity, key});
   return found == findings_.end() ? nullptr : found->second;
 }
 
-std::optional<double> FoundNumbers::value(std::string_view quantity, std::string_view key) const {
+std::optional<double> FoundNumbers::value(QuantityName quantity, std::string_view key) const {
   const Finding* finding = find(quantity, key);
   return finding == nullptr ? std::nullopt : finding->value;
 }
 
-std::vector<const Finding*> FoundNumbers::all(std::string_view quantity) const {
+std::vector<const Finding*> FoundNumbers::all(QuantityName quantity) const {
   std::vector<const Finding*> found{};
   for (const Finding& finding : in_order_) {
     if (finding.quantity == quantity) found.push_back(&finding);
@@ -32,16 +32,16 @@ std::vector<const Finding*> FoundNumbers::all(std::string_view quantity) const {
   return found;
 }
 
-ResultCell FoundNumbers::cell(std::string_view quantity, std::string_view key) const {
+ResultCell FoundNumbers::cell(QuantityName quantity, std::string_view key) const {
   return cell_of(value(quantity, key));
 }
 
-ResultCell FoundNumbers::count(std::string_view quantity, std::string_view key) const {
+ResultCell FoundNumbers::count(QuantityName quantity, std::string_view key) const {
   const std::optional<double> number = value(quantity, key);
   return number ? ResultCell{static_cast<std::int64_t>(std::llround(*number))} : ResultCell{};
 }
 
-ResultCell FoundNumbers::interval(std::string_view quantity, std::string_view key) const {
+ResultCell FoundNumbers::interval(QuantityName quantity, std::string_view key) const {
   const Finding* finding = find(quantity, key);
   return finding == nullptr ? ResultCell{} : interval_cell(finding->low, finding->high);
 }

@@ -12,6 +12,7 @@
 
 #include "analysis/numbers/finding.h"
 #include "app/findings/outcome/result_table.h"
+#include "app/findings/tidy/quantity_name.h"
 
 namespace asperity {
 
@@ -22,17 +23,17 @@ class FoundNumbers final {
   explicit FoundNumbers(std::span<const Finding> findings);
 
   /// Null where there is none.
-  const Finding* find(std::string_view quantity, std::string_view key = {}) const;
+  const Finding* find(QuantityName quantity, std::string_view key = {}) const;
   /// Nothing where there is no number.
-  std::optional<double> value(std::string_view quantity, std::string_view key = {}) const;
+  std::optional<double> value(QuantityName quantity, std::string_view key = {}) const;
   /// All findings of a quantity, in their order.
-  std::vector<const Finding*> all(std::string_view quantity) const;
+  std::vector<const Finding*> all(QuantityName quantity) const;
   /// The number as a cell of a table.
-  ResultCell cell(std::string_view quantity, std::string_view key = {}) const;
+  ResultCell cell(QuantityName quantity, std::string_view key = {}) const;
   /// The number rounded to a whole one, as a count.
-  ResultCell count(std::string_view quantity, std::string_view key = {}) const;
+  ResultCell count(QuantityName quantity, std::string_view key = {}) const;
   /// The interval of a number; missing where it has no limits.
-  ResultCell interval(std::string_view quantity, std::string_view key = {}) const;
+  ResultCell interval(QuantityName quantity, std::string_view key = {}) const;
 
  private:
   std::span<const Finding> in_order_{};

@@ -69,7 +69,7 @@ void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
 struct Measure {
   enum class Form { number, count };
   const char* name = nullptr;  ///< fixed, for programs; display text: cell_words.h
-  const char* quantity = nullptr;
+  QuantityName quantity{};
   Form form = Form::number;
   /// False: its interval is over trials, and does not apply to participants.
   bool has_interval = true;

@@ -33,8 +33,8 @@ Finding finding_of(const StudyTests::Test& test) {
   return finding;
 }
 
-std::optional<StudyTests::Test::Effect> effect_in(const FoundNumbers& found,
-                                                  std::string_view quantity, std::string_view key) {
+std::optional<StudyTests::Test::Effect> effect_in(const FoundNumbers& found, QuantityName quantity,
+                                                  std::string_view key) {
   const Finding* finding = found.find(quantity, key);
   if (finding == nullptr || !finding->value) return std::nullopt;
   return StudyTests::Test::Effect{
@@ -230,7 +230,7 @@ bool StudyTests::is_in_family(std::string_view name) const {
 }
 
 void StudyTests::add(const std::string& name, const std::string& about, const FoundNumbers& found,
-                     std::string_view p, std::string_view key) {
+                     QuantityName p, std::string_view key) {
   const Finding* finding = found.find(p, key);
   if (finding == nullptr) {
     add_untested(name, about, reason_for(name));
@@ -259,7 +259,7 @@ void StudyTests::add(const std::string& name, const std::string& about, const Fo
     test.differing = static_cast<std::size_t>(*differing);
   }
   test.statistic = found.value(by.statistic, key);
-  for (const std::string_view quantity : by.degrees) {
+  for (const QuantityName quantity : by.degrees) {
     if (const auto df = found.value(quantity, key)) test.degrees.push_back(*df);
   }
   if (!by.epsilon.empty()) test.epsilon = found.value(by.epsilon, key);

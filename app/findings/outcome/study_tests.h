@@ -43,7 +43,7 @@ class StudyTests final {
   /// Adds the test whose p is the quantity `p` with this key. A p that is not a number is the
   /// reason that there is no test; within the study's family such a test counts as p = 1.
   void add(const std::string& name, const std::string& about, const FoundNumbers& found,
-           std::string_view p, std::string_view key = {});
+           QuantityName p, std::string_view key = {});
   /// A test that cannot be made. `reason`: a code of cell_words.h, or a sentence.
   void add_untested(const std::string& name, const std::string& about, const std::string& reason);
   /// Sets the number of participants left out of the test that was added last. `why`: a sentence without its end, which

@@ -116,7 +116,7 @@ void add_shares(const ShareTable& shares, AnalysisOutcome& outcome) {
       outcome.findings.push_back(about);
       continue;
     }
-    const auto number = [&](const char* quantity) { return found.value(quantity, id).value(); };
+    const auto number = [&](QuantityName quantity) { return found.value(quantity, id).value(); };
     about.value = number("phat");
     outcome.findings.push_back(interval_finding(about, number("wilson.lower"),
                                                 number("wilson.upper"), "Wilson score interval"));

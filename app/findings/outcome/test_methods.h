@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/findings/tidy/quantity_name.h"
 #include "app/words/phrase.h"
 
 namespace asperity {
@@ -27,32 +28,32 @@ enum class TestSides {
 /// How a test is reported. Its numbers are findings of one analysis under one key: the key of the
 /// p, with these quantities.
 struct TestMethod {
-  std::string_view p{};     ///< the quantity that is its p
+  QuantityName p{};         ///< the quantity that is its p
   std::string_view code{};  ///< fixed, for programs: "one_sample_t"
   TestSides sides = TestSides::undirected;
   Phrase name{};              ///< the textbook name: "one-sample t test"
   std::string_view unit{};    ///< the unit of its n: "participants", "answers"
   std::string_view symbol{};  ///< of the statistic: "t"
   Phrase symbol_name{};       ///< the meaning of the symbol; empty where it needs no explanation
-  std::string_view statistic{};
-  std::array<std::string_view, 2> degrees{};  ///< of freedom; empty where it has none
+  QuantityName statistic{};
+  std::array<QuantityName, 2> degrees{};  ///< of freedom; empty where it has none
   /// The ε that corrects both degrees of freedom; empty without such a correction.
-  std::string_view epsilon{};
+  QuantityName epsilon{};
   /// The number of permutations drawn at random, 0 or absent where all were enumerated; empty where
   /// the test permutes nothing.
-  std::string_view draws{};
+  QuantityName draws{};
   /// The smallest attainable p; empty where every p is possible.
-  std::string_view smallest{};
+  QuantityName smallest{};
   /// The number of participants whose difference is not zero, in a test that permutes the signs of the participants'
   /// differences: with k of them the smallest p is 2^(1 − k). Empty for other tests.
-  std::string_view differing{};
+  QuantityName differing{};
   std::string_view effect_symbol{};  ///< "d"
   Phrase effect_name{};              ///< "Cohen's d"; empty where the symbol is a word
-  std::string_view effect{};         ///< the effect size, whose finding has its interval
+  QuantityName effect{};             ///< the effect size, whose finding has its interval
   bool effect_is_bounded = false;    ///< cannot exceed 1: printed by `reading_bounded`
   /// Its sign, and not that of the statistic, is the direction of a difference.
   bool direction_is_of_effect = false;
-  std::string_view estimate{};       ///< the proportion that is tested; empty where there is none
+  QuantityName estimate{};           ///< the proportion that is tested; empty where there is none
   std::string_view estimate_name{};  ///< "mean proportion correct"
   std::array<std::string_view, 2>
       sources{};  ///< keys of references.h, for the test and the effect size

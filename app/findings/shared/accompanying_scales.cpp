@@ -25,8 +25,8 @@ namespace {
 
 constexpr const char* kAccompanying = "accompanying";
 constexpr const char* kAccompanyingTest = "accompanying_scales";
-constexpr const char* kMeanOfScale = "mean.score";
-constexpr const char* kComparedMean = "mean.score.compared";
+constexpr QuantityName kMeanOfScale = "mean.score";
+constexpr QuantityName kComparedMean = "mean.score.compared";
 constexpr const char* kCorrectLevel = "correct";
 constexpr const char* kIncorrectLevel = "incorrect";
 
@@ -111,8 +111,8 @@ std::vector<Finding> means_of_pairs(const TidyInput& pairs, const std::string& a
 
 /// The findings of the family `equivalence` that belong to a paired t test.
 bool is_of_paired_test(const Finding& finding) {
-  return finding.quantity == "diff" || finding.quantity == "se" || finding.quantity == "df" ||
-         finding.quantity == "dz" || finding.quantity == "t" || finding.quantity == "t.p.two";
+  return is(finding, "diff") || is(finding, "se") || is(finding, "df") || is(finding, "dz") ||
+         is(finding, "t") || is(finding, "t.p.two");
 }
 
 std::vector<Finding> paired_test(TidyInput input, const std::string& key) {
@@ -285,7 +285,7 @@ void AccompanyingScales::report(const StudyTests& tests, AnalysisOutcome& outcom
     const FoundNumbers found(scale.findings);
     const FoundNumbers compared(scale.comparison);
     const auto add_row = [&](const std::string& by, const std::string& level, ResultCell responses,
-                             const FoundNumbers& numbers, const char* quantity,
+                             const FoundNumbers& numbers, QuantityName quantity,
                              const std::string& key) {
       const Finding* const mean = numbers.find(quantity, key);
       if (mean == nullptr) return;

@@ -34,9 +34,9 @@ void add_positions_table(std::span<const Tally> positions, const Phrase& note,
 
 /// A scale of items by the findings of a family, with intervals over participants.
 struct WorthScale {
-  std::string log_worth{};    ///< quantity
-  std::string worth{};        ///< quantity
-  std::string no_interval{};  ///< the quantity that states why there are no intervals
+  QuantityName log_worth{};
+  QuantityName worth{};
+  QuantityName no_interval{};  ///< states why there are no intervals
   Phrase title{};
   Phrase note{};  ///< %1: how the intervals are computed, or why there are none
 };

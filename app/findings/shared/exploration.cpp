@@ -187,7 +187,7 @@ class ExplorationTable final {
                const std::string& level, const std::string& key, const FoundNumbers& found) {
     const Finding* measured = found.find("measurements", key);
     if (measured == nullptr || (measured->n == 0 && factor != "all")) return;
-    const auto where = [&](bool is_shown, const char* of) {
+    const auto where = [&](bool is_shown, QuantityName of) {
       return is_shown ? found.cell(of, key) : ResultCell{};
     };
     table_.add({quantity.name, factor, word_cell(level), count_cell(measured->n),

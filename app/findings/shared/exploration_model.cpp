@@ -202,7 +202,7 @@ class ModelTable final {
   /// `status`: a word in place of the numbers; empty where there are numbers.
   void row(const ModelledTimes& times, const FoundNumbers& found, const EffectName& name,
            const Finding* ratio, const EffectTest& test, const std::string& status) {
-    const auto count = [&found](const char* quantity) {
+    const auto count = [&found](QuantityName quantity) {
       return static_cast<std::int64_t>(found.value(quantity).value_or(0.0));
     };
     table_.add({times.measure, name.factor, name.level, count("n.subjects"), count("n.rows"),
@@ -300,8 +300,7 @@ void add_exploration_models(const GatheredAnswers& gathered, const ExploredRows&
     const bool is_per_ten_trials = has_ten_trials(rows);
     keep_findings(findings, outcome, [is_per_ten_trials](const Finding& finding) {
       if (finding.key == kTrialPlace && !is_per_ten_trials) return false;
-      return finding.key != "intercept" ||
-             (finding.quantity != "lmm.p" && finding.quantity != "lmm.t");
+      return finding.key != "intercept" || (!is(finding, "lmm.p") && !is(finding, "lmm.t"));
     });
     for (const Finding& finding : findings) {
       if (finding.quantity.ends_with(".p")) outcome.tests_in_tables.insert(name_of(finding));

@@ -105,8 +105,8 @@ void GroupComparisons::add(const GroupMeasure& measure) {
         Compared{.pair = pair, .name = measure.name, .words = measure.words, .unit = measure.unit});
     one.findings = analysis_of(one.analysis().c_str(), kFamily, std::move(*input));
     for (Finding& finding : one.findings) {
-      const bool has_unit = finding.quantity == "values.mean" ||
-                            (!measure.is_ratio && finding.quantity == "values.shift");
+      const bool has_unit =
+          is(finding, "values.mean") || (!measure.is_ratio && is(finding, "values.shift"));
       if (has_unit) finding.unit = measure.unit;
     }
   }
@@ -160,9 +160,10 @@ void GroupComparisons::add_tests(StudyTests& tests, AnalysisOutcome& outcome) co
   for (const Compared& one : compared_) {
     keep_findings(one.findings, outcome);
     const FoundNumbers found(one.findings);
-    const char* const p = one.is_profile                                   ? "profile.perm.p"
-                          : found.find("values.log.perm.p.two") != nullptr ? "values.log.perm.p.two"
-                                                                           : "values.perm.p.two";
+    const QuantityName p = one.is_profile ? QuantityName("profile.perm.p")
+                           : found.find("values.log.perm.p.two") != nullptr
+                               ? QuantityName("values.log.perm.p.two")
+                               : "values.perm.p.two";
     if (found.find(p) == nullptr) {
       tests.add_untested(one.test(), one.about(), "no_numbers_of_group");
       continue;

@@ -87,14 +87,14 @@ std::optional<TidyInput> correct_by_trial(const GatheredAnswers& gathered,
 
 struct Change {
   const char* measure = "";
-  const char* quantity = "";
+  QuantityName quantity{};
   bool has_halves = true;
 };
 
 void add_change(const Change& change, const FoundNumbers& found, ResultTable& table) {
   const Finding* finding = found.find(change.quantity);
   if (finding == nullptr) return;
-  const auto half = [&](const char* quantity) {
+  const auto half = [&](QuantityName quantity) {
     return change.has_halves ? found.cell(quantity) : ResultCell{};
   };
   table.add({change.measure, count_cell(finding->n), half("half.first"), half("half.second"),

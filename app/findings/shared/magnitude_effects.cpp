@@ -97,8 +97,8 @@ Phrase method_of_effect(bool is_corrected, bool states_factor) {
 
 }  // namespace
 
-const char* p_of(const FoundNumbers& found, const std::string& effect) {
-  return found.find("p.GG", effect) != nullptr ? "p.GG" : "p";
+QuantityName p_of(const FoundNumbers& found, const std::string& effect) {
+  return found.find("p.GG", effect) != nullptr ? QuantityName("p.GG") : "p";
 }
 
 void add_anova(const FoundNumbers& found, AnalysisOutcome& outcome, const EffectNames& effects) {
@@ -113,7 +113,7 @@ void add_anova(const FoundNumbers& found, AnalysisOutcome& outcome, const Effect
   for (const auto& [name, effect] : effects) {
     const Finding* p = found.find(p_of(found, effect), effect);
     if (p == nullptr) continue;
-    for (const char* quantity : {"p", "p.GG", "p.HF"}) {
+    for (const QuantityName quantity : std::initializer_list<QuantityName>{"p", "p.GG", "p.HF"}) {
       if (const Finding* of_it = found.find(quantity, effect)) {
         outcome.tests_in_tables.insert(name_of(*of_it));
       }

@@ -26,7 +26,7 @@ inline constexpr EffectNames kEffectsOfStimuli{{{"condition", "condition"},
                                                 {"stimuli_by_condition", "condition:stimulus"}}};
 
 /// The quantity that is an effect's p: Greenhouse–Geisser-corrected, if the correction applies.
-const char* p_of(const FoundNumbers& found, const std::string& effect);
+QuantityName p_of(const FoundNumbers& found, const std::string& effect);
 
 void add_anova(const FoundNumbers& found, AnalysisOutcome& outcome,
                const EffectNames& effects = kEffects);

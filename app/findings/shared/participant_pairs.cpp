@@ -238,7 +238,7 @@ void PairComparisons::ask(PairScale scale, const std::string& target, const Stud
                           AnalysisOutcome& outcome) const {
   for (const Compared& one : compared_) {
     const FoundNumbers found(one.findings);
-    const auto of = [&found](const char* quantity, const std::string& key) {
+    const auto of = [&found](QuantityName quantity, const std::string& key) {
       const Finding* finding = found.find(quantity, key);
       return finding == nullptr ? std::nullopt : std::optional(*finding);
     };

@@ -83,10 +83,6 @@ Phrase most_often(const GreatestMean& most, std::size_t items) {
 
 std::string log_worth(double value) { return reading_signed(value, 2); }
 
-const char* scale_quantity(const Selection& selection) {
-  return selection.two_offered ? "bt.ability.sumzero.cluster" : "pl.logworth.sumzero.cluster";
-}
-
 /// The log worths of all items, in descending order; none where there is no scale.
 std::vector<std::pair<std::string, const Finding*>> worths_in_order(const Selection& selection,
                                                                     const FoundNumbers& scale) {
@@ -259,6 +255,11 @@ TargetChoosers target_choosers(const Selection& selection) {
 }
 
 }  // namespace
+
+QuantityName scale_quantity(const Selection& selection) {
+  return selection.two_offered ? QuantityName("bt.ability.sumzero.cluster")
+                               : "pl.logworth.sumzero.cluster";
+}
 
 void ask_preference(const Selection& selection, const FoundNumbers& choice,
                     const FoundNumbers& scale, const StudyTests& tests, AnalysisOutcome& outcome) {

@@ -17,6 +17,9 @@ inline constexpr TestClaim kClaimOfChosenItems{
     "The proportions of choices of the items were not significantly different in the groups %1 and "
     "%2"};
 
+/// The log worths of the items: of the Bradley–Terry model where trials offer two of them, otherwise of the Plackett–Luce model.
+QuantityName scale_quantity(const Selection& selection);
+
 /// Which rendering is the most realistic: by the participants' proportions where every trial offers
 /// every item, otherwise by the scale.
 void ask_preference(const Selection& selection, const FoundNumbers& choice,

@@ -102,7 +102,7 @@ void add_groups(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
       // A ratio is in the answer and the tests: its axis would not be that of a difference.
       const bool is_ratio = found.find("values.ratio") != nullptr;
       choice = {.means = "values.mean",
-                .difference = is_ratio ? "" : "values.shift",
+                .difference = is_ratio ? QuantityName() : "values.shift",
                 .axis = is_ratio ? phrase("Figures",
                                           "geometric mean of the participants with its %1 % CI")
                                  : phrase("Figures", "mean of the participants with its %1 % CI"),
@@ -174,7 +174,7 @@ void add_ratings(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
   const std::vector<Finding> components = part_of(outcome.findings, "components");
   const bool has_second =
       std::any_of(components.begin(), components.end(), [](const Finding& finding) {
-        return finding.quantity == "loading" && finding.key.ends_with("|C2");
+        return is(finding, "loading") && finding.key.ends_with("|C2");
       });
   if (!has_second) return;  // too few items for the loadings of two components
   figures.push_back(biplot_figure(FoundNumbers(components)));

@@ -38,6 +38,7 @@ struct TidyInput {
 ///    `key` are the fixed names on which scripts depend, parts of a key joined by `|`; `n` counts
 ///    independent units (participants, where there are any), `method` states what was computed in
 ///    words; the main estimate has its interval as well. Word and status where there is no number.
+///    A quantity that anything reads by name is added to quantity_name.h.
 /// 3. Its declaration below, its line in the table of tidy_families.cpp, its file in CMakeLists.txt.
 /// 4. Cases of our own in tests/analysis/reference/NAME_NN/: gen.R, case.json, tables, expected.csv.
 ///    tests/app/reference_cases_test.cpp runs all cases that it finds there.

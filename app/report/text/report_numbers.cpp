@@ -11,6 +11,7 @@
 #include "analysis/numbers/number_text.h"
 #include "app/findings/outcome/reading_number.h"
 #include "app/findings/shared/group_equivalence.h"
+#include "app/findings/tidy/quantity_name.h"
 
 namespace asperity {
 
@@ -25,9 +26,9 @@ struct NumberWords {
 
 /// By quantity. Others are in a table, are the limits of an interval, are lists, or require more
 /// words than a row has.
-const std::map<std::string, NumberWords>& known_numbers() {
+const std::map<QuantityName, NumberWords, std::less<>>& known_numbers() {
   using enum PrintedForm;
-  static const std::map<std::string, NumberWords> kKnown{
+  static const std::map<QuantityName, NumberWords, std::less<>> kKnown{
       {"balanced.pc", {"proportion correct, mean over the textures", share}},
       {"cochran.n.complete", {"participants with a response to every texture", count}},
       {"cohen.d", {"Cohen’s d of the participants’ proportions", number}},
@@ -98,24 +99,24 @@ const std::map<std::string, NumberWords>& known_numbers() {
 
 /// Alternatives of a test that is also listed.
 bool is_another_form(const std::string& quantity) {
-  static const std::set<std::string> kAlternatives{"G.p",
-                                                   "exact.midp.greater",
-                                                   "exact.p.greater",
-                                                   "exact.p.less",
-                                                   "fisher.p.greater",
-                                                   "fisher.p.less",
-                                                   "glmm.p",
-                                                   "mauchly.p.car",
-                                                   "mauchly.p.firstorder",
-                                                   "mixed.lr.group.p",
-                                                   "multinom.exact.p",
-                                                   "tost.p.lower",
-                                                   "tost.p.upper",
-                                                   "p.lower",
-                                                   "pairwise.binom.p.two",
-                                                   "perfect.p.greater",
-                                                   "texture.p.greater",
-                                                   "values.welch.p.two"};
+  static const std::set<QuantityName, std::less<>> kAlternatives{"G.p",
+                                                                 "exact.midp.greater",
+                                                                 "exact.p.greater",
+                                                                 "exact.p.less",
+                                                                 "fisher.p.greater",
+                                                                 "fisher.p.less",
+                                                                 "glmm.p",
+                                                                 "mauchly.p.car",
+                                                                 "mauchly.p.firstorder",
+                                                                 "mixed.lr.group.p",
+                                                                 "multinom.exact.p",
+                                                                 "tost.p.lower",
+                                                                 "tost.p.upper",
+                                                                 "p.lower",
+                                                                 "pairwise.binom.p.two",
+                                                                 "perfect.p.greater",
+                                                                 "texture.p.greater",
+                                                                 "values.welch.p.two"};
   return kAlternatives.contains(quantity);
 }
 

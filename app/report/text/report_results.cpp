@@ -23,6 +23,7 @@
 #include "app/findings/shared/exploration.h"
 #include "app/findings/shared/exploration_model.h"
 #include "app/findings/tidy/finding_list.h"
+#include "app/findings/tidy/quantity_name.h"
 #include "app/report/text/report_numbers.h"
 #include "app/report/text/report_sections.h"
 #include "app/report/text/report_tests.h"
@@ -144,7 +145,11 @@ ReportTable report_table(const ResultTable& result) {
 
 /// The subject of a finding that can lack a number; its name as text where there is no other.
 std::string words_of_unanswered(const std::string& quantity) {
-  static const std::map<std::string, std::string> kWords{
+  struct Words {
+    QuantityName name{};
+    const char* words = "";
+  };
+  static constexpr Words kWords[]{
       {"auc", "the area under the ROC"},
       {"bt.cluster.status", "the CIs of the preference scale"},
       {"bt.firth.status", "the preference scale with Firth’s correction"},
@@ -215,7 +220,9 @@ std::string words_of_unanswered(const std::string& quantity) {
       {"uv.mu", "the normal model of the ROC with unequal variances"},
       {"weber", "the Weber fraction"},
       {"welch.t", "Welch’s test"}};
-  if (const auto known = kWords.find(quantity); known != kWords.end()) return known->second;
+  for (const auto& [name, words] : kWords) {
+    if (name == quantity) return words;
+  }
   if (const TestMethod* method = test_method(quantity)) return "the " + method->name.english();
   return words_of_number(quantity);
 }
@@ -284,8 +291,8 @@ std::string words_of_level_key(const Finding& finding, std::span<const ResultTab
 /// "the test of the mean proportion of height_map", or empty for an intermediate result.
 std::string subject_of(const Finding& finding, std::span<const ResultTable> tables) {
   std::string words =
-      finding.quantity == "status" ? words_of_analysis_without_numbers(finding.analysis)
-      : finding.quantity == "icc" && finding.analysis == "agreement"
+      is(finding, "status") ? words_of_analysis_without_numbers(finding.analysis)
+      : is(finding, "icc") && finding.analysis == "agreement"
           ? "the agreement of the participants (ICC)"
           : with_modelled_times(words_of_unanswered(finding.quantity), finding.analysis);
   if (words.empty()) return {};
@@ -294,14 +301,14 @@ std::string subject_of(const Finding& finding, std::span<const ResultTable> tabl
   const std::string about = is_place   ? "position " + finding.key
                             : is_level ? words_of_level_key(finding, tables)
                                        : words_of_key(finding.key);
-  const bool says_whole = finding.quantity == "bt.order.status";
+  const bool says_whole = is(finding, "bt.order.status");
   return about.empty() || says_whole ? words : words + " of " + about;
 }
 
 /// Whether a remark reports it: rows were omitted or averaged, and no number is missing.
 bool is_said_in_remarks(const Finding& finding) {
-  return finding.quantity == "replicates" || finding.quantity == "subjects.incomplete" ||
-         finding.quantity == "subjects.dropped";
+  return is(finding, "replicates") || is(finding, "subjects.incomplete") ||
+         is(finding, "subjects.dropped");
 }
 
 /// The numbers that the analysis could not compute, one sentence for each reason.

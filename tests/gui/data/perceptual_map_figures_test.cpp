@@ -14,8 +14,8 @@
 #include "app/figures/axis_ticks.h"
 #include "app/figures/figure_files.h"
 #include "app/findings/outcome/figure.h"
-#include "app/findings/study/figures_of.h"
 #include "app/findings/outcome/found_numbers.h"
+#include "app/findings/study/figures_of.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/gui/data/drawn_case.h"
 #include "tests/gui/data/drawn_svg.h"
@@ -38,7 +38,7 @@ class PerceptualMap : public testing::Test {
     if (found == figures_.end()) throw std::runtime_error("no figure " + name);
     return *found;
   }
-  double number(const std::string& quantity, const std::string& key) const {
+  double number(QuantityName quantity, const std::string& key) const {
     return FoundNumbers(findings_).value(quantity, key).value();
   }
 

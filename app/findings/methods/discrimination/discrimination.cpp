@@ -27,7 +27,7 @@ namespace {
 
 constexpr const char* kFirst = "comparison_first";
 constexpr const char* kSecond = "comparison_second";
-constexpr const char* kWilcoxonP = "wilcoxon.exact.p.two";
+constexpr QuantityName kWilcoxonP = "wilcoxon.exact.p.two";
 
 /// The keys of findings of a task begin with its name where there are several.
 std::vector<Finding> scores_compared(const std::string& analysis, ScoreRows scores,
@@ -132,8 +132,7 @@ struct ConditionScores {
 };
 
 ConditionScores scores_of_conditions(const GatheredAnswers& gathered,
-                                     const DiscriminationResults& results,
-                                     const std::string& quantity) {
+                                     const DiscriminationResults& results, QuantityName quantity) {
   const FoundNumbers found(results.fit.thresholds);
   ConditionScores scores{.rows = ScoreRows(gathered)};
   std::vector<std::size_t> numbers(gathered.people.size());
@@ -151,9 +150,9 @@ ConditionScores scores_of_conditions(const GatheredAnswers& gathered,
 void test_conditions(const GatheredAnswers& gathered, const DiscriminationResults& results,
                      StudyTests& tests, AnalysisOutcome& outcome) {
   if (results.conditions.size() < 2) return;
-  std::vector<std::pair<std::string, std::string>> measures{
+  std::vector<std::pair<QuantityName, std::string>> measures{
       {results.quantity_of_threshold(), results.name_of_threshold()}};
-  if (!results.study.task.is_performance) measures.emplace_back("pse", "PSE");
+  if (!results.study.task.is_performance) measures.emplace_back(QuantityName("pse"), "PSE");
   for (const auto& [quantity, shown] : measures) {
     const std::string about = with_task(shown, results.name);
     ConditionScores scores = scores_of_conditions(gathered, results, quantity);
@@ -165,7 +164,7 @@ void test_conditions(const GatheredAnswers& gathered, const DiscriminationResult
                              : "conditions_between_participants");
       continue;
     }
-    std::string analysis = "conditions_" + quantity;
+    std::string analysis = "conditions_" + std::string(quantity);
     if (!results.name.empty()) analysis += ':' + results.name;
     const std::vector<Finding> findings =
         scores_compared(analysis, std::move(scores.rows), results.conditions);
@@ -175,9 +174,9 @@ void test_conditions(const GatheredAnswers& gathered, const DiscriminationResult
     if (is_pair) {
       tests.add("conditions", about, found, kWilcoxonP,
                 both(results.conditions[0], results.conditions[1]));
-      tests.state_effect(
-          FoundNumbers(results.compared)
-              .find("ratio." + quantity, both(results.conditions[1], results.conditions[0])));
+      tests.state_effect(FoundNumbers(results.compared)
+                             .find(results.ratio_of_threshold(),
+                                   both(results.conditions[1], results.conditions[0])));
     } else {
       tests.add("conditions", about, found, "friedman.p");
     }
@@ -387,7 +386,7 @@ void analyze_responses(const GatheredAnswers& gathered, AnalysisOutcome& outcome
       const std::string& quantity = finding.quantity;
       return finding.status == "ok" &&
              (quantity.starts_with("fit.") || quantity.starts_with("deviance") ||
-              quantity == "bound.beta" || quantity == "loglik");
+              is(finding, "bound.beta") || is(finding, "loglik"));
     });
     keep_findings(results.means, outcome);
     keep_findings(results.compared, outcome);

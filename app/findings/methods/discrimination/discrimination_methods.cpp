@@ -59,7 +59,7 @@ UnforcedParticipants unforced_participants(const AnalysisOutcome& outcome) {
   }
   UnforcedParticipants found{.has_unforced = !with_responses.empty()};
   for (const Finding& finding : outcome.findings) {
-    if (finding.analysis != kThresholds || finding.quantity != "standard") continue;
+    if (finding.analysis != kThresholds || !is(finding, "standard")) continue;
     found.has_forced = found.has_forced || !with_responses.contains(finding.key);
   }
   return found;

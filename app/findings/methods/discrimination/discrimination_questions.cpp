@@ -25,8 +25,8 @@ namespace asperity {
 namespace {
 
 /// "wood: 12.3 µm (95 % CI …); metal: at most 14 µm", without a name where there is one condition. Empty without a number.
-Phrase mean_thresholds_text(const DiscriminationResults& results, const std::string& quantity,
-                            const std::string& fraction) {
+Phrase mean_thresholds_text(const DiscriminationResults& results, QuantityName quantity,
+                            QuantityName fraction) {
   const FoundNumbers found(results.means);
   Phrase all{};
   for (const std::string& condition : results.conditions) {
@@ -49,26 +49,25 @@ Phrase mean_thresholds_text(const DiscriminationResults& results, const std::str
 }
 
 /// Whether the mean of a condition is neither an upper nor a lower bound, and therefore not reported.
-bool has_no_bound(const DiscriminationResults& results, const std::string& quantity) {
+bool has_no_bound(const DiscriminationResults& results, QuantityName quantity) {
   return std::any_of(results.means.begin(), results.means.end(),
-                     [&](const Finding& mean) { return mean.quantity == quantity && !mean.value; });
+                     [&](const Finding& mean) { return is(mean, quantity) && !mean.value; });
 }
 
 /// "wood: 12.3 µm; metal: 14 µm; ratio metal / wood: 1.14 (95 % CI …)", over the participants with all conditions.
 Phrase compared_thresholds_text(const DiscriminationResults& results) {
   const FoundNumbers found(results.compared);
-  const std::string quantity = results.quantity_of_threshold();
   Phrase all{};
   const auto add = [&all](const Phrase& one) {
     all = all.empty() ? one : phrase("Analysis", "%1; %2").with(all, one);
   };
   for (const std::string& condition : results.conditions) {
-    const Finding* const mean = found.find("geomean." + quantity, condition);
+    const Finding* const mean = found.find(results.mean_of_threshold(), condition);
     if (mean == nullptr) continue;
     add(phrase("Analysis", "%1: %2")
             .with(words_of_condition(condition), quantity_with_interval(*mean)));
   }
-  for (const Finding* const ratio : found.all("ratio." + quantity)) {
+  for (const Finding* const ratio : found.all(results.ratio_of_threshold())) {
     add(phrase("Analysis", "ratio %1 / %2: %3")
             .with(words_of_condition(results.conditions[1]),
                   words_of_condition(results.conditions[0]), quantity_with_interval(*ratio)));
@@ -117,7 +116,7 @@ bool has_too_few_differences(const StudyTest& test) {
   return test.status == StudyTests::kOneDifference || test.status == StudyTests::kNoDifference;
 }
 
-const Finding* first_mean(const DiscriminationResults& results, const std::string& quantity,
+const Finding* first_mean(const DiscriminationResults& results, QuantityName quantity,
                           const FoundNumbers& found) {
   for (const std::string& condition : results.conditions) {
     const Finding* const mean = found.find(quantity, condition);
@@ -180,7 +179,7 @@ void ask_thresholds(const DiscriminationResults& results, AnalysisOutcome& outco
                     : phrase("Analysis", "How large is the just-noticeable difference of the %1?"))
           .with(parameter);
   const FoundNumbers found(results.means);
-  const std::string quantity = "geomean." + results.quantity_of_threshold();
+  const QuantityName quantity = results.mean_of_threshold();
   const Phrase means = mean_thresholds_text(results, quantity, "geomean.weber");
   Phrase answer =
       means.empty() && has_no_bound(results, quantity)
@@ -276,9 +275,8 @@ void ask_conditions(const DiscriminationResults& results, const StudyTests& test
                    "condition.");
   const std::string name = results.name_of_question("conditions");
   const FoundNumbers found(results.compared);
-  const std::vector<const Finding*> ratios = found.all("ratio." + results.quantity_of_threshold());
-  const Finding* const mean =
-      first_mean(results, "geomean." + results.quantity_of_threshold(), found);
+  const std::vector<const Finding*> ratios = found.all(results.ratio_of_threshold());
+  const Finding* const mean = first_mean(results, results.mean_of_threshold(), found);
   const Finding* const shown = ratios.empty() ? mean : ratios.front();
   const std::size_t complete = mean == nullptr ? 0 : mean->n;
   if (test != nullptr && has_too_few_differences(*test)) {

@@ -144,8 +144,7 @@ void add_mean_rows(const DiscriminationResults& results, ResultTable& table) {
       if (mean == nullptr) continue;
       const LeftOutThresholds left_out = left_out_of_mean(results.fit.thresholds, *mean);
       const std::string status = code_of(left_out.mean());
-      const std::string geometric = column.geometric_mean == nullptr ? "" : column.geometric_mean;
-      const Finding* const of_logarithms = means.find(geometric, condition);
+      const Finding* const of_logarithms = means.find(column.geometric_mean, condition);
       table.add({condition, column.column.id, count_cell(mean->n),
                  quantity_cell(mean->value, mean->unit),
                  interval_cell(mean->low, mean->high, mean->unit), mean->unit,

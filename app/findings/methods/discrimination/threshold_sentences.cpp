@@ -70,8 +70,8 @@ std::set<std::string> conditions_of_detections(const std::vector<Finding>& findi
   std::set<std::string> of_zero{};
   for (const Finding& finding : findings) {
     if (finding.analysis != kThresholds) continue;
-    if (finding.quantity == "jnd.dprime1") of_performance.insert(finding.key);
-    if (finding.quantity == "standard" && finding.value == 0.0) of_zero.insert(finding.key);
+    if (is(finding, "jnd.dprime1")) of_performance.insert(finding.key);
+    if (is(finding, "standard") && finding.value == 0.0) of_zero.insert(finding.key);
   }
   std::set<std::string> conditions{};
   for (const std::string& key : of_zero) {
@@ -93,13 +93,13 @@ std::set<std::string> conditions_at_unit_sensitivity(const FoundNumbers& means) 
 std::vector<Finding> thresholds_at_unit_sensitivity(const std::vector<Finding>& findings) {
   std::set<std::string> with_proportion{};
   for (const Finding& finding : findings) {
-    if (finding.analysis == kThresholds && finding.quantity == "jnd") {
+    if (finding.analysis == kThresholds && is(finding, "jnd")) {
       with_proportion.insert(finding.key);
     }
   }
   std::vector<Finding> thresholds{};
   for (const Finding& finding : findings) {
-    if (finding.analysis == kThresholds && finding.quantity == "jnd.dprime1" &&
+    if (finding.analysis == kThresholds && is(finding, "jnd.dprime1") &&
         !with_proportion.contains(finding.key)) {
       thresholds.push_back(finding);
     }
@@ -108,7 +108,7 @@ std::vector<Finding> thresholds_at_unit_sensitivity(const std::vector<Finding>& 
 }
 
 /// " No JND was estimated for one of 6 participants (responses do not depend on the level as expected)."
-std::string missing_sentences(const std::vector<Finding>& findings, const std::string& quantity,
+std::string missing_sentences(const std::vector<Finding>& findings, QuantityName quantity,
                               const std::string& measure) {
   struct Missing {
     std::size_t participants = 0;
@@ -117,7 +117,7 @@ std::string missing_sentences(const std::vector<Finding>& findings, const std::s
   };
   std::map<std::string, Missing> conditions{};
   for (const Finding& finding : findings) {
-    if (finding.analysis != kThresholds || finding.quantity != quantity) continue;
+    if (finding.analysis != kThresholds || !is(finding, quantity)) continue;
     const std::size_t bar = finding.key.find('|');
     Missing& missing = conditions[bar == std::string::npos ? "all" : finding.key.substr(bar + 1)];
     ++missing.of;
@@ -158,8 +158,8 @@ EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {
   const FoundNumbers found(means);
   std::vector<std::string> conditions{};
   const std::set<std::string> at_unit = conditions_at_unit_sensitivity(FoundNumbers(all_means));
-  for (const char* const quantity :
-       {"mean.pse", "geomean.jnd", "geomean.jnd.dprime1", "geomean.jnd.posterior"}) {
+  for (const QuantityName quantity : std::initializer_list<QuantityName>{
+           "mean.pse", "geomean.jnd", "geomean.jnd.dprime1", "geomean.jnd.posterior"}) {
     for (const Finding* const mean : found.all(quantity)) {
       if (std::find(conditions.begin(), conditions.end(), mean->key) == conditions.end()) {
         conditions.push_back(mean->key);
@@ -169,7 +169,7 @@ EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {
   for (const std::string& condition : conditions) {
     std::vector<const Finding*> shown{};
     std::vector<std::string> parts{};
-    const auto add = [&](const char* quantity, const char* measure) {
+    const auto add = [&](QuantityName quantity, const char* measure) {
       const Finding* const mean = found.find(quantity, condition);
       if (mean == nullptr) return;
       shown.push_back(mean);

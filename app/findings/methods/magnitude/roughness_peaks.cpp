@@ -68,7 +68,7 @@ void add_peaks(const std::vector<std::string>& conditions, const std::vector<std
     const std::string status = peak_status(found, condition, spacings);
     if (status.empty()) continue;
     const bool is_reported = status != kTooFew && status != kNoInterior;
-    const auto reported = [&](const char* quantity) {
+    const auto reported = [&](QuantityName quantity) {
       return is_reported ? found.value(quantity, condition) : std::nullopt;
     };
     peaks.add({condition, status == "ok" ? ResultCell{} : ResultCell{status},
@@ -194,7 +194,8 @@ void ask_peak_ratios(const FoundNumbers& found, const StudyTests& tests, Analysi
 
 void ask_types(const std::vector<std::string>& conditions, const FoundNumbers& found,
                AnalysisOutcome& outcome) {
-  constexpr std::array kTypes{"curve.descending", "curve.inverted_u", "curve.other"};
+  constexpr std::array<QuantityName, 3> kTypes{"curve.descending", "curve.inverted_u",
+                                               "curve.other"};
   std::array<double, 3> counts{};
   for (const std::string& condition : conditions) {
     for (std::size_t i = 0; i < kTypes.size(); ++i) {

@@ -77,7 +77,7 @@ void add_matching_tests(const std::vector<MatchedTrial>& assignments,
 std::set<std::string> felt_in(std::span<const Finding> findings) {
   std::set<std::string> felt{};
   for (const Finding& finding : findings) {
-    if (finding.quantity == "texture.prop") felt.insert(finding.key);
+    if (is(finding, "texture.prop")) felt.insert(finding.key);
   }
   return felt;
 }
@@ -160,7 +160,7 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   ask_items(fewest, equal_size, found, tests, outcome);
   ask_whole(found, tests, outcome);
   ask_confused_pairs(outcome, gathered.people.size(), outcome);
-  const auto in_shares = [&](const char* quantity, const char* key) {
+  const auto in_shares = [&](QuantityName quantity, const char* key) {
     return in_units(found.find(quantity, key), equal_size ? static_cast<double>(items) : 1.0);
   };
   const ParticipantPair sexes = women_and_men(gathered);

@@ -59,7 +59,7 @@ void add_item_row(const GatheredAnswers& gathered, const std::string& column,
       analysis_of("matching", "matching", matched_trials_table(gathered, assignments, "totals"));
   const FoundNumbers found(numbers);
   const std::size_t items = *sizes.begin();
-  const auto share = [&](const char* quantity) {
+  const auto share = [&](QuantityName quantity) {
     return found.value(quantity).value_or(0.0) / static_cast<double>(of);
   };
   const double p = found.value("relabel.p.greater").value_or(1.0);

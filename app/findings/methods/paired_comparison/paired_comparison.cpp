@@ -37,7 +37,7 @@ constexpr const char* kScale = "scale";
 constexpr const char* kModel = "paired_model";
 constexpr const char* kConsistency = "consistency";
 /// The quantity of the scale.
-constexpr const char* kLogWorth = "bt.ability.sumzero.cluster";
+constexpr QuantityName kLogWorth = "bt.ability.sumzero.cluster";
 
 /// How often a participant compared two items, and the choices of the first and the second.
 struct PairCount {
@@ -301,18 +301,23 @@ void add_model(const PairedStudy& study, const FoundNumbers& found, AnalysisOutc
                     note};
   struct Row {
     const char* shown;
-    const char* quantity;
+    QuantityName quantity;
+    QuantityName likelihood_ratio;
+    QuantityName df;
+    QuantityName p;
   };
-  for (const auto& [shown, quantity_of_row] :
-       {Row{"order_effect", "model.order"}, Row{"log_tie", "model.tie"},
-        Row{"equal_items", "model.equal"}, Row{"goodness_of_fit", "model.fit"}}) {
-    const std::string quantity = quantity_of_row;
-    if (found.find(quantity) == nullptr && found.find(quantity + ".lr") == nullptr) continue;
+  for (const Row& row :
+       {Row{"order_effect", "model.order", "model.order.lr", "model.order.df", "model.order.p"},
+        Row{"log_tie", "model.tie", "", "", ""},
+        Row{"equal_items", "", "model.equal.lr", "model.equal.df", "model.equal.p"},
+        Row{"goodness_of_fit", "", "model.fit.lr", "model.fit.df", "model.fit.p"}}) {
+    if (found.find(row.quantity) == nullptr && found.find(row.likelihood_ratio) == nullptr) {
+      continue;
+    }
     // Two items always lie on one scale.
-    if (quantity == "model.fit" && study.choices.items.size() < 3) continue;
-    model.add({std::string(shown), found.cell(quantity), found.interval(quantity),
-               found.cell(quantity + ".lr"), found.count(quantity + ".df"),
-               found.cell(quantity + ".p")});
+    if (row.p == QuantityName("model.fit.p") && study.choices.items.size() < 3) continue;
+    model.add({std::string(row.shown), found.cell(row.quantity), found.interval(row.quantity),
+               found.cell(row.likelihood_ratio), found.count(row.df), found.cell(row.p)});
   }
   outcome.tables.push_back(std::move(model));
 }
@@ -604,7 +609,7 @@ void analyze_paired_comparison(const GatheredAnswers& gathered, AnalysisOutcome&
   PairScores scores = pair_scores_of(study);
   std::vector<Finding> of_scores = analysis_of(kScores, "rating", std::move(scores.input));
   for (Finding& finding : of_scores) {
-    if (finding.quantity == "mean.score") limit_to_proportions(finding, scores.trials);
+    if (is(finding, "mean.score")) limit_to_proportions(finding, scores.trials);
   }
   const FoundNumbers found_scores(of_scores);
   if (add_preference_test(study, scores, found_scores, tests)) {

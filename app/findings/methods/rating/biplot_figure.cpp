@@ -24,7 +24,7 @@ struct PlacedName {
 };
 
 /// Scores or loadings on the first two components.
-std::vector<PlacedName> places_in_plane(const FoundNumbers& found, const std::string& quantity) {
+std::vector<PlacedName> places_in_plane(const FoundNumbers& found, QuantityName quantity) {
   const std::string of_first = std::string("|") + kFirstComponent;
   std::vector<PlacedName> places{};
   for (const Finding* one : found.all(quantity)) {

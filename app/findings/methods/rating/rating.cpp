@@ -294,7 +294,7 @@ void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
     add_agreement(scale, FoundNumbers(correlations), agreement);
     // The family's α is ICC3k with the raters as test items; that of a construct is of its scales (add_constructs).
     keep_findings(correlations, outcome,
-                  [](const Finding& one) { return one.quantity != "cronbach.alpha"; });
+                  [](const Finding& one) { return !is(one, "cronbach.alpha"); });
     all.emplace_back(&scale, std::move(findings));
   }
   const bool has_ratings = !ratings.rows.empty();

@@ -139,8 +139,8 @@ void add_rating_components(const GatheredAnswers& gathered, const std::vector<Ra
   std::vector<Finding> findings =
       analysis_of(kComponents, "components", profiles_of(gathered, scales, items));
   std::erase_if(findings, [loaded](const Finding& finding) {
-    const bool is_of_items = finding.quantity == "loading" ||
-                             finding.quantity == "loading.corrected" || finding.quantity == "score";
+    const bool is_of_items =
+        is(finding, "loading") || is(finding, "loading.corrected") || is(finding, "score");
     return is_of_items && component_number(component_in(finding.key)) > loaded;
   });
   const FoundNumbers found(findings);
@@ -169,12 +169,12 @@ void add_rating_components(const GatheredAnswers& gathered, const std::vector<Ra
                        phrase("Analysis", "Loadings of the scales and scores of the items"),
                        {kLoadedQuantity, kName, kComponent, kValue, kCorrected},
                        note_on_loadings(items.size(), loaded, eigenvalues.size())};
-  for (const char* const quantity : {"loading", "score"}) {
+  for (const QuantityName quantity : std::initializer_list<QuantityName>{"loading", "score"}) {
     for (const Finding* const finding : found.all(quantity)) {
       const std::string corrected = std::string(quantity) + ".corrected";
       loadings.add({std::string(quantity), finding->key.substr(0, finding->key.rfind('|')),
                     component_in(finding->key), cell_of(finding->value),
-                    found.cell(corrected, finding->key)});
+                    found.cell(composed_quantity(corrected), finding->key)});
     }
   }
   outcome.tables.push_back(std::move(loadings));

@@ -22,7 +22,7 @@ namespace asperity {
 namespace {
 
 constexpr const char* kConstructs = "constructs";
-constexpr const char* kAlpha = "cronbach.alpha";
+constexpr QuantityName kAlpha = "cronbach.alpha";
 
 struct ConstructScores {
   std::vector<std::vector<std::optional<double>>> scores{};  ///< a row per participant and item

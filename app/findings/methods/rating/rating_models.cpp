@@ -75,15 +75,15 @@ void add_differences(const RatedScale& scale, const FoundNumbers& found, ResultT
 }
 
 bool is_of_differences(const Finding& finding) {
-  constexpr std::array<std::string_view, 10> kKept{"F",      "df1", "df2",       "p",      "p.GG",
-                                                   "eps.GG", "ges", "pair.diff", "status", "pes"};
+  constexpr std::array<QuantityName, 10> kKept{"F",      "df1", "df2",       "p",      "p.GG",
+                                               "eps.GG", "ges", "pair.diff", "status", "pes"};
   return std::find(kKept.begin(), kKept.end(), finding.quantity) != kKept.end();
 }
 
 /// Without the tests of the model, which assume the same effects of the items for all participants; with the reason why there
 /// is no fit.
 bool is_of_odds(const Finding& finding) {
-  if (finding.quantity == "lr.chisq") return !finding.value;
+  if (is(finding, "lr.chisq")) return !finding.value;
   return !finding.quantity.starts_with("lr.") && !finding.quantity.starts_with("wald.");
 }
 

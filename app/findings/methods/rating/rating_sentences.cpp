@@ -19,7 +19,7 @@ constexpr std::string_view kComponentAnalysis = "components";
 
 /// Those of a key that ends with `ending`.
 std::vector<const Finding*> numbers_ending(const AnalysisOutcome& outcome,
-                                           std::string_view analysis, std::string_view quantity,
+                                           std::string_view analysis, QuantityName quantity,
                                            std::string_view ending) {
   std::vector<const Finding*> found = numbers_among(outcome, analysis, quantity);
   std::erase_if(found, [ending](const Finding* one) { return !one->key.ends_with(ending); });

@@ -195,7 +195,8 @@ double chance_of_pictures(const RecognitionPictures& pictures) {
 /// `found`: of the family `recognition`, none where there is no common chance.
 void add_right_test(const GatheredAnswers& gathered, const RecognitionPictures& pictures,
                     const FoundNumbers& found, StudyTests& tests) {
-  const char* of_right = gathered.people.size() > 1 ? "subj.t.p.two" : "pc.p.greater";
+  const QuantityName of_right =
+      gathered.people.size() > 1 ? QuantityName("subj.t.p.two") : "pc.p.greater";
   tests.add("right", "", found, found.find(of_right) != nullptr ? of_right : "subj.t");
   if (pictures.always_the_same) tests.state_chance(chance_of_pictures(pictures));
 }

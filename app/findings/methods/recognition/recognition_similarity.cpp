@@ -30,11 +30,11 @@ bool is_about_similarity(const Finding& finding) {
 
 void withhold_fit(std::vector<Finding>& similarity) {
   const bool too_few = std::any_of(similarity.begin(), similarity.end(), [](const Finding& one) {
-    return one.quantity == "scm.too.few" && one.word == "TRUE";
+    return is(one, "scm.too.few") && one.word == "TRUE";
   });
   if (!too_few) return;
   for (Finding& one : similarity) {
-    if (one.quantity != "scm.p" && one.quantity != "scm.G2" && one.quantity != "scm.X2") continue;
+    if (!is(one, "scm.p") && !is(one, "scm.G2") && !is(one, "scm.X2")) continue;
     one.value.reset();
     one.word = "too_few_confusions";
     one.status = "at least half of the pairs were never confused: too few confusions for a fit";
@@ -45,7 +45,7 @@ void add_similarity_tables(const std::vector<std::string>& felt, const FoundNumb
                            AnalysisOutcome& outcome) {
   const Finding* too_few = found.find("scm.too.few");
   if (too_few != nullptr && too_few->word == "TRUE" && felt.size() > 1) {
-    const auto count = [&](const char* quantity) {
+    const auto count = [&](QuantityName quantity) {
       return fixed(found.value(quantity).value_or(0.0), 0);
     };
     outcome.remarks.push_back(

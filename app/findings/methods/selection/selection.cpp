@@ -149,7 +149,7 @@ void add_positions(const SelectionCounts& counts, AnalysisOutcome& outcome) {
 void add_scale_table(const Selection& selection, const FoundNumbers& found,
                      AnalysisOutcome& outcome) {
   const bool paired = selection.two_offered;
-  const char* log_worth = paired ? "bt.ability.sumzero.cluster" : "pl.logworth.sumzero.cluster";
+  const QuantityName log_worth = scale_quantity(selection);
   if (found.find(log_worth, selection.items.front()) == nullptr) {
     outcome.remarks.push_back(
         phrase("Analysis",
@@ -160,8 +160,8 @@ void add_scale_table(const Selection& selection, const FoundNumbers& found,
   }
   add_worth_scale(
       {.log_worth = log_worth,
-       .worth = paired ? "bt.worth" : "pl.worth",
-       .no_interval = paired ? "bt.cluster.status" : "pl.cluster.status",
+       .worth = paired ? QuantityName("bt.worth") : "pl.worth",
+       .no_interval = paired ? QuantityName("bt.cluster.status") : "pl.cluster.status",
        .title = phrase("Analysis", "The models on one scale"),
        .note =
            paired

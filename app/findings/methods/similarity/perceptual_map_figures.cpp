@@ -54,7 +54,7 @@ struct PlacedLabel {
 };
 
 /// The findings of a quantity with the keys "NAME|1" and "NAME|2".
-std::vector<PlacedLabel> labelled_places(const FoundNumbers& found, const std::string& quantity) {
+std::vector<PlacedLabel> labelled_places(const FoundNumbers& found, QuantityName quantity) {
   std::vector<PlacedLabel> places{};
   for (const Finding* const one : found.all(quantity)) {
     if (!one->value || !one->key.ends_with("|1")) continue;
@@ -198,7 +198,7 @@ Figure stress_figure(const FoundNumbers& found) {
                              .with(fixed(*chosen, 0))
                        : phrase("Figures", "Kruskal’s stress-1.");
   struct Scaling {
-    const char* quantity = "";
+    QuantityName quantity{};
     Phrase name{};
   };
   double highest = 0.0;

@@ -236,7 +236,8 @@ void add_raters_table(const GatheredAnswers& gathered, const FoundNumbers& found
       continue;
     ResultRow& row = raters.rows.emplace_back();
     row.emplace_back(person.label);
-    for (const char* const quantity : {"retest.r", "orders.r", "agreement.r", "indscal.fit"})
+    for (const QuantityName quantity :
+         std::initializer_list<QuantityName>{"retest.r", "orders.r", "agreement.r", "indscal.fit"})
       row.push_back(found.cell(quantity, person.label));
     for (std::size_t d = 1; d <= dimensions; ++d)
       row.push_back(found.cell("indscal.weight", person.label + '|' + std::to_string(d)));
@@ -305,8 +306,8 @@ void ask_about_configuration(const FoundNumbers& found, const StudyTests& tests,
              "its stress-1: ratings are permuted over the pairs within participants. The number of "
              "dimensions is chosen by cross-validation over participants.");
   const StudyTests::Test* const test = tests.find(kConfiguration);
-  const Finding* const stress = found.find(is_metric(found) ? "stress.ratio" : "stress.ordinal",
-                                           std::to_string(dimensions_in(found)));
+  const Finding* const stress =
+      found.find(stress_quantity(found), std::to_string(dimensions_in(found)));
   if (test == nullptr || !test->p || stress == nullptr || !stress->value) {
     const std::string reason = test == nullptr ? "no_responses" : test->status;
     add_question(outcome, kConfiguration, question,

@@ -61,9 +61,12 @@ bool is_metric(const FoundNumbers& found) {
   return level != nullptr && level->word == "ratio";
 }
 
+QuantityName stress_quantity(const FoundNumbers& found) {
+  return is_metric(found) ? QuantityName("stress.ratio") : "stress.ordinal";
+}
+
 std::optional<double> stress_of_configuration(const FoundNumbers& found) {
-  return found.value(is_metric(found) ? "stress.ratio" : "stress.ordinal",
-                     std::to_string(dimensions_in(found)));
+  return found.value(stress_quantity(found), std::to_string(dimensions_in(found)));
 }
 
 std::string stress_text(double stress) {

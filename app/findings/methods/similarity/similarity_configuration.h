@@ -20,6 +20,8 @@ std::size_t dimensions_in(const FoundNumbers& found);
 
 /// Whether the configuration is that of metric scaling, because the non-metric one is degenerate.
 bool is_metric(const FoundNumbers& found);
+/// Stress-1 of configurations with such a level of measurement, by the number of dimensions.
+QuantityName stress_quantity(const FoundNumbers& found);
 /// Stress-1 of the reported configuration; nothing without one.
 std::optional<double> stress_of_configuration(const FoundNumbers& found);
 

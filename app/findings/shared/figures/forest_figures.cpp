@@ -23,7 +23,7 @@ namespace asperity {
 namespace {
 
 /// The quantity of the findings for single participants.
-constexpr const char* kOwnShare = "subject.share";
+constexpr QuantityName kOwnShare = "subject.share";
 
 /// `kind`: rows of one kind have one style, and one name in the legend.
 struct ForestRow {
@@ -165,7 +165,7 @@ SinglesByCondition own_shares(const AnalysisOutcome& outcome,
                               const std::set<std::string>& analyses) {
   std::vector<const Finding*> own{};
   for (const Finding& finding : outcome.findings) {
-    if (finding.quantity == kOwnShare && analyses.contains(finding.analysis)) {
+    if (is(finding, kOwnShare) && analyses.contains(finding.analysis)) {
       own.push_back(&finding);
     }
   }
@@ -324,7 +324,7 @@ std::optional<double> one_chance(const ResultTable& table) {
 }
 
 /// Rows of the findings of `quantity`, labelled with the parts of their keys.
-std::vector<ForestRow> rows_of(const FoundNumbers& found, const std::string& quantity) {
+std::vector<ForestRow> rows_of(const FoundNumbers& found, QuantityName quantity) {
   std::vector<ForestRow> rows{};
   for (const Finding* finding : found.all(quantity)) {
     ForestRow row{.share = finding->value, .interval = interval_of(*finding)};
@@ -494,7 +494,7 @@ std::vector<Figure> seedpaper_forests(const FoundNumbers& found) {
         std::pair{std::string("t3"), phrase("Figures", "Textures recognised")}}) {
     Figure& figure = figures.emplace_back(
         Figure{.name = "table_" + table.substr(1), .title = title, .note = note});
-    add_rows(rows_of(found, table + ".prop"), {{}}, share_axis("95"), figure);
+    add_rows(rows_of(found, composed_quantity(table + ".prop")), {{}}, share_axis("95"), figure);
   }
   return figures;
 }

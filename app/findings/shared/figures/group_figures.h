@@ -14,9 +14,9 @@ namespace asperity {
 /// The means of two groups and their difference, a figure each. `axis`: contains a placeholder for
 /// the confidence, in percent.
 struct GroupChoice {
-  std::string means{};  ///< the findings, by quantity
-  std::string difference{};
-  std::string pooled_difference{};  ///< empty: none
+  QuantityName means{};
+  QuantityName difference{};
+  QuantityName pooled_difference{};  ///< empty: none
   Phrase axis{};
   bool are_shares = false;  ///< from 0 to 1
   std::string unit{};       ///< of the axis; empty for pure numbers

@@ -172,7 +172,7 @@ Figure contact_times_figure(const FoundNumbers& found) {
   const auto key_without_quantity = [&quantity](const Finding& finding) {
     return finding.key == quantity ? std::string() : finding.key.substr(quantity.size() + 1);
   };
-  const auto of_contact = [&](const char* name) {
+  const auto of_contact = [&](QuantityName name) {
     std::vector<Finding> of{};
     for (const Finding* one : found.all(name)) {
       const bool is_of_it = one->key == quantity || one->key.starts_with(quantity + '|');

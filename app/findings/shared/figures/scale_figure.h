@@ -12,11 +12,11 @@ namespace asperity {
 
 /// Items along a scale with intervals over participants, in descending order from the top.
 struct ScaleChoice {
-  std::string quantity{};
+  QuantityName quantity{};
   /// Used where there is no finding of `quantity`, without its intervals, which treat all
   /// judgements as independent; may be empty.
-  std::string otherwise{};
-  std::string status{};  ///< of the fit
+  QuantityName otherwise{};
+  QuantityName status{};  ///< of the fit
   Phrase title{};
 };
 Figure scale_figure(const std::string& name, const ScaleChoice& choice, const FoundNumbers& found);

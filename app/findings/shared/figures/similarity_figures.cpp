@@ -20,7 +20,7 @@ struct Distances {
 };
 
 /// Nothing where the distance of a pair is missing, or there are fewer than two items.
-std::optional<Distances> distances_of(const FoundNumbers& found, const std::string& quantity) {
+std::optional<Distances> distances_of(const FoundNumbers& found, QuantityName quantity) {
   Distances read{};
   const std::vector<const Finding*> pairs = found.all(quantity);
   const auto place = [&read](const std::string& name) {

@@ -12,7 +12,7 @@ namespace asperity {
 
 /// Which dissimilarities a dendrogram shows.
 struct TreeChoice {
-  std::string quantity{};  ///< the cophenetic dissimilarities
+  QuantityName quantity{};  ///< the cophenetic dissimilarities
   Phrase title{};
   Phrase note{};
   Phrase axis{};

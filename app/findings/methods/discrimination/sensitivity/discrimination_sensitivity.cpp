@@ -30,7 +30,7 @@ namespace {
 struct NamedDesign {
   std::string_view id{};
   const char* in_family = "";
-  const char* dprime = "";
+  QuantityName dprime{};
 };
 constexpr std::array kNamedDesigns{
     NamedDesign{"two_alternatives", "2afc", "dprime.loglinear"},
@@ -136,7 +136,7 @@ void add_level_rows(const GatheredAnswers& gathered, const DiscriminationResults
                     const std::vector<CountsAtLevel>& levels, const FoundNumbers& found,
                     ResultTable& table) {
   const DiscriminationTask& task = results.study.task;
-  const std::string dprime = named_design(*task.design).dprime;
+  const QuantityName dprime = named_design(*task.design).dprime;
   for (const CountsAtLevel& level : levels) {
     const std::string key = both(id_of(results, level), gathered.people[level.person].label);
     const std::string& unit = task.varied.unit;

@@ -25,7 +25,7 @@ void mark_bounds(const DiscriminationResults& results, const UnboundedAtLevels& 
   }
   drop_intervals(findings, [&by_id](const Finding& finding) -> std::optional<std::string> {
     const auto found = by_id.find(finding.key);
-    if (finding.quantity != "dprime.mean" || found == by_id.end()) return std::nullopt;
+    if (!is(finding, "dprime.mean") || found == by_id.end()) return std::nullopt;
     const UnboundedParticipants& of = found->second;
     const std::string bound = of.at_floor == 0     ? "a lower bound without an interval"
                               : of.at_ceiling == 0 ? "an upper bound without an interval"

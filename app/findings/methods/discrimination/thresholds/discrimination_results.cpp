@@ -38,8 +38,8 @@ std::vector<DiscriminationResults::Function> functions_of(
   return functions;
 }
 
-void add_geometric(const char* quantity, const std::string& key, const std::vector<double>& numbers,
-                   FindingList& list) {
+void add_geometric(QuantityName quantity, const std::string& key,
+                   const std::vector<double>& numbers, FindingList& list) {
   const bool are_positive =
       std::all_of(numbers.begin(), numbers.end(), [](double number) { return number > 0.0; });
   if (!are_positive) return;
@@ -61,7 +61,7 @@ std::string coverage_with_fixed_lapses() {
 }
 
 /// A word in place of a mean that would not be a bound.
-void add_no_mean(const char* quantity, const std::string& key, std::size_t n, FindingList& list) {
+void add_no_mean(QuantityName quantity, const std::string& key, std::size_t n, FindingList& list) {
   list.word(
       quantity, key, code_of(MeanOfThresholds::no_bound),
       "thresholds are missing that do not all lie on the same side of the presented levels, so "
@@ -88,7 +88,7 @@ std::optional<std::string> bound_text(const LeftOutThresholds& left_out) {
 
 /// The numbers of a threshold by participant, in the order of the conditions, of those with a number in every condition.
 std::vector<std::vector<double>> complete_thresholds(const DiscriminationResults& results,
-                                                     const std::string& quantity) {
+                                                     QuantityName quantity) {
   const FoundNumbers found(results.fit.thresholds);
   std::map<std::uint32_t, std::map<std::size_t, double>> by_person{};
   for (const auto& function : results.functions) {
@@ -107,7 +107,7 @@ std::vector<std::vector<double>> complete_thresholds(const DiscriminationResults
 
 /// The geometric mean of the ratios of the second condition to the first. Thresholds that are left out lie mostly in one
 /// condition, so that an interval from the other participants describes them only (docs/analysis.md).
-void add_ratio(const std::string& quantity, const std::string& key,
+void add_ratio(QuantityName quantity, const std::string& key,
                const std::vector<std::vector<double>>& complete, std::size_t missing,
                FindingList& list) {
   std::vector<double> ratios{};
@@ -132,8 +132,8 @@ void add_ratio(const std::string& quantity, const std::string& key,
 
 std::vector<Finding> compared_thresholds(const DiscriminationResults& results) {
   if (results.conditions.size() < 2) return {};
-  const std::string quantity = results.quantity_of_threshold();
-  const std::vector<std::vector<double>> complete = complete_thresholds(results, quantity);
+  const std::vector<std::vector<double>> complete =
+      complete_thresholds(results, results.quantity_of_threshold());
   if (complete.empty()) return {};
   FindingList list{};
   const std::string& unit = results.study.task.varied.unit;
@@ -141,14 +141,14 @@ std::vector<Finding> compared_thresholds(const DiscriminationResults& results) {
     std::vector<double> numbers{};
     for (const auto& own : complete) numbers.push_back(own[condition]);
     list.number(
-        "geomean." + quantity, results.conditions[condition], geometric_mean(numbers).mean,
+        results.mean_of_threshold(), results.conditions[condition], geometric_mean(numbers).mean,
         {.n = complete.size(),
          .method = "geometric mean over the participants with a threshold in every condition",
          .unit = unit.empty() ? "1" : unit});
   }
   if (results.conditions.size() == 2) {
-    add_ratio("ratio." + quantity, both(results.conditions[1], results.conditions[0]), complete,
-              results.participants_in_all_conditions() - complete.size(), list);
+    add_ratio(results.ratio_of_threshold(), both(results.conditions[1], results.conditions[0]),
+              complete, results.participants_in_all_conditions() - complete.size(), list);
   }
   std::vector<Finding> findings = list.take();
   for (Finding& finding : findings) finding.analysis = kComparedThresholds;
@@ -176,21 +176,20 @@ std::vector<Finding> means_of(const DiscriminationResults& results) {
       FindingList list{};
       if (left_out.mean() == MeanOfThresholds::no_bound) {
         add_no_mean(column.mean, name, numbers.size(), list);
-        if (column.geometric_mean != nullptr) {
+        if (!column.geometric_mean.empty()) {
           add_no_mean(column.geometric_mean, name, numbers.size(), list);
         }
       } else {
         add_mean_of_group(column.mean, name, numbers,
                           {.of = "mean over the participants with such a threshold"}, list);
-        if (column.geometric_mean != nullptr) {
+        if (!column.geometric_mean.empty()) {
           add_geometric(column.geometric_mean, name, numbers, list);
         }
       }
       std::vector<Finding> of_condition = list.take();
       drop_intervals(of_condition, [&left_out](const Finding&) { return bound_text(left_out); });
       for (Finding& finding : of_condition) {
-        if (finding.quantity == "geomean.jnd" && finding.low &&
-            !results.study.task.is_performance) {
+        if (is(finding, "geomean.jnd") && finding.low && !results.study.task.is_performance) {
           finding.method += coverage_with_fixed_lapses();
         }
         finding.unit = unit;

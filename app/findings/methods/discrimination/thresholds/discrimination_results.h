@@ -13,6 +13,7 @@
 #include "app/findings/methods/discrimination/thresholds/discrimination_thresholds.h"
 #include "app/findings/methods/discrimination/thresholds/threshold_columns.h"
 #include "app/findings/outcome/analysis_outcome.h"
+#include "app/findings/tidy/quantity_name.h"
 
 namespace asperity {
 
@@ -103,8 +104,15 @@ struct DiscriminationResults {
   }
 
   /// The quantity of the threshold that answers, tests and texts state.
-  std::string quantity_of_threshold() const {
-    return study.task.design->has_noise() ? "jnd.dprime1" : "jnd";
+  QuantityName quantity_of_threshold() const {
+    return study.task.design->has_noise() ? QuantityName("jnd.dprime1") : "jnd";
+  }
+  /// Its geometric mean, and the ratio of those of two conditions.
+  QuantityName mean_of_threshold() const {
+    return study.task.design->has_noise() ? QuantityName("geomean.jnd.dprime1") : "geomean.jnd";
+  }
+  QuantityName ratio_of_threshold() const {
+    return study.task.design->has_noise() ? QuantityName("ratio.jnd.dprime1") : "ratio.jnd";
   }
 
   /// "PSE", "JND", "detection threshold".

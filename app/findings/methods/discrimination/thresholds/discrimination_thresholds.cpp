@@ -30,7 +30,8 @@ namespace asperity {
 namespace {
 
 constexpr const char* kFunctions = "psychometric";
-constexpr const char* kSlope = "slope";
+constexpr QuantityName kSlope = "slope";
+constexpr QuantityName kJnd = "jnd";
 constexpr double kThresholdConfidence = 0.95;
 constexpr double kNormalQuantile = 1.959963984540054;  // of 97.5 %
 constexpr double kQuartileOfNormal = 0.6744897501960817;
@@ -75,23 +76,23 @@ class ThresholdList final {
     return x > highest_ ? threshold_above_levels() : threshold_below_levels();
   }
 
-  void none(const char* quantity, const WhyNoThreshold& why) {
+  void none(QuantityName quantity, const WhyNoThreshold& why) {
     list_.word(quantity, key_, why.word, why.sentence.english(), basis("", ""));
     const bool is_known =
         std::find(reasons_.begin(), reasons_.end(), why.sentence) != reasons_.end();
-    if (!is_known && std::string_view(quantity) != kSlope) {
+    if (!is_known && quantity != kSlope) {
       reasons_.push_back(why.sentence);
     }
   }
 
-  void number(const char* quantity, double value, Basis basis) {
+  void number(QuantityName quantity, double value, Basis basis) {
     list_.number(quantity, key_, value, std::move(basis));
   }
 
   /// The just-noticeable difference and, with a standard, the Weber fraction.
-  void difference(const char* quantity, double value, const Basis& estimate) {
+  void difference(QuantityName quantity, double value, const Basis& estimate) {
     number(quantity, value, estimate);
-    if (std::string(quantity) != "jnd" || task_.standard() == 0.0) return;
+    if (quantity != kJnd || task_.standard() == 0.0) return;
     const double standard = std::abs(task_.standard());
     Basis fraction = basis_in_standards(estimate, standard);
     fraction.method = "just-noticeable difference divided by the standard; " + estimate.method;
@@ -189,17 +190,17 @@ bool has_prior(const DiscriminationData& data) {
 
 /// The difference at a proportion correct, from the findings of the fit with this proportion.
 void add_performance(const DiscriminationTask& task, const DiscriminationData& data,
-                     const char* quantity, double proportion_of_hits, const FoundNumbers& found,
+                     QuantityName quantity, double proportion_of_hits, const FoundNumbers& found,
                      ThresholdList& list) {
   const Finding* const threshold = found.find("threshold", list.key());
   if (threshold == nullptr || !threshold->value) {
     const WhyNoThreshold why = why_not_fitted(task, found.find("status", list.key()));
-    if (std::string(quantity) == "jnd") return list.no_difference(why);
+    if (quantity == kJnd) return list.no_difference(why);
     return list.none(quantity, why);
   }
   if (!list.is_presented(*threshold->value)) {
     const WhyNoThreshold why = list.outside(*threshold->value);
-    if (std::string(quantity) == "jnd") return list.no_difference(why);
+    if (quantity == kJnd) return list.no_difference(why);
     return list.none(quantity, why);
   }
   Basis estimate = list.basis(
@@ -213,7 +214,7 @@ void add_performance(const DiscriminationTask& task, const DiscriminationData& d
     } else {
       const auto repeated = repeated_procedure(task, data, proportion_of_hits);
       estimate = with_repeated_procedure(estimate, repeated, &ProcedureBootstrap::threshold);
-      if (std::string(quantity) == "jnd") list.repetitions(repeated);
+      if (quantity == kJnd) list.repetitions(repeated);
     }
   } else if (has_unsure(data)) {
     estimate = list.with_resamples(std::move(estimate), threshold->low, threshold->high);
@@ -316,7 +317,8 @@ void add_comparison(const DiscriminationTask& task, const DiscriminationData& da
 /// The slope at the threshold, where the threshold is within the presented levels.
 void add_slope(const DiscriminationTask& task, const DiscriminationData& data,
                const FoundNumbers& found, ThresholdList& list) {
-  const auto threshold = found.value(task.is_performance ? "threshold" : "fit.alpha", list.key());
+  const auto threshold =
+      found.value(task.is_performance ? QuantityName("threshold") : "fit.alpha", list.key());
   const WhyNoThreshold not_fitted = why_not_fitted(task, found.find("status", list.key()));
   if (!threshold) return list.none(kSlope, not_fitted);
   if (!list.is_presented(*threshold)) {
@@ -423,7 +425,7 @@ std::vector<std::vector<Finding>> functions_at(const DiscriminationTask& task,
       findings.push_back(std::move(finding));
     }
     for (Finding& finding : findings) {
-      if (finding.quantity == "fit.alpha" || finding.quantity == "threshold") finding.unit = unit;
+      if (is(finding, "fit.alpha") || is(finding, "threshold")) finding.unit = unit;
     }
   }
   return functions;

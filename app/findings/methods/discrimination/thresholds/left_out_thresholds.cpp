@@ -93,11 +93,11 @@ MeanOfThresholds LeftOutThresholds::mean() const {
   return above == missing() ? MeanOfThresholds::lower_bound : MeanOfThresholds::no_bound;
 }
 
-LeftOutThresholds left_out_thresholds(std::span<const Finding> thresholds,
-                                      std::string_view quantity, std::string_view condition) {
+LeftOutThresholds left_out_thresholds(std::span<const Finding> thresholds, QuantityName quantity,
+                                      std::string_view condition) {
   LeftOutThresholds left_out{};
   for (const Finding& finding : thresholds) {
-    if (finding.analysis != kThresholds || finding.quantity != quantity ||
+    if (finding.analysis != kThresholds || !is(finding, quantity) ||
         condition_of_key(finding.key) != condition) {
       continue;
     }
@@ -113,7 +113,9 @@ LeftOutThresholds left_out_thresholds(std::span<const Finding> thresholds,
 
 LeftOutThresholds left_out_of_mean(std::span<const Finding> thresholds, const Finding& mean) {
   return left_out_thresholds(
-      thresholds, std::string_view(mean.quantity).substr(mean.quantity.find('.') + 1), mean.key);
+      thresholds,
+      composed_quantity(std::string_view(mean.quantity).substr(mean.quantity.find('.') + 1)),
+      mean.key);
 }
 
 Phrase mean_with_bound(const Finding& mean, const LeftOutThresholds& left_out) {
@@ -131,7 +133,7 @@ Phrase mean_with_bound(const Finding& mean, const LeftOutThresholds& left_out) {
 }
 
 Phrase with_left_out_thresholds(Phrase answer, const DiscriminationResults& results,
-                                const std::string& quantity) {
+                                QuantityName quantity) {
   for (const std::string& condition : results.conditions) {
     const LeftOutThresholds left_out =
         left_out_thresholds(results.fit.thresholds, quantity, condition);
@@ -149,11 +151,11 @@ Phrase with_left_out_thresholds(Phrase answer, const DiscriminationResults& resu
   return answer;
 }
 
-std::string bound_sentences(const std::vector<Finding>& findings, const std::string& quantity,
+std::string bound_sentences(const std::vector<Finding>& findings, QuantityName quantity,
                             const std::string& measure) {
   std::vector<std::string> conditions{};
   for (const Finding& finding : findings) {
-    if (finding.analysis != kThresholds || finding.quantity != quantity) continue;
+    if (finding.analysis != kThresholds || !is(finding, quantity)) continue;
     const std::string condition = condition_of_key(finding.key);
     if (std::find(conditions.begin(), conditions.end(), condition) == conditions.end()) {
       conditions.push_back(condition);

@@ -11,6 +11,7 @@
 
 #include "analysis/numbers/finding.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_results.h"
+#include "app/findings/tidy/quantity_name.h"
 #include "app/words/phrase.h"
 
 namespace asperity {
@@ -40,8 +41,8 @@ struct LeftOutThresholds {
 };
 
 /// Of the findings of the analysis `thresholds` with this quantity, of one condition.
-LeftOutThresholds left_out_thresholds(std::span<const Finding> thresholds,
-                                      std::string_view quantity, std::string_view condition);
+LeftOutThresholds left_out_thresholds(std::span<const Finding> thresholds, QuantityName quantity,
+                                      std::string_view condition);
 /// The same of the mean of the analysis `mean_thresholds`: mean.pse, geomean.jnd.
 LeftOutThresholds left_out_of_mean(std::span<const Finding> thresholds, const Finding& mean);
 
@@ -51,11 +52,11 @@ Phrase mean_with_bound(const Finding& mean, const LeftOutThresholds& left_out);
 /// The answer, and after it, for each condition, how many thresholds the mean leaves out and on which side of the presented
 /// levels they lie, with the reasons where the side is unknown, and what the mean of the others is.
 Phrase with_left_out_thresholds(Phrase answer, const DiscriminationResults& results,
-                                const std::string& quantity);
+                                QuantityName quantity);
 
 /// " The mean JND of 8 participants is an upper bound: the thresholds of five lie below the presented levels.": the same of the
 /// thresholds of this quantity, for a paper; empty where none is left out, and where there is none.
-std::string bound_sentences(const std::vector<Finding>& findings, const std::string& quantity,
+std::string bound_sentences(const std::vector<Finding>& findings, QuantityName quantity,
                             const std::string& measure);
 
 }  // namespace asperity

@@ -70,7 +70,8 @@ void add_thresholds_shown(const DiscriminationResults& results, ShownParameters&
   };
   std::map<std::uint32_t, OfPerson> by_person{};  // of the logarithms
   for (const auto& function : results.functions) {
-    const auto value = found.value(is_performance ? "jnd.dprime1" : "jnd", function.data.key);
+    const auto value =
+        found.value(is_performance ? QuantityName("jnd.dprime1") : "jnd", function.data.key);
     if (!value || *value <= 0.0) continue;
     OfPerson& own = by_person[function.person];
     own.sum += std::log(*value * (is_performance ? 1.0 : kThresholdOfJnd));

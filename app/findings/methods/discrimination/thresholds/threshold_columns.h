@@ -7,6 +7,7 @@
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/result_table.h"
+#include "app/findings/tidy/quantity_name.h"
 #include "app/words/phrase.h"
 
 namespace asperity {
@@ -45,16 +46,16 @@ inline const ResultColumn kCatchTypeColumn{
 /// A threshold of a participant: the quantity of its finding, its column, and the quantities of its arithmetic and its geometric
 /// mean. A point of subjective equality has no geometric mean: it may have any sign.
 struct ThresholdColumn {
-  const char* quantity = "";
+  QuantityName quantity{};
   ResultColumn column{};
-  const char* mean = "";
-  const char* geometric_mean = nullptr;
+  QuantityName mean{};
+  QuantityName geometric_mean{};  ///< empty: none
   bool has_unit_of_levels = true;
   /// Its interval.
   ResultColumn interval{};
 };
 inline const std::array kThresholdColumns{
-    ThresholdColumn{"pse", kPseColumn, "mean.pse", nullptr, true, interval_of(kPseColumn)},
+    ThresholdColumn{"pse", kPseColumn, "mean.pse", "", true, interval_of(kPseColumn)},
     ThresholdColumn{"jnd", kJndColumn, "mean.jnd", "geomean.jnd", true, interval_of(kJndColumn)},
     ThresholdColumn{"jnd.dprime1", kJndDprime1Column, "mean.jnd.dprime1", "geomean.jnd.dprime1",
                     true, interval_of(kJndDprime1Column)},

@@ -112,16 +112,18 @@ void add_function(const FoundNumbers& functions, const FoundNumbers& thresholds,
                   const DrawnFunctions& drawn, const std::string& condition, const DrawnUnit& unit,
                   std::vector<Finding>& made) {
   const std::string key = drawn.participant + '|' + condition;
-  for (const char* const quantity : {"fit.alpha", "fit.beta", "fit.gamma", "fit.lambda"}) {
+  for (const QuantityName quantity :
+       std::initializer_list<QuantityName>{"fit.alpha", "fit.beta", "fit.gamma", "fit.lambda"}) {
     const Finding* const found = functions.find(quantity, key);
     if (found == nullptr || !found->value) continue;
     Finding scaled = *found;
     scaled.key = condition;
-    if (scaled.quantity == "fit.alpha") *scaled.value /= unit.size;
-    if (scaled.quantity == "fit.beta" && !drawn.is_performance) *scaled.value *= unit.size;
+    if (is(scaled, "fit.alpha")) *scaled.value /= unit.size;
+    if (is(scaled, "fit.beta") && !drawn.is_performance) *scaled.value *= unit.size;
     made.push_back(std::move(scaled));
   }
-  const Finding* const threshold = thresholds.find(drawn.is_performance ? "jnd" : "pse", key);
+  const Finding* const threshold =
+      thresholds.find(drawn.is_performance ? QuantityName("jnd") : "pse", key);
   if (threshold == nullptr || !threshold->value) return;
   Finding scaled = *threshold;
   scaled.quantity = "threshold";

@@ -22,16 +22,15 @@ struct UnfinishedTracks {
   std::size_t included = 0;  ///< estimates that exist, and are therefore included in the mean
 };
 
-UnfinishedTracks unfinished_tracks(const std::vector<Finding>& thresholds,
-                                   std::string_view quantity) {
+UnfinishedTracks unfinished_tracks(const std::vector<Finding>& thresholds, QuantityName quantity) {
   UnfinishedTracks found{};
   const FoundNumbers numbers(thresholds);
   for (const Finding& finding : thresholds) {
     if (finding.analysis != kThresholds) continue;
     const std::string participant = finding.key.substr(0, finding.key.find('|'));
     found.of.insert(participant);
-    found.is_measured = found.is_measured || finding.quantity == quantity;
-    if (finding.quantity != "unfinished.tracks") continue;
+    found.is_measured = found.is_measured || is(finding, quantity);
+    if (!is(finding, "unfinished.tracks")) continue;
     found.participants.insert(participant);
     ++found.estimates;
     if (numbers.value(quantity, finding.key)) ++found.included;
@@ -57,7 +56,7 @@ std::string included_text(const UnfinishedTracks& unfinished, const std::string&
 }  // namespace
 
 Phrase with_unfinished_tracks(const Phrase& answer, const DiscriminationResults& results,
-                              std::string_view quantity, const Phrase& means) {
+                              QuantityName quantity, const Phrase& means) {
   const UnfinishedTracks unfinished = unfinished_tracks(results.fit.thresholds, quantity);
   if (unfinished.participants.empty()) return answer;
   const Phrase stated = phrase("Analysis", "%1 Participants with an unfinished track: %2 of %3.")
