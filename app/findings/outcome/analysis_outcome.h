@@ -17,9 +17,6 @@
 
 namespace asperity {
 
-/// The confusion matrix: its columns are named by the study's pictures.
-inline constexpr const char* kConfusion = "confusion";
-
 /// The findings and the table of estimates by spacing and condition.
 inline constexpr const char* kRoughness = "roughness";
 /// The same by stimulus, where stimuli are not compared by their spacings.

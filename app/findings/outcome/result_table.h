@@ -20,6 +20,8 @@
 
 namespace asperity {
 
+struct Figure;
+
 /// The decimals with which the numbers of a column are displayed; never those of a file.
 enum class Digits {
   of_column,  ///< the same for all numbers of the id: those of its narrowest interval, two without intervals
@@ -118,6 +120,8 @@ struct ResultTable {
   std::vector<ResultRow> rows{};
   /// The table that people read in place of this one; null: this one.
   ResultTable (*for_readers)(const ResultTable& table) = nullptr;
+  /// Its figure, made from the table alone; null: none, or one that is made from findings (study/figures_of.h).
+  Figure (*figure)(const ResultTable& table) = nullptr;
 
   /// The index of a column; nothing where the table does not have it.
   std::optional<std::size_t> find(const ResultColumn& column) const;

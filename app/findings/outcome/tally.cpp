@@ -265,7 +265,7 @@ void ConfusionTally::add_table(const GatheredAnswers& gathered,
   std::vector<std::string> columns(names.begin(), names.end());
   std::stable_sort(columns.begin(), columns.end(),
                    [&rank](const auto& a, const auto& b) { return rank(a) < rank(b); });
-  ResultTable made{kConfusion,
+  ResultTable made{"confusion",
                    phrase("Analysis", "Confusion matrix: stimulus (rows) and response (columns)"),
                    {asperity::columns::kFelt},
                    {}};

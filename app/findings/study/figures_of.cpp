@@ -230,7 +230,7 @@ std::vector<Figure> recognised(const FoundNumbers& found) {
 std::vector<Figure> figures_of(const AnalysisOutcome& outcome) {
   std::vector<Figure> figures = table_forests(outcome);
   for (const ResultTable& table : outcome.tables) {
-    if (table.name == kConfusion) figures.push_back(confusion_figure(table));
+    if (table.figure != nullptr) figures.push_back(table.figure(table));
   }
   const std::vector<Finding> scale = part_of(outcome.findings, kWorthScale);
   if (!scale.empty()) {

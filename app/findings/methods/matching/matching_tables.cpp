@@ -13,6 +13,7 @@
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/tally.h"
 #include "app/findings/shared/choice_tables.h"
+#include "app/findings/shared/figures/confusion_figure.h"
 
 namespace asperity {
 
@@ -173,6 +174,7 @@ void add_confusions(const GatheredAnswers& gathered, std::span<const MatchedTria
   for (const auto& [texture, tally] : by_texture) textures.rows.push_back({{texture}, tally});
   add_shares(textures, outcome);
   confusions.add_table(gathered, options, outcome);
+  outcome.tables.back().figure = confusion_figure;
 }
 
 void add_confused_pairs(const std::vector<std::string>& felt, const FoundNumbers& found,

@@ -21,6 +21,7 @@
 #include "app/findings/outcome/test_sentences.h"
 #include "app/findings/shared/choice_tables.h"
 #include "app/findings/shared/crossed_textures.h"
+#include "app/findings/shared/figures/confusion_figure.h"
 #include "app/findings/shared/judged_answers.h"
 #include "app/findings/shared/participant_pairs.h"
 #include "app/findings/shared/repetition_reliability.h"
@@ -79,6 +80,7 @@ void add_recognition_tables(const GatheredAnswers& gathered,
   }
   add_shares(textures, outcome);
   confusions.add_table(gathered, options, outcome);
+  outcome.tables.back().figure = confusion_figure;
 }
 
 void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests& tests,
