@@ -13,6 +13,7 @@
 
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/files/file_system.h"
+#include "results_schema/files/folder_entries.h"
 #include "results_schema/hashes/sha256_stream.h"
 #include "results_schema/study.h"
 #include "results_schema/study_store.h"
@@ -85,6 +86,16 @@ bool lock_shared(int file) {
     std::this_thread::sleep_for(kPause);
   }
   return false;
+}
+
+/// Those of writers that were killed while they sealed: who has the lock alone is the only one who seals.
+void remove_unfinished(const std::filesystem::path& seal) {
+  for (const auto& entry : entries_in(seal.parent_path())) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(seal.filename().string() + ".") && name.ends_with(".tmp")) {
+      std::filesystem::remove(entry.path());
+    }
+  }
 }
 
 }  // namespace
@@ -165,6 +176,7 @@ void SealBreaker::seal_again(Database& database) noexcept {
   if (::fcntl(lock_, F_OFD_SETLK, &alone) != 0) return;  // the next to close will
   try {
     const std::filesystem::path seal = beside_database(study_, ".sha256");
+    remove_unfinished(seal);
     if (std::filesystem::exists(seal) && !is_in_the_way_) return;
     sqlite3_busy_timeout(database.handle(), 0);
     database.execute("PRAGMA wal_checkpoint(TRUNCATE)");

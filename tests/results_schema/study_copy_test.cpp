@@ -693,6 +693,22 @@ TEST(StudyVerify, FindsAChecksumRenewedThatCouldNotBeTakenAway) {
   EXPECT_THAT(after.leftovers(), IsEmpty());
 }
 
+// It is the last thing that a command writes: one that was complete before it was killed has no repetition that ends otherwise.
+TEST(StudyVerify, FindsNothingOfAChecksumWhoseWriterWasKilled) {
+  const TemporaryFolder folder;
+  const std::filesystem::path study = closed_study(folder);
+  const std::filesystem::path unfinished = study / "study.sqlite.sha256.7-0.tmp";
+  write_file(unfinished, "12ab", Overwrite::refuse);
+  EXPECT_THAT(Study::open(study, Access::read_only).leftovers(), testing::SizeIs(1));
+  {
+    const Study other = Study::open(study, Access::read_write);
+    { const Study first_to_close = Study::open(study, Access::read_write); }
+    EXPECT_TRUE(std::filesystem::exists(unfinished)) << "the other may be writing it";
+  }
+  EXPECT_FALSE(std::filesystem::exists(unfinished));
+  EXPECT_THAT(Study::open(study, Access::read_only).leftovers(), IsEmpty());
+}
+
 TEST(StudyVerify, TakesAwayAChecksumOfAWriterThatNobodyKnewOf) {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder / "s";
