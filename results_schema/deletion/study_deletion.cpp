@@ -250,13 +250,14 @@ std::vector<UnfinishedDeletion> unfinished_deletions(Database& database) {
   return deletions;
 }
 
-std::int64_t insert_withdrawal(Database& database, WithdrawalRow& row,
-                               const std::optional<std::string>& label) {
+std::int64_t insert_withdrawal(Database& database, WithdrawalRow& row, const std::string& label) {
   Statement insertion(
       database,
       "INSERT INTO withdrawal (data, is_virtual, reason, decided_by, withdrawn_utc, sessions, "
-      "attempts, answers, recordings, label) VALUES (?, ?, ?, ?, coalesce(nullif(?, ''), "
-      "strftime('%Y-%m-%dT%H:%M:%fZ', 'now')), ?, ?, ?, ?, ?) RETURNING id, withdrawn_utc");
+      "attempts, answers, recordings, label, participant_id) VALUES (?1, ?2, ?3, ?4, "
+      "coalesce(nullif(?5, ''), strftime('%Y-%m-%dT%H:%M:%fZ', 'now')), ?6, ?7, ?8, ?9, "
+      "CASE ?1 WHEN 'deleted' THEN ?10 END, (SELECT id FROM participant WHERE label = ?10)) "
+      "RETURNING id, withdrawn_utc");
   insertion.bind(text_of(row.data), row.is_virtual, text_of(row.reason), row.decided_by,
                  row.withdrawn_utc, row.sessions, row.attempts, row.answers, row.recordings, label);
   std::int64_t id = 0;

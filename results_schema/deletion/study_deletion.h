@@ -69,9 +69,9 @@ std::set<std::filesystem::path> files_being_deleted(Database& database,
 void remove_tree(const std::filesystem::path& path);
 void remove_trees(const std::vector<std::filesystem::path>& paths);
 
-/// `label` of a deletion that is not complete. `row` receives its time. Returns the id.
-std::int64_t insert_withdrawal(Database& database, WithdrawalRow& row,
-                               const std::optional<std::string>& label);
+/// The withdrawal of this participant, whose own rows, in a deletion, are deleted already. `row` receives its time. Returns the
+/// id.
+std::int64_t insert_withdrawal(Database& database, WithdrawalRow& row, const std::string& label);
 
 /// In the order of listing.
 std::vector<OutputRow> outputs_in(Database& database);

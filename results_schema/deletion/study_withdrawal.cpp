@@ -228,7 +228,7 @@ Withdrawal Study::withdraw(const std::string& label, const WithdrawalRow& withdr
   done.outputs = outputs_since_added_in(database, label);
   exclude_sessions(database, label, done.row);
   Statement(database, "UPDATE participant SET withdrawn = 1 WHERE label = ?").bind(label).run();
-  insert_withdrawal(database, done.row, {});
+  insert_withdrawal(database, done.row, label);
   transaction.commit();
   return done;
 }

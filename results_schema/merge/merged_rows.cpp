@@ -62,12 +62,12 @@ class MergedRows final {
   void copy() {
     number_sources();
     copy_protocols();
-    copy_withdrawals();
     copy_solutions();
     // One at a time: a statement that stayed open would keep the log from being emptied into the file.
     std::string last;
     while (copy_participant_after(last)) {
     }
+    copy_withdrawals();  // which refer to participants whose data were kept
   }
 
  private:
@@ -138,17 +138,22 @@ class MergedRows final {
     const std::vector<std::string> columns = columns_of(merged_, "withdrawal");
     std::string names = "withdrawn_utc";  // decides the order
     std::string marks = "?";
+    const std::string key = "participant_id";  // the last one, which is replaced
     for (const std::string& column : columns) {
-      if (column == "id" || column == "withdrawn_utc") continue;
+      if (column == "id" || column == "withdrawn_utc" || column == key) continue;
       names += ", " + column;
       marks += ", ?";
     }
+    names += ", " + key;
+    marks += ", ?";
     std::set<std::vector<std::optional<std::string>>> rows;
-    for (const OpenSource& source : sources_) {
-      Statement statement(source.database, "SELECT " + names + " FROM withdrawal");
+    for (std::size_t number = 0; number < sources_.size(); ++number) {
+      Statement statement(sources_[number].database, "SELECT " + names + " FROM withdrawal");
       while (statement.step()) {
         std::vector<std::optional<std::string>> row(columns.size() - 1);
         statement.read_all(row);
+        const auto whose = withdrawn_ids_.find({number, row.back().value_or("")});
+        if (whose != withdrawn_ids_.end()) row.back() = std::to_string(whose->second);
         rows.insert(std::move(row));
       }
     }
@@ -215,6 +220,7 @@ class MergedRows final {
     const bool is_virtual = row.integer_at(participants.place_of("is_virtual")) != 0;
     copy_sessions(number, id, merged_id, is_virtual);
     if (has_withdrawn) {
+      withdrawn_ids_[{number, std::to_string(id)}] = merged_id;
       Statement(merged_, "UPDATE participant SET withdrawn = 1 WHERE id = ?").bind(merged_id).run();
     }
   }
@@ -347,6 +353,8 @@ class MergedRows final {
   std::map<std::string, std::unique_ptr<MergedTable>> tables_{};
   /// Of each source: the ids in the merged study, by those of the source.
   std::vector<std::map<std::int64_t, std::int64_t>> protocol_ids_{};
+  /// Of participants whose data are kept: the id in the merged study, by the source and the id there.
+  std::map<std::pair<std::size_t, std::string>, std::int64_t> withdrawn_ids_{};
   std::vector<std::int64_t> numbers_{};  ///< of the sources, from 1
 };
 

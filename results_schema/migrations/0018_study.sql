@@ -370,7 +370,9 @@ CREATE TABLE withdrawal (
   answers       INTEGER NOT NULL CHECK (answers >= 0),
   recordings    INTEGER NOT NULL CHECK (recordings >= 0),
   label         TEXT CHECK (label IS NULL OR (data = 'deleted' AND length(label) BETWEEN 1 AND 32
-                                              AND label NOT GLOB '*[^0-9A-Za-z]*'))
+                                              AND label NOT GLOB '*[^0-9A-Za-z]*')),
+  -- Whose data are kept: a later deletion of them deletes this row, so that a participant is counted once.
+  participant_id INTEGER UNIQUE REFERENCES participant (id) CHECK ((data = 'kept') = (participant_id IS NOT NULL))
 ) STRICT;
 
 -- A cache of solved matching problems; what an attempt used is in its presentation.
@@ -546,6 +548,7 @@ WHEN OLD.label IS NULL OR NEW.label IS NOT NULL OR NEW.id IS NOT OLD.id OR NEW.d
   OR NEW.decided_by IS NOT OLD.decided_by OR NEW.withdrawn_utc IS NOT OLD.withdrawn_utc
   OR NEW.sessions IS NOT OLD.sessions OR NEW.attempts IS NOT OLD.attempts
   OR NEW.answers IS NOT OLD.answers OR NEW.recordings IS NOT OLD.recordings
+  OR NEW.participant_id IS NOT OLD.participant_id
 BEGIN SELECT RAISE(ABORT, 'of a withdrawal only the label may be blanked'); END;
 CREATE TRIGGER withdrawal_no_delete BEFORE DELETE ON withdrawal
 BEGIN SELECT RAISE(ABORT, 'a withdrawal is append-only'); END;

@@ -341,19 +341,23 @@ std::vector<Forbidden> forbidden_statements() {
       {"label of a withdrawal that is complete", "UPDATE withdrawal SET label = 'P01'"},
       {"label of a withdrawal whose data are kept",
        "INSERT INTO withdrawal VALUES "
-       "(NULL,'kept',0,'other','x','2026-01-01T00:00:00Z',0,0,0,0,'P77')"},
+       "(NULL,'kept',0,'other','x','2026-01-01T00:00:00Z',0,0,0,0,'P77',2)"},
       {"participant whose data are being deleted",
        "INSERT INTO withdrawal VALUES "
-       "(NULL,'deleted',0,'other','x','2026-01-01T00:00:00Z',0,0,0,0,'P77'); "
+       "(NULL,'deleted',0,'other','x','2026-01-01T00:00:00Z',0,0,0,0,'P77',NULL); "
        "INSERT INTO participant VALUES "
        "(NULL,'P77',0,NULL,NULL,NULL,'{}','2026-01-01T00:00:00Z',0)"},
       {"delete withdrawal", "DELETE FROM withdrawal"},
       {"replace withdrawal",
        "INSERT OR REPLACE INTO withdrawal VALUES "
-       "(1,'kept',0,'other','x','2026-01-01T00:00:00Z',0,0,0,0,NULL)"},
+       "(1,'kept',0,'other','x','2026-01-01T00:00:00Z',0,0,0,0,NULL,1)"},
       {"withdrawal that nobody decided",
        "INSERT INTO withdrawal VALUES "
-       "(NULL,'kept',0,'other','','2026-01-01T00:00:00Z',0,0,0,0,NULL)"},
+       "(NULL,'kept',0,'other','','2026-01-01T00:00:00Z',0,0,0,0,NULL,2)"},
+      {"withdrawal that keeps nobody's data",
+       "INSERT INTO withdrawal VALUES "
+       "(NULL,'kept',0,'other','x','2026-01-01T00:00:00Z',0,0,0,0,NULL,NULL)"},
+      {"withdrawal of another participant", "UPDATE withdrawal SET participant_id = 2"},
       {"virtual no more", "UPDATE participant SET is_virtual = 0 WHERE label = 'P01'"},
       {"another label", "UPDATE participant SET label = 'P99' WHERE label = 'P01'"},
       {"participant with sessions removed", "DELETE FROM participant WHERE label = 'P01'"},
@@ -417,7 +421,7 @@ TEST_P(Rules, AllowWhatIsAsItShouldBe) {
   EXPECT_EQ(tool.run("UPDATE session SET state = 'stopped' WHERE id = 1"), "");
   EXPECT_EQ(tool.run("INSERT INTO output VALUES (NULL,'copy','/of/P77','0',NULL)"), "");
   EXPECT_EQ(tool.run("INSERT INTO withdrawal VALUES "
-                     "(NULL,'deleted',0,'other','x','2026-01-01T00:00:00Z',0,0,0,0,'P77')"),
+                     "(NULL,'deleted',0,'other','x','2026-01-01T00:00:00Z',0,0,0,0,'P77',NULL)"),
             "");
   EXPECT_EQ(tool.run("UPDATE output SET path = '' WHERE path = '/of/P77'"), "");
   EXPECT_EQ(tool.run("UPDATE withdrawal SET label = NULL WHERE label = 'P77'"), "");

@@ -103,6 +103,18 @@ TEST_F(WithdrawalFromAStudy, LeavesARowThatCountsWithoutNaming) {
   EXPECT_EQ(rows[0].withdrawn_utc.back(), 'Z');
 }
 
+TEST_F(WithdrawalFromAStudy, IsOneWithdrawalWhereDataThatWereKeptAreDeletedLater) {
+  Study study = open();
+  study.withdraw("Stays1", {.decided_by = "R. Keeper"});
+  study.withdraw("Wanda7", {.decided_by = "R. Keeper"});
+  ASSERT_EQ(study.withdrawals().size(), 2U);
+  study.withdraw("Wanda7", kDeletion);
+  const std::vector<WithdrawalRow> rows = study.withdrawals();
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].data, WithdrawnData::kept) << "of the other participant";
+  EXPECT_EQ(rows[1].data, WithdrawnData::deleted);
+}
+
 TEST_F(WithdrawalFromAStudy, FreesTheCounterbalancingRow) {
   const auto rows_used = [this] {
     return Study::open(path_, Access::read_only).counterbalance_counts(some_protocol().name, 2);
@@ -213,7 +225,7 @@ void store_unfinished_deletion(const std::filesystem::path& study, const std::st
   run_sql(study,
           "PRAGMA ignore_check_constraints = ON; INSERT INTO withdrawal VALUES "
           "(NULL,'deleted',0,'other','x','2026-01-01T00:00:00Z',0,0,0,0,'" +
-              label + "')");
+              label + "',NULL)");
 }
 
 TEST_F(WithdrawalFromAStudy, DeletesNoFilesUnderALabelThatIsNotOneOfAParticipant) {
