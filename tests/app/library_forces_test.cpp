@@ -110,12 +110,6 @@ bool is_sent_as_rendered(const TickRecord& record) {
          record.sent.force_N == record.rendered.force_N;
 }
 
-/// The number of ticks in which the growth of the force of this surface is limited: in one tick of the stroke that of the
-/// recorded texture at 5.6 times the force of the others, the largest of all amplitudes (docs/safety.md), elsewhere never.
-std::int64_t limited_ticks_of(const std::string& stimulus) {
-  return stimulus.starts_with("rendered_stone_recorded_5.6") ? 1 : 0;
-}
-
 // Every surface of a session of the protocol in each of its explorations. Of a parameter that is varied, the lowest level, the
 // highest and the one in the middle; AreNotLimitedAtTheUpperEndOfTheBands examines those between them.
 TEST_P(LibraryForces, AreSentAsRenderedOnEverySurface) {
@@ -133,8 +127,8 @@ TEST_P(LibraryForces, AreSentAsRenderedOnEverySurface) {
           if (measures_hand(record)) ++felt;
         }
         const ServoQualityRow quality = servo_quality_of(records, protocol.rate_Hz, 0);
-        EXPECT_LE(changed, limited_ticks_of(one.planned.stimulus.name));
-        EXPECT_LE(quality.slew_limited_ticks, limited_ticks_of(one.planned.stimulus.name));
+        EXPECT_EQ(changed, 0);
+        EXPECT_EQ(quality.slew_limited_ticks, 0);
         EXPECT_EQ(quality.gaps_in_contact, 0);
         EXPECT_EQ(quality.held_readings, 0);
         EXPECT_GT(felt, 0);

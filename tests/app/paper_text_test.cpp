@@ -551,7 +551,7 @@ TEST(PaperText, StatesLevelsInDecibelsAsDifferences) {
                                    [](const auto& named) { return named.second.vary.has_value(); });
   ASSERT_NE(varied, protocol.blocks.end());
   EXPECT_EQ(as_possible(levels_text(varied->second, "it")),
-            "could differ from it by −16 dB to 15 dB in 32 levels");
+            "could differ from it by −16 dB to 14 dB in 31 levels");
 }
 
 TEST(PaperText, StatesAfterWhichTrialsThereAreBreaks) {
