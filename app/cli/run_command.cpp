@@ -27,7 +27,6 @@
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/run_session.h"
 #include "app/tasks/warnings/plugin_warnings.h"
-#include "app/tasks/warnings/rate_warnings.h"
 
 namespace asperity {
 
@@ -180,12 +179,6 @@ void add_run(CLI::App& program, Job& job) {
         person->read("Ctrl-C ends the program; nothing has been stored.", 0.0, wait);
       };
       inputs.ready = [&](const Protocol& protocol) {
-        if (inputs.pacing == RunPacing::real_time) {
-          for (const Diagnostic& warning :
-               warnings_about_rate({protocol, inputs.protocol.string()}, models)) {
-            say(warning_text(warning));
-          }
-        }
         if (!person) return;
         tell_what_a_terminal_lacks(protocol);
         if (protocol.shows_pictures_in_grey) person->show_in_grey();

@@ -25,7 +25,6 @@
 #include "app/tasks/warnings/level_problems.h"
 #include "app/tasks/warnings/plugin_stimuli.h"
 #include "app/tasks/warnings/plugin_warnings.h"
-#include "app/tasks/warnings/rate_warnings.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
 #include "protocols/file/analysis_warnings.h"
@@ -510,7 +509,6 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
   check.cost = cost_of(*check.protocol, example);
   append(check.warnings, warnings_about_plan(*check.protocol, check.file, example));
   append(check.warnings, warnings_about_analysis(*check.protocol, check.file));
-  append(check.warnings, warnings_about_rate(checked, models));
   append(check.warnings, warnings_about_design(*check.protocol, check.file));
   for (const auto& [name, block] : check.protocol->blocks) {
     if (block.phase != Phase::main) continue;

@@ -52,6 +52,13 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
       continue;
     }
     models.push_back(model->second);
+    const std::optional<double>& highest_Hz = model->second->maximum_rate_Hz;
+    if (highest_Hz && protocol_.rate_Hz > *highest_Hz) {
+      report(place, "a tick of the force model " + id + " takes longer than a period at the " +
+                        digits(protocol_.rate_Hz) +
+                        " Hz of /device/rate_Hz: set rate_Hz to at most " + digits(*highest_Hz) +
+                        ", or choose another model");
+    }
     needs_height_field = needs_height_field || model->second->needs_height_field;
   }
   check_bodies_of(stimulus, models, pointer);

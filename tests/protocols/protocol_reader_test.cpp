@@ -7,6 +7,7 @@
 
 #include "protocols/plan/plan.h"
 #include "tests/protocols/example.h"
+#include "tests/protocols/protocol_files.h"
 
 namespace asperity {
 namespace {
@@ -179,6 +180,22 @@ TEST(ProtocolReader, RefusesAnAssetThatIsMissingUnknownOrOutsideTheStudy) {
   EXPECT_NE(problems_of_assets(vibrations, R"("assets": {"vibrations": "../a.vib"}, )")
                 .find("/textures/stone/assets/vibrations: "),
             std::string::npos);
+}
+
+// A force that comes late in every tick is another force.
+TEST(ProtocolReader, RefusesAModelAboveTheRateAtWhichItKeepsItsPeriod) {
+  std::vector<ModelDeclaration> models = test::example_models();
+  const auto sinusoid = std::find_if(models.begin(), models.end(),
+                                     [](const auto& each) { return each.id == "sinusoid"; });
+  ASSERT_NE(sinusoid, models.end());
+  sinusoid->maximum_rate_Hz = 1000.0;
+  nlohmann::json file = nlohmann::json::parse(test::example_selection());
+  file["device"]["rate_Hz"] = 1000;
+  (void)test::valid(file, models);
+  file["device"]["rate_Hz"] = 1001;
+  EXPECT_EQ(test::problems_at(file, "/factors/model/levels/1", models),
+            "a tick of the force model sinusoid takes longer than a period at the 1001 Hz of "
+            "/device/rate_Hz: set rate_Hz to at most 1000, or choose another model");
 }
 
 TEST(NamedFile, OfAHeightFieldIsTwoFiles) {
