@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CLI {
@@ -18,6 +19,14 @@ using Job = std::function<int()>;
 
 /// Does the job. What it throws is stated on standard error; the status is 1 then, or 2 for WrongUsage.
 int status_of(const Job& job);
+
+/// The job of a command that changes a study or makes a file: repeated for what it printed, it would change the study again, or
+/// fail. Where standard output cannot be written to, the message states that the effect is complete; `printed_again` is how to
+/// print the same, where there is a way.
+Job with_lasting_effect(Job job, std::string printed_again = {});
+/// Of a command that makes files.
+inline constexpr const char* kPrintedAgainByForce =
+    "add --force to make the files and to print this again";
 
 /// The job, in a separate process where it loads plug-ins (app/plugins/plugin_process.h): a plug-in that ends its process or does
 /// not return is named. Not for a job in real time, whose process holds the device.

@@ -129,7 +129,7 @@ void add_export(CLI::App& program, Job& job) {
     job = [options] {
       Study::read_beside_writers();  // ListedOutput is one, in this process
       const Study study = Study::open(options->study, Access::read_only);
-      const InterruptWatch interrupt;
+      const InterruptWatch interrupt("stopping; no export is written");
       const ModelRegistry models = built_in_models();
       ExportOptions wanted{};
       wanted.audience = options->audience();

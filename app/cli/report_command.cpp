@@ -38,7 +38,7 @@ void add_report(CLI::App& program, Job& job) {
       } catch (const std::invalid_argument& error) {
         throw WrongUsage(error.what());
       }
-      const InterruptWatch interrupt;
+      const InterruptWatch interrupt("stopping; no report is written");
       Study::read_beside_writers();  // ListedOutput is one, in this process
       const Study study = Study::open(options->study, Access::read_only);
       ListedOutput listed(study, OutputKind::report, options->out);

@@ -50,8 +50,7 @@ class InterruptWatch final {
   static constexpr std::chrono::seconds kLongestHold{3};
 
   /// `saying` is told once, when the first one comes; where the second one comes with it, only where there is a `Hold`.
-  explicit InterruptWatch(std::string saying = "stopping after this trial",
-                          std::function<void()> at_once = {});
+  explicit InterruptWatch(std::string saying, std::function<void()> at_once = {});
   ~InterruptWatch();
   InterruptWatch(const InterruptWatch&) = delete;
   InterruptWatch& operator=(const InterruptWatch&) = delete;

@@ -77,10 +77,10 @@ void add_simulate(CLI::App& program, Job& job) {
   add_compute_option(*command, options->inputs.on_gpu, kComputeOfSession);
   add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
-    job = watched_with(options->plugins, [options] {
+    const auto run = [options] {
       require_device("--device", options->inputs.device);
       options->inputs.level_program = options->external.chosen();
-      const InterruptWatch interrupt;
+      const InterruptWatch interrupt("stopping after the trials that are running");
       const ModelRegistry models = models_with(options->plugins);
       const std::filesystem::path& folder = options->inputs.study;
       if (Study::exists(folder) ||
@@ -128,7 +128,13 @@ void add_simulate(CLI::App& program, Job& job) {
                   << " s of sessions in " << fixed(result.wall_s, 1) << " s\n";
       }
       return 0;
-    });
+    };
+    // A shard that is there already is not simulated again.
+    job = watched_with(
+        options->plugins,
+        options->inputs.shard
+            ? Job(run)
+            : with_lasting_effect(run, "to repeat it, add --resume, which adds no participant"));
   });
 }
 

@@ -63,7 +63,7 @@ void add_verify(CLI::App& program, Job& job) {
   add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
     job = watched_with(options->plugins, [options] {
-      const InterruptWatch interrupt;
+      const InterruptWatch interrupt("stopping; the study is not verified");
       Study study = Study::open(options->study, Access::read_only);
       const ModelBuilds builds = models_with_builds(options->plugins);
       VerifyResult result{};

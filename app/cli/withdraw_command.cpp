@@ -2,6 +2,7 @@
 
 #include <iostream>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <unistd.h>
 
@@ -54,19 +55,18 @@ bool is_confirmed(const std::string& label, const std::string& confirmed,
   return std::getline(std::cin, typed) && typed == label;
 }
 
-void name_outputs(const std::vector<OutputRow>& outputs) {
+void name_outputs(std::ostream& to, const std::vector<OutputRow>& outputs) {
   if (outputs.empty()) return;
-  std::cout << "outputs of the study that may contain data of the participant; they were not "
-               "changed. Delete those that contain such data, and repeat the export or the report "
-               "if needed:\n";
+  to << "outputs of the study that may contain data of the participant; they were not changed. "
+        "Delete those that contain such data, and repeat the export or the report if needed:\n";
   for (const OutputRow& output : outputs) {
     const bool is_complete = !output.made_utc.empty();
-    std::cout << "  " << (is_complete ? local_time_text(output.made_utc) : "(not complete)  ")
-              << "  " << kind_words(output.kind).english() << "  "
-              << (output.path.empty()
-                      ? "(its path contained the label of another participant, and was removed)"
-                      : output.path)
-              << '\n';
+    to << "  " << (is_complete ? local_time_text(output.made_utc) : "(not complete)  ") << "  "
+       << kind_words(output.kind).english() << "  "
+       << (output.path.empty()
+               ? "(its path contained the label of another participant, and was removed)"
+               : output.path)
+       << '\n';
   }
 }
 
@@ -130,12 +130,17 @@ void add_withdraw(CLI::App& program, Job& job) {
             say("asperity: another program is reading the study, and the deletion waits for it, up "
                 "to 30 s; close the study there");
           });
-      std::cout << options->label << " has withdrawn: " << held(done.row)
-                << (options->deletes ? " deleted" : " kept and excluded from every analysis")
-                << '\n';
-      name_outputs(outputs_of_withdrawal(done, options->label));
+      const auto state = [&](std::ostream& to) {
+        to << options->label << " has withdrawn: " << held(done.row)
+           << (options->deletes ? " deleted" : " kept and excluded from every analysis") << '\n';
+        name_outputs(to, outputs_of_withdrawal(done, options->label));
+      };
+      state(std::cout);
+      // After a deletion nobody can be asked for the outputs again.
+      if (!std::cout.flush()) state(std::cerr);
       return 0;
     };
+    job = with_lasting_effect(job);
   });
 }
 

@@ -406,7 +406,7 @@ TEST_F(Plugin, LetsASimulationStopAfterItsTrialAtTheFirstCtrlC) {
     EXPECT_EQ(stopped.status, 1) << label << stopped.err;
     EXPECT_THAT(stopped.err, HasSubstr(resumes ? "start it again with the same arguments"
                                                : "add --resume to the same arguments"));
-    const std::string saying = "stopping after this trial";
+    const std::string saying = "stopping after the trials that are running";
     const std::size_t first = stopped.err.find(saying);
     EXPECT_NE(first, std::string::npos) << stopped.err;
     EXPECT_EQ(stopped.err.find(saying, first + 1), std::string::npos) << stopped.err;

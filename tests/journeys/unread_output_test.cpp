@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -31,6 +32,32 @@ TEST(OutputThatNobodyReads, IsAnErrorAndDoesNotEndTheProgram) {
   EXPECT_EQ(unread.signal, std::nullopt);
   EXPECT_EQ(unread.status, 1);
   EXPECT_THAT(unread.err, HasSubstr("the output is incomplete"));
+}
+
+// What has changed a study is not to be repeated for what it printed.
+TEST(OutputThatNobodyReads, OfACommandWithALastingEffectHasARemedyThatChangesNothing) {
+  const SmallStudy small(1);
+  const auto unread = [](std::vector<std::string> arguments) {
+    return run(
+        {.arguments = std::move(arguments), .in_child = [] { nobody_reads(STDOUT_FILENO); }});
+  };
+  std::vector<std::string> simulation{
+      "simulate", small.selection(), "--study", small.study(), "--participants",
+      "1",        "--seed",          "1",       "--json"};
+  const Outcome simulated = unread(simulation);
+  EXPECT_EQ(simulated.status, 1);
+  EXPECT_THAT(simulated.err, HasSubstr("add --resume, which adds no participant"));
+  simulation.push_back("--resume");
+  EXPECT_THAT(asperity(simulation).out, HasSubstr("\"sessions\": 0"));
+  const auto tables = exported(small.study(), small.place() / "out");
+  EXPECT_EQ(tsv(tables.at("participants.tsv")).column("participant"),
+            std::vector<std::string>{"virtual0001"});
+
+  const Outcome withdrawn =
+      unread({"withdraw", small.study(), "virtual0001", "--delete", "--confirm", "virtual0001"});
+  EXPECT_EQ(withdrawn.status, 1);
+  EXPECT_THAT(withdrawn.err, HasSubstr("need not be repeated"));
+  EXPECT_THAT(withdrawn.err, HasSubstr((small.place() / "out").string())) << "the list of outputs";
 }
 
 // As of `2>&1 | head`, once head has seen enough.
