@@ -1,3 +1,5 @@
+// Builds the table with one row for each participant.
+
 #include "app/exports/wide_table.h"
 
 #include <algorithm>
