@@ -167,6 +167,12 @@ std::vector<Event> events_of_touch() {
        .run = down(kHalfPatch_m - 0.002),
        .bound = begins_at_zero,
        .places = kBorders},
+      // Deeper than to the side: the contact stays on the face on which it began.
+      {.name = "touch-down 0.5 mm inside an edge",
+       .reason = "the same",
+       .run = down(kHalfPatch_m - 0.0005),
+       .bound = begins_at_zero,
+       .places = {Place::box}},
       {.name = "touch-down 5 mm beyond the border",
        .reason = "the wall begins where contact begins: no more than without a border",
        .run = down(kHalfPatch_m + 0.005),
