@@ -205,7 +205,7 @@ struct PresentationRow {
   std::optional<std::int64_t> contact_ns{};  ///< first tick with the probe in the surface
   std::optional<std::int64_t> offset_ns{};
   double contact_s = 0.0;
-  /// Of more than two periods between two ticks, where this surface was touched in one of the two.
+  /// Gaps of more than two periods between two ticks, where this surface was touched in one of the two.
   std::int64_t gaps_in_contact = 0;
   std::optional<double> matched_texture_force_N{};   ///< target of an equal-force request
   std::optional<double> achieved_texture_force_N{};  ///< RMS in the same band, from the record

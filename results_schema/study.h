@@ -133,7 +133,8 @@ class Study final {
   std::optional<ParticipantRow> participant(const std::string& label) const;
   std::vector<ParticipantRow> participants() const;  ///< by label
 
-  /// What the study holds of a participant: counts as in WithdrawalRow. Of one whose deletion was interrupted, what it held.
+  /// What the study holds of a participant: counts as in WithdrawalRow, with the reason of a withdrawal that kept the data. Of one
+  /// whose deletion was interrupted, what it held.
   WithdrawalRow counts_of_participant(const std::string& label) const;
   /// A participant withdraws, for good. With `kept` all their sessions are excluded, none can be begun, resumed or
   /// included again, and their counterbalancing rows are free. With `deleted` nothing of them is left in the folder:
@@ -146,9 +147,10 @@ class Study final {
   /// Errors: ResultsError for a label that is not there, a session of theirs that is running, an empty `decided_by`, a
   /// file that cannot be removed, another program that reads for so long that the database's log cannot be emptied.
   ///
-  /// `waits` is called once before a deletion waits for another program that reads the study.
+  /// `waits` is called once before a deletion waits for another program that reads the study; `stop` ends the wait as its longest
+  /// time does.
   Withdrawal withdraw(const std::string& label, const WithdrawalRow& withdrawal,
-                      const std::function<void()>& waits = {});
+                      const std::function<void()>& waits = {}, const std::stop_token& stop = {});
   std::vector<WithdrawalRow> withdrawals() const;  ///< in the order of withdrawing
 
   /// The row of this content, added if it is new. Returns its id. `source_sha256` is that of
@@ -258,8 +260,8 @@ class Study final {
   void read_at_one_moment(const std::function<void()>& reading) const;
 
   /// A consistent copy of a study that may be in use, into a folder that does not exist yet. Where a participant's data are
-  /// deleted meanwhile, it is begun again without them.
-  void copy_to(const std::filesystem::path& folder) const;
+  /// deleted meanwhile, it is begun again without them. Errors: ResultsError, also where it was asked to stop; nothing is left then.
+  void copy_to(const std::filesystem::path& folder, const std::stop_token& stop = {}) const;
   /// The errors of `copy_to` that are known before anything is copied. Reads the file of the study.
   void refuse_copy_to(const std::filesystem::path& folder) const;
 

@@ -20,12 +20,15 @@
 namespace asperity {
 namespace {
 
-const FileTransfer kCopy{.words = {.participle = "copied", .verb = "copy"},
-                         .new_path = [](const std::filesystem::path& path) { return path; }};
+const FileTransferWords kCopyWords{.participle = "copied", .verb = "copy"};
 
-void copy_files(const std::filesystem::path& from, const std::filesystem::path& to) {
+void copy_files(const std::filesystem::path& from, const std::filesystem::path& to,
+                const std::stop_token& stop) {
   Database copy(to, database_in(to), Database::Mode::read_write);
-  transfer_files(copy, from, to, kCopy);
+  transfer_files(copy, from, to,
+                 {.words = kCopyWords,
+                  .new_path = [](const std::filesystem::path& path) { return path; },
+                  .stop = stop});
 }
 
 /// A copy of a study whose deletion is under way has the label and free pages.
@@ -84,10 +87,10 @@ void Study::refuse_copy_to(const std::filesystem::path& folder) const {
                            "intended, remove study.sqlite.sha256 and copy again",
                        from);
   }
-  refuse_linked_database(from, kCopy.words);
+  refuse_linked_database(from, kCopyWords);
 }
 
-void Study::copy_to(const std::filesystem::path& folder) const {
+void Study::copy_to(const std::filesystem::path& folder, const std::stop_token& stop) const {
   refuse_copy_to(folder);
   const std::filesystem::path from = std::filesystem::canonical(store_->folder);
   const std::filesystem::path to =
@@ -104,7 +107,7 @@ void Study::copy_to(const std::filesystem::path& folder) const {
         return number_of_deletions(database);
       });
       try {
-        copy_files(from, content);
+        copy_files(from, content, stop);
         is_whole = store_->read(number_of_deletions) == deletions;
       } catch (const std::exception&) {
         if (store_->read(number_of_deletions) == deletions) throw;

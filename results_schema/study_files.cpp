@@ -118,6 +118,13 @@ class Transfer final {
 
   /// Returns the SHA-256 of what is there now.
   std::string take(const std::filesystem::path& relative) const {
+    if (transfer_.stop.stop_requested()) {
+      throw ResultsError("the study " + from_.string() + " was not " + transfer_.words.participle +
+                             ": the program was asked to stop, and nothing was written. Repeat "
+                             "the command to " +
+                             transfer_.words.verb + " it",
+                         from_, ECANCELED);
+    }
     const std::filesystem::path source = path_in_study(from_, relative.string());
     const std::filesystem::path target = path_in_study(to_, transfer_.new_path(relative).string());
     if (!std::filesystem::exists(std::filesystem::symlink_status(target))) {

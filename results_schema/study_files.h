@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <stop_token>
 #include <string>
 
 #include "results_schema/sqlite.h"
@@ -26,14 +27,15 @@ struct FileTransfer {
   std::function<void(const std::filesystem::path&)> refuse_other_content{};
   /// Whether a file that no row names stays, because it is not true of the other folder. May be empty.
   std::function<bool(const std::filesystem::path&)> leaves_out{};
+  std::stop_token stop{};  ///< looked at before each file
 };
 
 /// Copies the files of the study `from` into `to`, to disk: those that the rows of `rows` name, whose SHA-256 is checked,
 /// and those that users put there. What a running program has not finished, locks, files of a participant whose deletion
 /// is not complete and the database itself stay. A file that is there already with the same content is left as it is.
 ///
-/// Errors: ResultsError for a file that rows name and that is missing or has changed, for a link, and for what is not a
-/// file.
+/// Errors: ResultsError for a file that rows name and that is missing or has changed, for a link, for what is not a
+/// file, and where it was asked to stop.
 void transfer_files(Database& rows, const std::filesystem::path& from,
                     const std::filesystem::path& to, const FileTransfer& transfer);
 

@@ -434,10 +434,12 @@ std::vector<std::string> Study::leftovers() const {
   const std::filesystem::path& study = store_->folder;
   std::set<std::filesystem::path> being_deleted;
   bool is_deleting = false;
+  bool has_deleted = false;
   store_->read([&](Database& database) {
     known.clear();
     for (const VouchedFile& file : vouched_files(database)) known.insert(file.path);
     is_deleting = !unfinished_deletions(database).empty();
+    has_deleted = number_of_deletions(database) > 0;
     being_deleted = files_being_deleted(database, study);
     return true;
   });
@@ -472,6 +474,15 @@ std::vector<std::string> Study::leftovers() const {
     leftovers.emplace_back(
         "study.sqlite: the deletion of a participant's data is not complete: it is being done, or "
         "its program crashed. The next program that writes to the study completes it");
+  }
+  // The last step of a deletion is in the log first, and what it overwrites in the file.
+  if (has_deleted && !is_deleting && !log_is_empty(study) && !is_being_written(study)) {
+    leftovers.emplace_back(
+        "study.sqlite-wal: the log is not empty: a program crashed before it had emptied it, or "
+        "reads "
+        "the study. If the data of a participant were deleted last, study.sqlite may still contain "
+        "bytes of them. The next program that writes to the study empties the log; do not copy the "
+        "folder before");
   }
   if (!has_seal(study)) {
     leftovers.push_back(

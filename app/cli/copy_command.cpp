@@ -7,6 +7,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/output/terminal.h"
+#include "app/cli/signals.h"
 #include "app/study_files/study_outputs.h"
 #include "results_schema/study.h"
 
@@ -29,7 +30,8 @@ void add_copy(CLI::App& program, Job& job) {
       const Study study = Study::open(options->study, Access::read_only);
       study.refuse_copy_to(options->folder);  // before it is written to
       ListedOutput listed(study, OutputKind::copy, options->folder);
-      study.copy_to(options->folder);
+      const InterruptWatch interrupt("stopping; no copy is made");
+      study.copy_to(options->folder, interrupt.token());
       say("copied " + options->study + " to " + options->folder);
       say_unrecorded(listed.complete());
       return 0;

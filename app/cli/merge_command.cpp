@@ -13,6 +13,7 @@
 #include "app/cli/command.h"
 #include "app/cli/options/metadata_options.h"
 #include "app/cli/output/terminal.h"
+#include "app/cli/signals.h"
 #include "app/shards/study_shard.h"
 #include "app/study_files/study_outputs.h"
 #include "app/tasks/verify/verify_places.h"
@@ -112,11 +113,13 @@ void add_merge(CLI::App& program, Job& job) {
         const Study study = Study::open(source.folder, Access::read_only);
         listed.emplace_back(study, OutputKind::merge, options->out);
       }
+      const InterruptWatch interrupt("stopping; no merged study is made");
       const MergedCounts counts = Study::merge(
           sources, options->out,
           {.metadata = options->metadata.applied_to({}),
            .deletions_in_copies = options->deletions_checked ? DeletionsInCopies::checked
-                                                             : DeletionsInCopies::unchecked});
+                                                             : DeletionsInCopies::unchecked,
+           .stop = interrupt.token()});
       if (!counts.was_there) {  // otherwise the earlier merge is listed
         for (ListedOutput& entry : listed) say_unrecorded(entry.complete());
       }

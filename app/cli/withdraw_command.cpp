@@ -2,7 +2,7 @@
 
 #include <iostream>
 #include <memory>
-#include <ostream>
+#include <optional>
 #include <string>
 #include <unistd.h>
 
@@ -13,6 +13,7 @@
 #include "app/cli/options/text_option.h"
 #include "app/cli/options/word_option.h"
 #include "app/cli/output/terminal.h"
+#include "app/cli/signals.h"
 #include "app/study_files/study_outputs.h"
 #include "results_schema/study.h"
 
@@ -55,18 +56,19 @@ bool is_confirmed(const std::string& label, const std::string& confirmed,
   return std::getline(std::cin, typed) && typed == label;
 }
 
-void name_outputs(std::ostream& to, const std::vector<OutputRow>& outputs) {
+void name_outputs(const std::vector<OutputRow>& outputs) {
   if (outputs.empty()) return;
-  to << "outputs of the study that may contain data of the participant; they were not changed. "
-        "Delete those that contain such data, and repeat the export or the report if needed:\n";
+  std::cout
+      << "outputs of the study that may contain data of the participant; they were not changed. "
+         "Delete those that contain such data, and repeat the export or the report if needed:\n";
   for (const OutputRow& output : outputs) {
     const bool is_complete = !output.made_utc.empty();
-    to << "  " << (is_complete ? local_time_text(output.made_utc) : "(not complete)  ") << "  "
-       << kind_words(output.kind).english() << "  "
-       << (output.path.empty()
-               ? "(its path contained the label of another participant, and was removed)"
-               : output.path)
-       << '\n';
+    std::cout << "  " << (is_complete ? local_time_text(output.made_utc) : "(not complete)  ")
+              << "  " << kind_words(output.kind).english() << "  "
+              << (output.path.empty()
+                      ? "(its path contained the label of another participant, and was removed)"
+                      : output.path)
+              << '\n';
   }
 }
 
@@ -77,7 +79,7 @@ void add_withdraw(CLI::App& program, Job& job) {
     std::string study{};
     std::string label{};
     bool deletes = false;
-    WithdrawalReason reason = WithdrawalReason::consent_withdrawn;
+    std::optional<WithdrawalReason> reason{};
     std::string by{};
     std::string confirmed{};
   };
@@ -100,8 +102,10 @@ void add_withdraw(CLI::App& program, Job& job) {
       {text_of(WithdrawalReason::not_eligible), WithdrawalReason::not_eligible},
       {text_of(WithdrawalReason::other), WithdrawalReason::other}};
   command
-      ->add_option("--reason", options->reason,
-                   "Reason of the withdrawal (default: consent_withdrawn)")
+      ->add_option(
+          "--reason", options->reason,
+          "Reason of the withdrawal (default: that of an earlier withdrawal of the participant, "
+          "which kept the data, otherwise consent_withdrawn)")
       ->transform(word_of(reasons))
       ->option_text("consent_withdrawn|not_eligible|other");
   command
@@ -121,23 +125,21 @@ void add_withdraw(CLI::App& program, Job& job) {
             "repeat the command and type the label");
         return 1;
       }
+      const InterruptWatch interrupt("stopping if another program keeps the study open");
       const Withdrawal done = study.withdraw(
           options->label,
           {.data = options->deletes ? WithdrawnData::deleted : WithdrawnData::kept,
-           .reason = options->reason,
+           .reason = options->reason.value_or(counts.reason),
            .decided_by = options->by.empty() ? name_of_user() : options->by},
           [] {
             say("asperity: another program is reading the study, and the deletion waits for it, up "
                 "to 30 s; close the study there");
-          });
-      const auto state = [&](std::ostream& to) {
-        to << options->label << " has withdrawn: " << held(done.row)
-           << (options->deletes ? " deleted" : " kept and excluded from every analysis") << '\n';
-        name_outputs(to, outputs_of_withdrawal(done, options->label));
-      };
-      state(std::cout);
-      // After a deletion nobody can be asked for the outputs again.
-      if (!std::cout.flush()) state(std::cerr);
+          },
+          interrupt.token());
+      std::cout << options->label << " has withdrawn: " << held(done.row)
+                << (options->deletes ? " deleted" : " kept and excluded from every analysis")
+                << '\n';
+      name_outputs(outputs_of_withdrawal(done, options->label));
       return 0;
     };
     job = with_lasting_effect(job);

@@ -182,7 +182,7 @@ bool empty_log(Database& database, const Patience& patience) {
     if (checkpoint.step()) checkpoint.read(busy);
     checkpoint.run();
     if (busy == 0) return true;
-    if (waited >= patience.longest) return false;
+    if (waited >= patience.longest || patience.stop.stop_requested()) return false;
     if (waited == waited.zero() && patience.begins) patience.begins();
     std::this_thread::sleep_for(kPause);
   }
@@ -314,7 +314,8 @@ void complete_deletion(Database& database, const UnfinishedDeletion& deletion,
   blank_label(database, deletion);
   // Where a program that reads keeps it from being emptied, the deletion is final all the same: the last program that closes
   // the study empties it, or the next one that opens it for writing.
-  empty_log(database, {.longest = std::min(patience.longest, kPatienceAtEnd)});
+  empty_log(database,
+            {.longest = std::min(patience.longest, kPatienceAtEnd), .stop = patience.stop});
 }
 
 std::vector<std::filesystem::path> files_of_label(const std::filesystem::path& study,

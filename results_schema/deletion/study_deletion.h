@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <set>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,7 @@ DeletedRows delete_rows(Database& database, const std::string& label, Withdrawal
 struct Patience {
   std::chrono::milliseconds longest{0};
   std::function<void()> begins{};  ///< called before the first wait; may be empty
+  std::stop_token stop{};          ///< ends the wait as the longest time does
 };
 
 /// The other steps. Waits for readers of the log with `patience`, at two of the steps. Errors: ResultsError; what was done stays done.

@@ -61,9 +61,14 @@ constexpr std::chrono::seconds kLongestWait{30};
 
 WithdrawalRow count_rows(Database& database, const std::string& label) {
   WithdrawalRow counts{};
-  Statement participant(database, "SELECT is_virtual FROM participant WHERE label = ?");
-  if (!participant.bind(label).step()) refuse_label(database, label);
-  participant.read(counts.is_virtual);
+  Statement participant(database,
+                        "SELECT participant.is_virtual, coalesce(reason, ?2) FROM participant "
+                        "LEFT JOIN withdrawal ON participant_id = participant.id "
+                        "WHERE participant.label = ?1");
+  if (!participant.bind(label, text_of(counts.reason)).step()) refuse_label(database, label);
+  std::string reason;
+  participant.read(counts.is_virtual, reason);
+  counts.reason = enum_of(reason, kReasons, "withdrawal.reason");
   Statement count(database,
                   "WITH own AS (SELECT session.id FROM session JOIN participant "
                   "ON participant.id = session.participant_id WHERE label = ?1), "
@@ -113,13 +118,14 @@ WithdrawalRow withdrawal_of(Database& database, std::int64_t id) {
 
 /// `waits` is called at most once. Errors: ResultsError that states what is done and what to do.
 void complete(Database& database, const UnfinishedDeletion& deletion,
-              const std::function<void()>& waits) {
+              const std::function<void()>& waits, const std::stop_token& stop) {
   bool is_waiting = false;
   const auto wait_once = [&] {
     if (!std::exchange(is_waiting, true) && waits) waits();
   };
   try {
-    complete_deletion(database, deletion, {.longest = kLongestWait, .begins = wait_once});
+    complete_deletion(database, deletion,
+                      {.longest = kLongestWait, .begins = wait_once, .stop = stop});
   } catch (const std::exception& error) {
     const auto* const of_store = dynamic_cast<const ResultsError*>(&error);
     throw ResultsError("the rows of participant " + deletion.label +
@@ -178,7 +184,7 @@ WithdrawalRow Study::counts_of_participant(const std::string& label) const {
 }
 
 Withdrawal Study::withdraw(const std::string& label, const WithdrawalRow& withdrawal,
-                           const std::function<void()>& waits) {
+                           const std::function<void()>& waits, const std::stop_token& stop) {
   Database& database = store_->writable();
   if (withdrawal.decided_by.empty()) {
     refuse_withdrawal(store_->folder,
@@ -196,7 +202,7 @@ Withdrawal Study::withdraw(const std::string& label, const WithdrawalRow& withdr
             std::any_of(unfinished.begin(), unfinished.end(), [&](const UnfinishedDeletion& other) {
               return other.withdrawal == interrupted->deletion.withdrawal;
             });
-        if (is_unfinished) complete(database, interrupted->deletion, waits);
+        if (is_unfinished) complete(database, interrupted->deletion, waits, stop);
       }
       return {.row = withdrawal_of(database, interrupted->deletion.withdrawal),
               .outputs = interrupted->outputs};
@@ -215,7 +221,7 @@ Withdrawal Study::withdraw(const std::string& label, const WithdrawalRow& withdr
     const DeletedRows deleted = delete_rows(database, label, done.row);
     done.outputs = deleted.outputs;
     session.reset();  // removes its file; the rules of the schema keep the label from being used
-    complete(database, deleted.deletion, waits);
+    complete(database, deleted.deletion, waits, stop);
     return done;
   }
   if (participant(label)->withdrawn) {

@@ -10,7 +10,9 @@
 #include <map>
 #include <optional>
 #include <stdexcept>
+#include <stop_token>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "results_schema/files/folder_entries.h"
@@ -63,7 +65,8 @@ void refuse_condition(const MergeSource& source, StudyCondition condition) {
 /// Which study the files of the merged one came from, to name it where another has a different one.
 class FilesOfSources final {
  public:
-  explicit FilesOfSources(OpenSources sources) : sources_(sources) {}
+  FilesOfSources(OpenSources sources, std::stop_token stop)
+      : sources_(sources), stop_(std::move(stop)) {}
 
   void transfer_to(const std::filesystem::path& to) {
     for (const OpenSource& source : sources_) {
@@ -72,7 +75,8 @@ class FilesOfSources final {
           {.words = kMergeWords,
            .new_path = [&](const std::filesystem::path& path) { return taken(source, path); },
            .refuse_other_content = [&](const std::filesystem::path& path) { refuse(source, path); },
-           .leaves_out = states_part});
+           .leaves_out = states_part,
+           .stop = stop_});
     }
   }
 
@@ -98,6 +102,7 @@ class FilesOfSources final {
   }
 
   OpenSources sources_;
+  std::stop_token stop_;
   /// The source and its path, by the path in the merged study.
   std::map<std::string, std::pair<const MergeSource*, std::filesystem::path>> first_{};
 };
@@ -239,7 +244,7 @@ MergedCounts Study::merge(std::span<const MergeSource> sources, const std::files
     if (was_there && !have_same_bytes(database_in(part->content()), database_in(to))) {
       refuse_taken(folder, kOther);
     }
-    FilesOfSources(opened).transfer_to(part->content());
+    FilesOfSources(opened, settings.stop).transfer_to(part->content());
   };
   name_target_in_errors(part, [&] {
     read_all_at_one_moment(studies, studies.begin(), fill);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <stop_token>
 #include <string>
 
 #include "results_schema/rows.h"
@@ -29,6 +30,7 @@ struct MergeSettings {
   /// What is stated here replaces what the studies state; it is required where they state different things.
   StudyMetadata metadata{};
   DeletionsInCopies deletions_in_copies = DeletionsInCopies::unchecked;
+  std::stop_token stop{};  ///< a stop is an error, and nothing is left
 };
 
 /// The numbers of rows in a merged study.

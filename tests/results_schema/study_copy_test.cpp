@@ -98,6 +98,18 @@ TEST(StudyCopy, HoldsWhatTheStudyHolds) {
   EXPECT_FALSE(std::filesystem::exists(folder / "new" / "copy.part"));
 }
 
+TEST(StudyCopy, LeavesNothingWhereItIsStopped) {
+  const TemporaryFolder folder;
+  const auto [study, session_id] = recorded_study(folder / "s");
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_THAT(refusal_of<ResultsError>(
+                  [&, &from = study] { from.copy_to(folder / "copy", stop.get_token()); }),
+              HasSubstr("asked to stop"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "copy"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "copy.part"));
+}
+
 /// The same on disk, closed: nobody writes to it.
 std::filesystem::path closed_study(const TemporaryFolder& folder) {
   recorded_study(folder / "s");

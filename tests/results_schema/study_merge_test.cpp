@@ -3,6 +3,7 @@
 #include "results_schema/merge/study_merge.h"
 
 #include <algorithm>
+#include <stop_token>
 #include <string>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -421,6 +422,16 @@ TEST_F(StudyMerge, RefusesCopiesOfWhichOneLacksADeletion) {
                {.deletions_in_copies = DeletionsInCopies::checked});
   EXPECT_EQ(Study::open(merged_, Access::read_only).withdrawals().size(), 1U);
   EXPECT_THAT(problems(), IsEmpty());
+}
+
+TEST_F(StudyMerge, LeavesNothingWhereItIsStopped) {
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_THROW(
+      Study::merge(std::vector<MergeSource>{{a_}, {b_}}, merged_, {.stop = stop.get_token()}),
+      ResultsError);
+  EXPECT_FALSE(std::filesystem::exists(merged_));
+  EXPECT_FALSE(std::filesystem::exists(merged_.string() + ".part"));
 }
 
 TEST_F(StudyMerge, RefusesFilesThatDiffer) {

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <chrono>
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
@@ -399,10 +400,46 @@ TEST_F(WithdrawalFromAStudy, IsCompleteAlthoughAProgramReadsWhenTheLabelIsBlanke
     open().withdraw("Wanda7", kDeletion);
     EXPECT_TRUE(reader.reads());
     EXPECT_THAT(files_with("Wanda7"), testing::Not(testing::IsEmpty())) << "in what is read";
+    EXPECT_THAT(Study::open(path_, Access::read_only).leftovers(),
+                testing::Contains(testing::HasSubstr("study.sqlite-wal")));
   }
   open().set_metadata({});
   EXPECT_THAT(files_with("Wanda7"), testing::IsEmpty());
+  EXPECT_THAT(Study::open(path_, Access::read_only).leftovers(), testing::IsEmpty());
   expect_the_end_when_repeated();
+}
+
+// At a terminal nobody waits 30 s without a word.
+TEST_F(WithdrawalFromAStudy, StatesWhatIsLeftWhereItIsStoppedWhileItWaits) {
+  sqlite3* reader = nullptr;
+  ASSERT_EQ(sqlite3_open((path_ / "study.sqlite").c_str(), &reader), SQLITE_OK);
+  ASSERT_EQ(
+      sqlite3_exec(reader, "BEGIN; SELECT count(*) FROM participant", nullptr, nullptr, nullptr),
+      SQLITE_OK);
+  std::stop_source stop;
+  std::thread program;
+  const auto stop_and_release_later = [&] {
+    stop.request_stop();
+    program = std::thread([reader] {
+      std::this_thread::sleep_for(std::chrono::seconds(2));  // a wait that went on would succeed
+      sqlite3_exec(reader, "COMMIT", nullptr, nullptr, nullptr);
+    });
+  };
+  EXPECT_THAT(refusal_of<ResultsError>([&] {
+                open().withdraw("Wanda7", kDeletion, stop_and_release_later, stop.get_token());
+              }),
+              testing::HasSubstr("the deletion is not complete"));
+  ASSERT_TRUE(program.joinable());
+  program.join();
+  sqlite3_close(reader);
+  expect_the_end_when_repeated();
+}
+
+TEST_F(WithdrawalFromAStudy, KeepsTheReasonOfAnEarlierOneForADeletion) {
+  Study study = open();
+  EXPECT_EQ(study.counts_of_participant("Wanda7").reason, WithdrawalReason::consent_withdrawn);
+  study.withdraw("Wanda7", {.reason = WithdrawalReason::not_eligible, .decided_by = "R. Keeper"});
+  EXPECT_EQ(study.counts_of_participant("Wanda7").reason, WithdrawalReason::not_eligible);
 }
 
 TEST_F(WithdrawalFromAStudy, ReportsWhatIsBeingMadeAndWhatWasMadeSinceThePersonWasAdded) {

@@ -94,6 +94,7 @@ WithdrawDialog::WithdrawDialog(OpenStudy& study, const std::string& label, QWidg
   add_reason(tr("Consent withdrawn"), WithdrawalReason::consent_withdrawn);
   add_reason(tr("Not eligible"), WithdrawalReason::not_eligible);
   add_reason(tr("Other"), WithdrawalReason::other);
+  reason_->setCurrentIndex(reason_->findData(static_cast<int>(counts.reason)));
   form->addRow(tr("Reason"), reason_);
   by_ = new QLineEdit(question_);
   by_->setObjectName("withdraw_by");
