@@ -130,7 +130,7 @@ void add_bake(CLI::App& program, Job& job) {
       }
       return 0;
     };
-    job = with_lasting_effect(job, kPrintedAgainByForce);
+    job = with_lasting_effect(job);
   });
 }
 

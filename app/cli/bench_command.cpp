@@ -198,7 +198,8 @@ void add_bench(CLI::App& program, Job& job) {
   command->add_flag("--list", options->list, "Print the scenes, and measure nothing");
   command->add_flag("--json", options->json, "Print the table as JSON");
   command->add_flag("--force", options->force, "Replace an existing table");
-  command->callback([options, &job] { job = [options] { return run_bench(*options); }; });
+  command->callback(
+      [options, &job] { job = with_lasting_effect([options] { return run_bench(*options); }); });
 }
 
 }  // namespace asperity

@@ -195,7 +195,8 @@ void add_clean_stiffness(CLI::App& program, Job& job) {
   command->add_flag("--force", options->force, "Replace an existing table");
   add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
-    job = watched_with(options->plugins, [options] { return run_clean_stiffness(*options); });
+    job = watched_with(options->plugins,
+                       with_lasting_effect([options] { return run_clean_stiffness(*options); }));
   });
 }
 

@@ -2,6 +2,8 @@
 
 #include <exception>
 #include <iostream>
+#include <sstream>
+#include <streambuf>
 #include <string>
 #include <utility>
 
@@ -15,13 +17,29 @@ namespace asperity {
 namespace {
 
 constexpr int kNotAcceptable = 1;
+constexpr const char* kUnwritten =
+    "standard output cannot be written to (it was closed, or its disk is full)";
 
-int status_of_unwritten_output(const std::string& remedy) {
-  say("asperity: the output is incomplete: standard output cannot be written to (it was closed, or "
-      "its disk is full); " +
-      remedy);
-  return kNotAcceptable;
-}
+/// While it lives, what is written to standard output is kept, to be written at its end.
+class HeldOutput final {
+ public:
+  HeldOutput() : target_(std::cout.rdbuf(held_.rdbuf())) {}
+  HeldOutput(const HeldOutput&) = delete;
+  HeldOutput& operator=(const HeldOutput&) = delete;
+  ~HeldOutput() { write(); }
+
+  /// False where it could not be written.
+  bool write() {
+    if (target_ == nullptr) return true;
+    std::cout.rdbuf(std::exchange(target_, nullptr));
+    return static_cast<bool>(std::cout << held_.str() << std::flush);
+  }
+  std::string text() const { return held_.str(); }
+
+ private:
+  std::ostringstream held_{};
+  std::streambuf* target_;
+};
 
 }  // namespace
 
@@ -30,7 +48,9 @@ int status_of(const Job& job) {
   try {
     const int status = job();
     if (std::cout.flush()) return status;
-    return status_of_unwritten_output("repeat the command with its output in another file");
+    say(std::string("asperity: the output is incomplete: ") + kUnwritten +
+        "; repeat the command with its output in another file");
+    return kNotAcceptable;
   } catch (const WrongUsage& error) {
     say(std::string("asperity: ") + error.what());
     return kWrongUsage;
@@ -43,14 +63,16 @@ int status_of(const Job& job) {
   }
 }
 
-Job with_lasting_effect(Job job, std::string printed_again) {
-  return [job = std::move(job), printed_again = std::move(printed_again)] {
+Job with_lasting_effect(Job job) {
+  return [job = std::move(job)] {
+    HeldOutput output;
     const int status = job();
-    if (std::cout.flush()) return status;
+    if (output.write()) return status;
     std::cout.clear();  // it is reported here
-    return status_of_unwritten_output(
-        "what the command stores is complete, and the command need not be repeated" +
-        (printed_again.empty() ? "" : "; " + printed_again));
+    say(std::string("asperity: ") + kUnwritten +
+        "; the command has ended all the same, and need not be repeated. It states:");
+    std::cerr << output.text() << std::flush;
+    return kNotAcceptable;
   };
 }
 

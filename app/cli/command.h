@@ -21,12 +21,8 @@ using Job = std::function<int()>;
 int status_of(const Job& job);
 
 /// The job of a command that changes a study or makes a file: repeated for what it printed, it would change the study again, or
-/// fail. Where standard output cannot be written to, the message states that the effect is complete; `printed_again` is how to
-/// print the same, where there is a way.
-Job with_lasting_effect(Job job, std::string printed_again = {});
-/// Of a command that makes files.
-inline constexpr const char* kPrintedAgainByForce =
-    "add --force to make the files and to print this again";
+/// fail. It prints at its end; where standard output cannot be written to, it does so on standard error, with the status 1.
+Job with_lasting_effect(Job job);
 
 /// The job, in a separate process where it loads plug-ins (app/plugins/plugin_process.h): a plug-in that ends its process or does
 /// not return is named. Not for a job in real time, whose process holds the device.

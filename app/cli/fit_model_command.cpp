@@ -153,7 +153,7 @@ void add_fit_model(CLI::App& program, Job& job) {
       write_file(options->out, tsv_of(set), overwrite);
       return 0;
     };
-    job = with_lasting_effect(job, kPrintedAgainByForce);
+    job = with_lasting_effect(job);
   });
 }
 

@@ -114,7 +114,8 @@ int main(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
+    if (error.get_exit_code() == 0)
+      return status_of([&] { return program.exit(error); });  // --help, --version
     say(usage_error(program, error));
     return kWrongUsage;
   }

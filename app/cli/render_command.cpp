@@ -215,7 +215,7 @@ void add_render(CLI::App& program, Job& job) {
   command->add_flag("--force", options->force, "Replace existing files");
   add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
-    job = watched_with(options->plugins, [options] {
+    const auto run = [options] {
       const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
       // Before the work; the files that go with it are looked at when they are written.
       refuse_existing({options->out}, overwrite);
@@ -307,7 +307,8 @@ void add_render(CLI::App& program, Job& job) {
       }
       tell_limits(model, *renderer, along.ticks.size());
       return 0;
-    });
+    };
+    job = watched_with(options->plugins, with_lasting_effect(run));
   });
 }
 

@@ -144,14 +144,15 @@ void add_replay(CLI::App& program, Job& job) {
   command->add_flag("--force", options->force, "Replace existing files");
   add_plugin_option(*command, options->plugins);
   command->callback([options, &job] {
-    job = watched_with(options->plugins, [options] {
+    const auto run = [options] {
       if (!options->compare && !options->attempt) {
         throw WrongUsage(
             "replay renders one attempt or compares a whole study; add --attempt WHICH or "
             "--compare");
       }
       return options->compare ? run_replay_comparison(*options) : run_replay(*options);
-    });
+    };
+    job = watched_with(options->plugins, with_lasting_effect(run));
   });
 }
 

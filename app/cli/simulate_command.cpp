@@ -129,12 +129,7 @@ void add_simulate(CLI::App& program, Job& job) {
       }
       return 0;
     };
-    // A shard that is there already is not simulated again.
-    job = watched_with(
-        options->plugins,
-        options->inputs.shard
-            ? Job(run)
-            : with_lasting_effect(run, "to repeat it, add --resume, which adds no participant"));
+    job = watched_with(options->plugins, with_lasting_effect(run));
   });
 }
 

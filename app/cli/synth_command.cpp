@@ -109,7 +109,7 @@ void add_synth(CLI::App& program, Job& job) {
       }
       return 0;
     };
-    job = with_lasting_effect(job, kPrintedAgainByForce);
+    job = with_lasting_effect(job);
   });
 }
 

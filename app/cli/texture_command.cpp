@@ -393,7 +393,7 @@ void add_texture(CLI::App& program, Job& job) {
       }
       return 0;
     };
-    job = with_lasting_effect(job, kPrintedAgainByForce);
+    job = with_lasting_effect(job);
   });
 }
 

@@ -224,7 +224,7 @@ void add_texture_recording(CLI::App& program, Job& job) {
       }
       return 0;
     });
-    job = with_lasting_effect(job, kPrintedAgainByForce);
+    job = with_lasting_effect(job);
   });
 }
 

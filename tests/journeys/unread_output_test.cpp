@@ -34,30 +34,30 @@ TEST(OutputThatNobodyReads, IsAnErrorAndDoesNotEndTheProgram) {
   EXPECT_THAT(unread.err, HasSubstr("the output is incomplete"));
 }
 
-// What has changed a study is not to be repeated for what it printed.
-TEST(OutputThatNobodyReads, OfACommandWithALastingEffectHasARemedyThatChangesNothing) {
+// What has changed a study is not repeated for what it printed.
+TEST(OutputThatNobodyReads, OfACommandWithALastingEffectIsOnStandardError) {
   const SmallStudy small(1);
   const auto unread = [](std::vector<std::string> arguments) {
     return run(
         {.arguments = std::move(arguments), .in_child = [] { nobody_reads(STDOUT_FILENO); }});
   };
-  std::vector<std::string> simulation{
-      "simulate", small.selection(), "--study", small.study(), "--participants",
-      "1",        "--seed",          "1",       "--json"};
-  const Outcome simulated = unread(simulation);
+  const Outcome simulated = unread({"simulate", small.selection(), "--study", small.study(),
+                                    "--participants", "1", "--seed", "1", "--json"});
   EXPECT_EQ(simulated.status, 1);
-  EXPECT_THAT(simulated.err, HasSubstr("add --resume, which adds no participant"));
-  simulation.push_back("--resume");
-  EXPECT_THAT(asperity(simulation).out, HasSubstr("\"sessions\": 0"));
+  EXPECT_THAT(simulated.err, HasSubstr("need not be repeated"));
+  EXPECT_THAT(simulated.err, HasSubstr("\"sessions\": 1"));
   const auto tables = exported(small.study(), small.place() / "out");
-  EXPECT_EQ(tsv(tables.at("participants.tsv")).column("participant"),
-            std::vector<std::string>{"virtual0001"});
+  EXPECT_EQ(tsv(tables.at("sessions.tsv")).column("state"), std::vector<std::string>{"completed"});
 
   const Outcome withdrawn =
       unread({"withdraw", small.study(), "virtual0001", "--delete", "--confirm", "virtual0001"});
   EXPECT_EQ(withdrawn.status, 1);
-  EXPECT_THAT(withdrawn.err, HasSubstr("need not be repeated"));
   EXPECT_THAT(withdrawn.err, HasSubstr((small.place() / "out").string())) << "the list of outputs";
+}
+
+TEST(OutputThatNobodyReads, OfTheHelpIsAnError) {
+  EXPECT_EQ(run({.arguments = {"--help"}, .in_child = [] { nobody_reads(STDOUT_FILENO); }}).status,
+            1);
 }
 
 // As of `2>&1 | head`, once head has seen enough.
