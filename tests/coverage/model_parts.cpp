@@ -203,8 +203,7 @@ std::span<const CoveragePart> model_parts() {
                    .draw = draw_crossed<4>,
                    .findings = findings_of_other_textures,
                    .intervals = crossed_intervals,
-                   .tests = crossed_tests,
-                   .tables = 1000},
+                   .tests = crossed_tests},
       CoveragePart{.name = "crossed_ten_textures",
                    .model = "as `crossed_textures`, with ten textures",
                    .effect = "proportion correct of an average participant with an average "
@@ -214,8 +213,7 @@ std::span<const CoveragePart> model_parts() {
                    .draw = draw_crossed<10>,
                    .findings = findings_of_other_textures,
                    .intervals = crossed_intervals,
-                   .tests = crossed_tests,
-                   .tables = 1000}};
+                   .tests = crossed_tests}};
   return kParts;
 }
 
