@@ -27,6 +27,7 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 constexpr int kPeople = 8;  // the first half haptic, the other visual
 
@@ -110,6 +111,26 @@ TEST(GroupComparisons, TellLevelFromFormOfRatings) {
   EXPECT_EQ(table_of(outcome, kGroupMeans).table.rows.size(), 2U);
   EXPECT_EQ(table_of(outcome, kGroupProfiles).table.rows.size(), 2U);
   EXPECT_THAT(remarks_of(outcome), Not(HasSubstr("not compared")));
+}
+
+// Every participant of one group is above those of the other, so that p = 2/70; Welch's CI is 5 − 1.75 ± 3.6.
+TEST(GroupComparisons, EstablishNothingInAnswersAndInTheTextForAPaperWhereTheIntervalContainsZero) {
+  constexpr std::array<int, kPeople> kRatings{7, 3, 7, 3, 2, 2, 2, 1};
+  json protocol = rating_protocol({"rough"});
+  protocol["analysis"]["family"] = {"groups"};
+  const AnalysisOutcome outcome = outcome_of_groups(protocol, [&](int person) {
+    const int own = kRatings[static_cast<std::size_t>(person)];
+    return std::vector{rated("wood", own), rated("metal", own)};
+  });
+  EXPECT_NEAR(*finding_of(outcome, "groups", "values.perm.p.two").value, 2.0 / 70.0, 1e-12);
+  const std::string answer = answer_to(outcome, "groups");
+  EXPECT_THAT(answer, StartsWith("Not established: the mean rating on the scale “rough”: 5.00"));
+  EXPECT_THAT(answer, HasSubstr("The test is significant, but the 95 % CI of the difference "
+                                "contains 0; more participants are needed."));
+  const std::string sentence = sentence_about(outcome, "groups");
+  EXPECT_THAT(sentence, StartsWith("It was not established that the mean ratings were higher in "
+                                   "the group haptic than in the group visual: "));
+  EXPECT_THAT(sentence, HasSubstr("; the 95 % CI of the difference contains 0"));
 }
 
 TEST(GroupComparisons, NameTheScaleWhereThereAreSeveral) {

@@ -168,8 +168,8 @@ TEST(Matching, ClaimsNothingWhereTheIntervalContainsChance) {
       question_of(analyze_study(made.study()).front(), "items").answer.english();
   EXPECT_THAT(answer, HasSubstr(", uncorrected"));
   EXPECT_THAT(answer, testing::StartsWith("On average 88 %"));
-  EXPECT_THAT(answer, HasSubstr("Nothing is established: p is below .05, but the CI contains the "
-                                "chance level"));
+  EXPECT_THAT(answer, HasSubstr("Nothing is established: p is below .05, but the 95 % CI of the "
+                                "mean contains the chance level"));
 }
 
 // Two participants, every item of whom is correct: p is small, and the intervals leave everything open. The answers and the text

@@ -199,8 +199,8 @@ TEST(Recognition, ClaimsNothingWhereTheIntervalContainsChance) {
       question_of(analyze_study(made.study()).front(), "right").answer.english();
   EXPECT_THAT(answer, HasSubstr(", uncorrected"));
   EXPECT_THAT(answer, testing::StartsWith("On average "));
-  EXPECT_THAT(answer, HasSubstr("Nothing is established: p is below .05, but the CI contains the "
-                                "chance level"));
+  EXPECT_THAT(answer, HasSubstr("Nothing is established: p is below .05, but the 95 % CI of the "
+                                "mean contains the chance level"));
 }
 
 TEST(Recognition, StatesThatResponsesAreCorrectLessOftenThanByChance) {

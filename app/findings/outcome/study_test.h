@@ -56,6 +56,8 @@ struct StudyTest {
   std::optional<double> chance{};    ///< the chance level of that proportion
   std::optional<Effect>
       in_units{};  ///< the effect in the unit of the responses, where it was stated
+  /// The value of a compared difference or ratio without an effect, 0 or 1, where its interval contains this value.
+  std::optional<double> none_in_interval{};
   std::optional<double> adjusted{};  ///< within the family
   bool is_alone_in_family = false;   ///< the only test of its family, so that p is not corrected
   TestRole role = TestRole::exploratory;
@@ -70,11 +72,12 @@ struct StudyTest {
   bool shows() const noexcept { return role == TestRole::confirmatory && is_significant(); }
   /// For tests outside the family without correction.
   bool is_significant() const noexcept { return adjusted ? *adjusted < kLevel : p && *p < kLevel; }
-  /// Significant, although the interval of the tested proportion, which comes from a different method, contains the chance
-  /// level: nothing is established.
+  /// Significant, although an interval, which comes from a different method, contains the value without an effect: that of
+  /// the tested proportion the chance level, or that of the compared difference 0. Nothing is established.
   bool contradicts_interval() const noexcept {
-    return is_significant() && chance && estimate && estimate->low && estimate->high &&
-           *estimate->low <= *chance && *chance <= *estimate->high;
+    const bool has_chance_in_interval = chance && estimate && estimate->low && estimate->high &&
+                                        *estimate->low <= *chance && *chance <= *estimate->high;
+    return is_significant() && (none_in_interval || has_chance_in_interval);
   }
   /// The smallest attainable p, if it exceeds the level.
   std::optional<double> unattainable_p() const noexcept {

@@ -13,6 +13,7 @@
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/test_sentences.h"
 #include "protocols/kinds/experiment_kind.h"
 
@@ -287,6 +288,11 @@ void StudyTests::state_effect(const Finding* effect) {
   if (effect == nullptr || !effect->value) return;
   tests_.back().in_units =
       Test::Effect{.value = *effect->value, .low = effect->low, .high = effect->high};
+}
+
+void StudyTests::state_compared(const Finding* compared, double none) {
+  if (compared == nullptr || !holds_in_interval(*compared, none)) return;
+  tests_.back().none_in_interval = none;
 }
 
 void StudyTests::leave_out(std::size_t participants, const Phrase& why) {

@@ -55,6 +55,8 @@ class StudyTests final {
   void state_chance(double chance);
   /// Of the same test: the effect in the unit of the responses, with its interval. Null: there is none.
   void state_effect(const Finding* effect);
+  /// Of the same test: the difference or ratio that it compares, and its value without an effect, 0 or 1. Null: there is none.
+  void state_compared(const Finding* compared, double none);
   /// Adjusts, and appends the table `kTable` with its findings. A test that the protocol declares
   /// and that was not added is a row without a p. Without a test no table is appended.
   void finish(AnalysisOutcome& outcome);

@@ -168,9 +168,7 @@ TestSentence sentence_of_test(const StudyTest& test, std::string_view kind) {
   if (test.pools_participants) {
     sentence.text += " (responses of all participants pooled as independent)";
   }
-  if (test.contradicts_interval()) {
-    sentence.text += "; the 95 % CI of the mean contains the chance level";
-  }
+  if (test.contradicts_interval()) sentence.text += "; " + contradiction_text(test).english();
   sentence.text += '.';
   sentence.is_significant = test.is_significant() && !test.contradicts_interval();
   sentence.p = test.adjusted ? test.adjusted : test.p;
@@ -182,22 +180,13 @@ TestSentence sentence_of_test(const StudyTest& test, std::string_view kind) {
   return sentence;
 }
 
-void qualify_test_sentence(AnalysisOutcome& outcome, std::string_view test, std::string_view clause,
-                           std::string_view about) {
-  for (TestSentence& sentence : outcome.test_sentences) {
-    if (sentence.test == test && (about.empty() || sentence.about == about))
-      sentence.text.insert(sentence.text.size() - 1, clause);
-  }
-}
-
 void state_means(AnalysisOutcome& outcome, std::string_view test, const std::string& means,
                  std::string_view about) {
-  const bool is_confirmatory = std::any_of(
-      outcome.test_sentences.begin(), outcome.test_sentences.end(), [&](const TestSentence& one) {
-        return one.test == test && one.about == about && one.role == TestRole::confirmatory &&
-               !one.is_untested;
-      });
-  if (is_confirmatory) qualify_test_sentence(outcome, test, "; " + means, about);
+  for (TestSentence& one : outcome.test_sentences) {
+    const bool is_stated = one.test == test && one.about == about &&
+                           one.role == TestRole::confirmatory && !one.is_untested;
+    if (is_stated) one.text.insert(one.text.size() - 1, "; " + means);
+  }
 }
 
 Phrase p_text(const StudyTest& test) {
@@ -248,11 +237,37 @@ Phrase with_zero_differences(const Phrase& answer, const StudyTest& test) {
       .with(answer, std::to_string(test.ties), compared);
 }
 
-Phrase with_contradiction(const Phrase& answer) {
+Phrase contradiction_text(const StudyTest& test) {
+  if (!test.contradicts_interval()) return {};
+  return !test.none_in_interval
+             ? phrase("Analysis", "the 95 % CI of the mean contains the chance level")
+         : *test.none_in_interval == 1.0
+             ? phrase("Analysis", "the 95 % CI of the ratio contains 1")
+             : phrase("Analysis", "the 95 % CI of the difference contains 0");
+}
+
+Phrase with_contradiction(const Phrase& answer, const StudyTest& test) {
+  if (!test.contradicts_interval()) return answer;
   return phrase("Analysis",
-                "%1 Nothing is established: p is below .05, but the CI contains the chance level; "
-                "more participants are needed.")
-      .with(answer);
+                "%1 Nothing is established: p is below .05, but %2; more participants are needed.")
+      .with(answer, contradiction_text(test));
+}
+
+Sayings sayings_of(const StudyTest& test, const StatedNumbers& stated) {
+  const Phrase& numbers = stated.numbers;
+  const Phrase nothing = stated.not_significant.with(numbers);
+  const Phrase told =
+      stated.exploratory.empty() ? numbers.as_sentence() : stated.exploratory.with(numbers);
+  return {test.contradicts_interval()
+              ? phrase("Analysis",
+                       "Not established: %1 The test is significant, but %2; more participants are "
+                       "needed.")
+                    .with(numbers, contradiction_text(test))
+              : stated.significant.with(numbers),
+          stated.compares
+              ? phrase("Analysis", "%1 This does not show that they are equal.").with(nothing)
+              : nothing,
+          with_contradiction(told, test)};
 }
 
 Phrase said_of(const StudyTest& test, const Sayings& sayings) {

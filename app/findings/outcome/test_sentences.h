@@ -32,16 +32,11 @@ std::string effect_text(std::string_view symbol, double value, const EffectInter
 /// N = 6; one-sample t test, t(5) = 10.28, p < .001, Holm-corrected; Cohen’s d = 4.20, 95 % CI
 /// [1.56, 6.83]." One that is not confirmatory claims no significance: "In an exploratory test, the
 /// mean proportion correct was above the chance level: …". For a test that could not be made, that
-/// fact and the reason. Where the interval of the tested proportion contains the chance level: "It was not established that the
-/// mean proportion correct was above the chance level: …".
+/// fact and the reason. Where the test contradicts an interval: "It was not established that the mean proportion correct was above
+/// the chance level: …".
 TestSentence sentence_of_test(const StudyTest& test, std::string_view kind);
 
-/// Adds a clause before the full stop of the sentences of a test; with `about`, only of that
-/// comparison.
-void qualify_test_sentence(AnalysisOutcome& outcome, std::string_view test, std::string_view clause,
-                           std::string_view about = {});
-
-/// The same for a confirmatory test: the means that show the direction of its effect.
+/// Adds to the sentence of a confirmatory test, before its full stop, the means that show the direction of its effect.
 void state_means(AnalysisOutcome& outcome, std::string_view test, const std::string& means,
                  std::string_view about);
 
@@ -53,8 +48,11 @@ Phrase p_text(const StudyTest& test);
 /// An answer, and after it the participants with a difference of zero: a signed-rank test leaves them out, so that its n is
 /// smaller than the number of participants; they do not affect the p of a sign-flip test.
 Phrase with_zero_differences(const Phrase& answer, const StudyTest& test);
-/// An answer about a mean proportion, and after it that its test is significant and its interval contains the chance level.
-Phrase with_contradiction(const Phrase& answer);
+/// The interval that a significant test contradicts, as a clause: "the 95 % CI of the difference contains 0"; empty where there
+/// is none.
+Phrase contradiction_text(const StudyTest& test);
+/// An answer, and after it that nothing is established, where the test contradicts an interval.
+Phrase with_contradiction(const Phrase& answer, const StudyTest& test);
 /// The answers that a test that was made may give: `claim` if it is confirmatory and significant, `nothing` if it belongs
 /// to a family and is not significant, and `told` for a test from which nothing is concluded, because it is exploratory, as the
 /// sentence that is added to it states. `with_zero_differences` holds for all
@@ -63,7 +61,25 @@ struct Sayings {
   Phrase claim{};
   Phrase nothing{};
   Phrase told{};
+
+  /// Each of them with what `added` adds to an answer.
+  template <typename Added>
+  Sayings with(const Added& added) const {
+    return {added(claim), added(nothing), added(told)};
+  }
 };
+/// The numbers of a test, stated in each of its answers, and how these begin.
+struct StatedNumbers {
+  /// A sentence without its beginning: "the mean rating is highest for wood. Friedman test: p = .020."
+  Phrase numbers{};
+  Phrase significant = phrase("Analysis", "Yes: %1");
+  Phrase not_significant = phrase("Analysis", "Not significantly: %1");
+  Phrase exploratory =
+      phrase("Analysis", "For these participants, %1");  ///< empty: the numbers alone
+  bool compares = false;  ///< a result that is not significant could be taken for equality
+};
+/// Where the test contradicts an interval, nothing is established.
+Sayings sayings_of(const StudyTest& test, const StatedNumbers& stated);
 Phrase said_of(const StudyTest& test, const Sayings& sayings);
 
 }  // namespace asperity

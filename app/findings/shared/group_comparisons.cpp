@@ -178,7 +178,9 @@ void GroupComparisons::add_tests(StudyTests& tests, AnalysisOutcome& outcome) co
       continue;
     }
     const Finding* const ratio = found.find("values.ratio");
-    tests.state_effect(ratio != nullptr ? ratio : found.find("values.shift"));
+    const Finding* const effect = ratio != nullptr ? ratio : found.find("values.shift");
+    tests.state_effect(effect);
+    tests.state_compared(effect, ratio != nullptr ? 1.0 : 0.0);
     tests.leave_out(missing_in(found, one.pair),
                     phrase("Analysis",
                            "Participants for whom this number is missing are left out of the test "
@@ -194,7 +196,6 @@ void GroupComparisons::ask_measure(const Compared& one, const StudyTests& tests,
   if (test == nullptr || !test->p) return;
   const Finding* const ratio = found.find("values.ratio");
   const Finding& effect = ratio != nullptr ? *ratio : *found.find("values.shift");
-  const bool contains_none = holds_in_interval(effect, ratio != nullptr ? 1.0 : 0.0);
   const Phrase means = phrase("Analysis", "%1: %2, %3")
                            .with(one.words, mean_of(found, one.pair.first, ratio != nullptr),
                                  mean_of(found, one.pair.second, ratio != nullptr));
@@ -203,36 +204,22 @@ void GroupComparisons::ask_measure(const Compared& one, const StudyTests& tests,
                         : phrase("Analysis", "difference (%1 − %2): %3"))
           .with(one.pair.first, one.pair.second, with_interval(effect, ratio != nullptr));
   state_means(outcome, test->name, means.english() + "; " + difference.english(), test->about);
-  if (test->is_significant() && contains_none) {
-    qualify_test_sentence(outcome, test->name,
-                          ratio != nullptr ? "; the 95 % CI of the ratio contains 1"
-                                           : "; the 95 % CI of the difference contains 0",
-                          test->about);
-  }
   const Phrase kind_of_effect =
       ratio != nullptr ? phrase("Analysis", "ratio") : phrase("Analysis", "difference");
   const std::size_t missing = missing_in(found, one.pair);
-  const auto with_numbers = [&](const Phrase& words) {
-    const Phrase answer = words.with(means, difference, p_text(*test), kind_of_effect,
-                                     std::string(ratio != nullptr ? "1" : "0"));
+  const auto with_left_out = [&](const Phrase& answer) {
     if (missing == 0) return answer;
     return phrase("Analysis",
                   "%1 Left out: %2 of %3 participants, for whom this number is missing; the "
                   "comparison does not describe them and therefore has no CI.")
         .with(answer, std::to_string(missing), std::to_string(missing + test->n));
   };
-  const Sayings sayings{
-      contains_none
-          ? with_numbers(phrase("Analysis",
-                                "Not established: %1; %2. Permutation test of group labels: %3. "
-                                "The test is significant, but the CI of the %4 contains %5; more "
-                                "participants are needed."))
-          : with_numbers(phrase("Analysis", "Yes: %1; %2. Permutation test of group labels: %3.")),
-      with_numbers(phrase("Analysis",
-                          "Not significantly: %1; %2. Permutation test of group labels: %3. This "
-                          "does not show that they are equal.")),
-      with_numbers(phrase(
-          "Analysis", "For these participants, %1; %2. Permutation test of group labels: %3."))};
+  const Sayings sayings =
+      sayings_of(*test,
+                 {.numbers = phrase("Analysis", "%1; %2. Permutation test of group labels: %3.")
+                                 .with(means, difference, p_text(*test)),
+                  .compares = true})
+          .with(with_left_out);
   const Phrase splits = method_of_splits(effect.n);
   const Phrase method = effect.low
                             ? phrase("Analysis",
@@ -260,8 +247,7 @@ void GroupComparisons::ask_profile(const Compared& one, const StudyTests& tests,
              "that of %3, %4")
           .with(one.pair.first, one.pair.second, words_of_item(with_strokes(greatest.key)),
                 reading_signed(*greatest.value, 2));
-  const auto with_numbers = [&](const Phrase& words) {
-    const Phrase answer = words.with(reading_bounded(*r2.value), largest, p_text(*test));
+  const auto with_left_out = [&](const Phrase& answer) {
     const auto missing = static_cast<std::size_t>(found.value("profile.incomplete").value_or(0.0));
     if (missing == 0) return answer;
     return phrase("Analysis",
@@ -269,18 +255,15 @@ void GroupComparisons::ask_profile(const Compared& one, const StudyTests& tests,
                   "the comparison does not describe them and therefore has no CI.")
         .with(answer, std::to_string(missing), std::to_string(missing + test->n));
   };
-  const Sayings sayings{
-      with_numbers(phrase("Analysis",
-                          "Yes: a proportion R² = %1 of the variation of the profiles is between "
-                          "the groups; %2. Permutation test of group labels: %3.")),
-      with_numbers(phrase("Analysis",
-                          "Not significantly: a proportion R² = %1 of the variation of the "
-                          "profiles is between the groups; %2. Permutation test of group labels: "
-                          "%3. This does not show that they are equal.")),
-      with_numbers(phrase("Analysis",
-                          "For these participants, a proportion R² = %1 of the variation of the "
-                          "profiles is between the groups; %2. Permutation test of group labels: "
-                          "%3."))};
+  const Sayings sayings =
+      sayings_of(*test,
+                 {.numbers = phrase("Analysis",
+                                    "a proportion R² = %1 of the variation of the profiles is "
+                                    "between the groups; %2. Permutation test of group "
+                                    "labels: %3.")
+                                 .with(reading_bounded(*r2.value), largest, p_text(*test)),
+                  .compares = true})
+          .with(with_left_out);
   add_question(
       outcome, one.analysis().c_str(), question_about(one.pair, one.words), said_of(*test, sayings),
       phrase("Analysis",

@@ -151,9 +151,8 @@ void ask_effect(const EffectQuestion& asked, const FoundNumbers& found, const St
   if (numbers.empty()) return;
   const Phrase roughest = roughest_of(name, levels, test->is_significant(), found);
   if (!roughest.empty()) numbers = phrase("Analysis", "%1; %2").with(numbers, roughest);
-  const Sayings sayings{phrase("Analysis", "Yes: %1.").with(numbers),
-                        phrase("Analysis", "Not significantly: %1.").with(numbers),
-                        phrase("Analysis", "%1.").with(numbers)};
+  const Sayings sayings =
+      sayings_of(*test, {.numbers = phrase("Analysis", "%1.").with(numbers), .exploratory = {}});
   add_question(outcome, name, question, said_of(*test, sayings),
                method_of_effect(found.find("p.GG", effect) != nullptr, !roughest.empty()), table,
                found.find("F", effect));

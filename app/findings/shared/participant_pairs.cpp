@@ -185,30 +185,14 @@ void ask_pair(const ParticipantPair& pair, const PairMeans& means, const StudyTe
       (are_shares ? phrase("Analysis", "%1 percentage points (%2)")
                   : phrase("Analysis", "%1 items (%2)"))
           .with(reading_signed(*shown.value, digits), interval_of_difference(shown, digits));
-  const auto with_numbers = [&](const Phrase& words) {
-    return words.with(of_both, difference, p_text(*test), pair.first_name, pair.second_name);
-  };
   state_means(outcome, test->name, of_both.english() + "; difference " + difference.english(),
               test->about);
-  if (test->is_significant() && holds_in_interval(*means.difference, 0.0)) {
-    qualify_test_sentence(outcome, test->name, "; the 95 % CI of the difference contains 0",
-                          test->about);
-  }
-  const Sayings sayings{
-      holds_in_interval(*means.difference, 0.0)
-          ? with_numbers(phrase("Analysis",
-                                "Not established: %1; difference (%4 − %5) %2. Permutation "
-                                "test of group labels: %3. The test is significant, but the CI of "
-                                "the difference contains 0; more participants are needed."))
-          : with_numbers(phrase("Analysis",
-                                "Yes: %1; difference (%4 − %5) %2. Permutation test of group "
-                                "labels: %3.")),
-      with_numbers(phrase("Analysis",
-                          "Not significantly: %1; difference (%4 − %5) %2. Permutation test of "
-                          "group labels: %3. This does not show that they are equal.")),
-      with_numbers(phrase("Analysis",
-                          "For these participants, %1; difference (%4 − %5) %2. Permutation "
-                          "test of group labels: %3."))};
+  const Sayings sayings = sayings_of(
+      *test,
+      {.numbers =
+           phrase("Analysis", "%1; difference (%4 − %5) %2. Permutation test of group labels: %3.")
+               .with(of_both, difference, p_text(*test), pair.first_name, pair.second_name),
+       .compares = true});
   add_question(outcome, pair.analysis.c_str(), pair.question, said_of(*test, sayings),
                method_of_pair(means), "tests", &*means.difference);
 }
@@ -230,7 +214,9 @@ PairComparisons::PairComparisons(const GatheredAnswers& gathered,
 void PairComparisons::add_tests(StudyTests& tests, AnalysisOutcome& outcome) const {
   for (const Compared& one : compared_) {
     keep_findings(one.findings, outcome);
-    tests.add(one.pair.test, one.pair.about(), FoundNumbers(one.findings), "perm.p.two");
+    const FoundNumbers found(one.findings);
+    tests.add(one.pair.test, one.pair.about(), found, "perm.p.two");
+    tests.state_compared(found.find("subj.diff"), 0.0);
   }
 }
 

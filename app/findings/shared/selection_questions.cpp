@@ -464,14 +464,12 @@ void ask_textures(const Selection& selection, const StudyTests& tests, AnalysisO
   finding.method = test->method;
   finding.unit = "1";
   finding.analysis = "tests";
-  const auto with_numbers = [&](const Phrase& words) { return words.with(target, p_text(*test)); };
-  const Sayings sayings{
-      with_numbers(
-          phrase("Analysis", "Yes: test of equal proportions of %1 with every texture, %2.")),
-      with_numbers(
-          phrase("Analysis",
-                 "Not significantly: test of equal proportions of %1 with every texture, %2.")),
-      with_numbers(phrase("Analysis", "Test of equal proportions of %1 with every texture: %2."))};
+  Sayings sayings = sayings_of(
+      *test,
+      {.numbers = phrase("Analysis", "test of equal proportions of %1 with every texture, %2.")
+                      .with(target, p_text(*test))});
+  sayings.told = phrase("Analysis", "Test of equal proportions of %1 with every texture: %2.")
+                     .with(target, p_text(*test));
   Phrase answer = said_of(*test, sayings);
   if (who.choosers < who.participants) {
     answer = phrase("Analysis", "%1 Participants who never chose %2 do not contribute: %3 of %4.")

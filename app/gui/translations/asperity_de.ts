@@ -240,14 +240,6 @@
         <translation>Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; alle Versuchspersonen haben denselben Anteil richtiger Antworten, also gibt es keinen Test.</translation>
     </message>
     <message>
-        <source>Yes: on average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; %4.</source>
-        <translation>Ja: Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
-    </message>
-    <message>
-        <source>Not significantly above chance: on average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; %4.</source>
-        <translation>Nicht signifikant über dem Zufallsniveau: Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
-    </message>
-    <message>
         <source>d′ has no finite value</source>
         <translation>d′ hat keinen endlichen Wert</translation>
     </message>
@@ -336,14 +328,6 @@
         <translation>Das lässt sich nicht prüfen: Die Versuchspersonen haben nicht jede Textur gleich häufig beurteilt.</translation>
     </message>
     <message>
-        <source>Yes: test of equal proportions of %1 with every texture, %2.</source>
-        <translation>Ja: Test auf gleiche Anteile von %1 bei jeder Textur, %2.</translation>
-    </message>
-    <message>
-        <source>Not significantly: test of equal proportions of %1 with every texture, %2.</source>
-        <translation>Nicht signifikant: Test auf gleiche Anteile von %1 bei jeder Textur, %2.</translation>
-    </message>
-    <message>
         <source>No surface was presented before these responses, so that no comparison is possible; collect further responses.</source>
         <translation>Vor diesen Antworten wurde keine Oberfläche dargeboten, sodass kein Vergleich möglich ist; weitere Antworten erheben.</translation>
     </message>
@@ -362,10 +346,6 @@
     <message>
         <source>Measures of all responses together</source>
         <translation>Kennwerte aus allen Antworten zusammen</translation>
-    </message>
-    <message>
-        <source>On average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; %4.</source>
-        <translation>Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
     </message>
     <message>
         <source>No texture was ever confused with another one that was presented.</source>
@@ -544,14 +524,6 @@
         <translation>%1, partielles η² = %2, %3</translation>
     </message>
     <message>
-        <source>Yes: %1.</source>
-        <translation>Ja: %1.</translation>
-    </message>
-    <message>
-        <source>Not significantly: %1.</source>
-        <translation>Nicht signifikant: %1.</translation>
-    </message>
-    <message>
         <source>%1.</source>
         <translation>%1.</translation>
     </message>
@@ -722,18 +694,6 @@
     <message>
         <source>1 divided by the number of items, which differs between trials</source>
         <translation>1 geteilt durch die Anzahl der Zuordnungen, die sich zwischen den Durchgängen unterscheidet</translation>
-    </message>
-    <message>
-        <source>Yes: on average %1 of a participant&apos;s items were matched correctly (%2), compared with a chance level of %3; permutation test over participants, %4.</source>
-        <translation>Ja: Im Mittel waren %1 der Zuordnungen einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4.</translation>
-    </message>
-    <message>
-        <source>Not significantly above chance: on average %1 of a participant&apos;s items were matched correctly (%2), compared with a chance level of %3; permutation test over participants, %4.</source>
-        <translation>Nicht signifikant über dem Zufallsniveau: Im Mittel waren %1 der Zuordnungen einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4.</translation>
-    </message>
-    <message>
-        <source>On average %1 of a participant&apos;s items were matched correctly (%2), compared with a chance level of %3; permutation test over participants, %4.</source>
-        <translation>Im Mittel waren %1 der Zuordnungen einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4.</translation>
     </message>
     <message>
         <source>Trials with all items correct: %1 of %2, on average %3 of a participant&apos;s trials (%4); permutation test over participants, %5.</source>
@@ -1208,18 +1168,6 @@
         <translation>Welch-95-%-KI [%1; %2]</translation>
     </message>
     <message>
-        <source>Not established: on average %1 of a participant&apos;s items were matched correctly (%2), compared with a chance level of %3; permutation test over participants, %4. The test is significant, but the CI contains the chance level; more participants are needed.</source>
-        <translation>Nicht gesichert: Im Mittel waren %1 der Zuordnungen einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4. Der Test ist signifikant, doch das Konfidenzintervall enthält das Zufallsniveau; es werden mehr Versuchspersonen benötigt.</translation>
-    </message>
-    <message>
-        <source>No, significantly below chance: on average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; %4.</source>
-        <translation>Nein, signifikant unter dem Zufallsniveau: Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
-    </message>
-    <message>
-        <source>Not established: on average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; %4. The test is significant, but the CI contains the chance level; more participants are needed.</source>
-        <translation>Nicht gesichert: Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4. Der Test ist signifikant, doch das Konfidenzintervall enthält das Zufallsniveau; es werden mehr Versuchspersonen benötigt.</translation>
-    </message>
-    <message>
         <source>Geometric means of the estimates. normalised: each participant&apos;s scale removed (the mean of the logarithms of all cells). raw: not normalised. left out: number of participants without an estimate in some cell; only raw includes them.</source>
         <translation>Geometrische Mittel der Schätzungen. normiert: ohne die Skala jeder Versuchsperson (den Mittelwert der Logarithmen aller Zellen). roh: nicht normiert. weggelassen: Anzahl der Versuchspersonen, denen in einer Zelle eine Schätzung fehlt; nur „roh“ enthält sie.</translation>
     </message>
@@ -1284,22 +1232,6 @@
         <translation>Sind die Gruppen %1 und %2 äquivalent?</translation>
     </message>
     <message>
-        <source>Not established: %1; difference (%4 − %5) %2. Permutation test of group labels: %3. The test is significant, but the CI of the difference contains 0; more participants are needed.</source>
-        <translation>Nicht gesichert: %1; Differenz (%4 − %5) %2. Permutationstest der Gruppenzugehörigkeit: %3. Der Test ist signifikant, doch das Konfidenzintervall der Differenz enthält 0; es werden mehr Versuchspersonen benötigt.</translation>
-    </message>
-    <message>
-        <source>Yes: %1; difference (%4 − %5) %2. Permutation test of group labels: %3.</source>
-        <translation>Ja: %1; Differenz (%4 − %5) %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
-    </message>
-    <message>
-        <source>Not significantly: %1; difference (%4 − %5) %2. Permutation test of group labels: %3. This does not show that they are equal.</source>
-        <translation>Nicht signifikant: %1; Differenz (%4 − %5) %2. Permutationstest der Gruppenzugehörigkeit: %3. Das zeigt nicht, dass beide Gruppen gleich sind.</translation>
-    </message>
-    <message>
-        <source>For these participants, %1; difference (%4 − %5) %2. Permutation test of group labels: %3.</source>
-        <translation>Bei diesen Versuchspersonen: %1; Differenz (%4 − %5) %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
-    </message>
-    <message>
         <source>rating</source>
         <translation>Beurteilung</translation>
     </message>
@@ -1326,18 +1258,6 @@
     <message>
         <source>Not tested: too few participants rated every item.</source>
         <translation>Nicht getestet: Zu wenige Versuchspersonen haben alle Items beurteilt.</translation>
-    </message>
-    <message>
-        <source>Yes: the mean rating is highest for %1, %2, and lowest for %3, %4. Friedman test: %5.</source>
-        <translation>Ja: Das mittlere Urteil ist für %1 am höchsten, %2, und für %3 am niedrigsten, %4. Friedman-Test: %5.</translation>
-    </message>
-    <message>
-        <source>Not significantly: the mean rating is highest for %1, %2, and lowest for %3, %4. Friedman test: %5. This does not show that they are equal.</source>
-        <translation>Nicht signifikant: Das mittlere Urteil ist für %1 am höchsten, %2, und für %3 am niedrigsten, %4. Friedman-Test: %5. Das zeigt nicht, dass sie gleich sind.</translation>
-    </message>
-    <message>
-        <source>For these participants, the mean rating is highest for %1, %2, and lowest for %3, %4. Friedman test: %5.</source>
-        <translation>Bei diesen Versuchspersonen ist das mittlere Urteil für %1 am höchsten, %2, und für %3 am niedrigsten, %4. Friedman-Test: %5.</translation>
     </message>
     <message>
         <source>Mean ratings of the items on each scale</source>
@@ -1398,18 +1318,6 @@
     <message>
         <source>Friedman test of each participant&apos;s proportion of the comparisons in which an item was chosen, a tie counting half; CIs of the means are t-based.</source>
         <translation>Friedman-Test des Anteils der Vergleiche, in denen eine Versuchsperson ein Item gewählt hat; ein Gleichstand zählt halb; die Konfidenzintervalle der Mittelwerte sind t-basiert.</translation>
-    </message>
-    <message>
-        <source>Yes: %1 was chosen most often, in %2 of its comparisons (%3), and %4 least often, in %5 (%6). Friedman test: %7.</source>
-        <translation>Ja: %1 wurde am häufigsten gewählt, in %2 seiner Vergleiche (%3), und %4 am seltensten, in %5 (%6). Friedman-Test: %7.</translation>
-    </message>
-    <message>
-        <source>Not significantly: %1 was chosen most often, in %2 of its comparisons (%3), and %4 least often, in %5 (%6). Friedman test: %7.</source>
-        <translation>Nicht signifikant: %1 wurde am häufigsten gewählt, in %2 seiner Vergleiche (%3), und %4 am seltensten, in %5 (%6). Friedman-Test: %7.</translation>
-    </message>
-    <message>
-        <source>For these participants, %1 was chosen most often, in %2 of its comparisons (%3), and %4 least often, in %5 (%6). Friedman test: %7.</source>
-        <translation>Bei diesen Versuchspersonen wurde %1 am häufigsten gewählt, in %2 seiner Vergleiche (%3), und %4 am seltensten, in %5 (%6). Friedman-Test: %7.</translation>
     </message>
     <message>
         <source>Do the items lie on one scale?</source>
@@ -1694,18 +1602,6 @@
     <message>
         <source>Not tested: %1.</source>
         <translation>Nicht getestet: %1.</translation>
-    </message>
-    <message>
-        <source>Yes: %1 (%2).</source>
-        <translation>Ja: %1 (%2).</translation>
-    </message>
-    <message>
-        <source>Not significantly: %1 (%2).</source>
-        <translation>Nicht signifikant: %1 (%2).</translation>
-    </message>
-    <message>
-        <source>On average, %1 (%2).</source>
-        <translation>Im Mittel gilt: %1 (%2).</translation>
     </message>
     <message>
         <source>Mean thresholds</source>
@@ -2192,14 +2088,6 @@
         <translation>Ja: Die Konfiguration in %1 Dimensionen hat einen Stress-1 von %2, kleiner als der permutierter Urteile (Mittelwert %3). Permutationstest: %4.</translation>
     </message>
     <message>
-        <source>Not significantly: the configuration in %1 dimensions has a stress-1 of %2, and that of permuted ratings is %3 on average. Permutation test: %4.</source>
-        <translation>Nicht signifikant: Die Konfiguration in %1 Dimensionen hat einen Stress-1 von %2, und der permutierter Urteile beträgt im Mittel %3. Permutationstest: %4.</translation>
-    </message>
-    <message>
-        <source>For these participants, the configuration in %1 dimensions has a stress-1 of %2, and that of permuted ratings is %3 on average. Permutation test: %4.</source>
-        <translation>Bei diesen Versuchspersonen hat die Konfiguration in %1 Dimensionen einen Stress-1 von %2, und der permutierter Urteile beträgt im Mittel %3. Permutationstest: %4.</translation>
-    </message>
-    <message>
         <source>%1 All properties together, as a configuration of their standardised values: Procrustes r² = %2, permutation test (PROTEST) %3.</source>
         <translation>%1 Alle Eigenschaften zusammen, als Konfiguration ihrer standardisierten Werte: Prokrustes-r² = %2, Permutationstest (PROTEST) %3.</translation>
     </message>
@@ -2620,18 +2508,6 @@
         <translation>Friedman-Test der Schwellen der Versuchspersonen, die in jeder Bedingung eine Schwelle haben.</translation>
     </message>
     <message>
-        <source>Yes: geometric mean thresholds of %1 participants: %2 (%3).</source>
-        <translation>Ja: geometrische Mittel der Schwellen von %1 Versuchspersonen: %2 (%3).</translation>
-    </message>
-    <message>
-        <source>Not significantly: geometric mean thresholds of %1 participants: %2 (%3). This does not show that they are equal.</source>
-        <translation>Nicht signifikant: geometrische Mittel der Schwellen von %1 Versuchspersonen: %2 (%3). Das zeigt nicht, dass sie gleich sind.</translation>
-    </message>
-    <message>
-        <source>Geometric mean thresholds of %1 participants: %2 (%3).</source>
-        <translation>Geometrische Mittel der Schwellen von %1 Versuchspersonen: %2 (%3).</translation>
-    </message>
-    <message>
         <source>The CIs of means take lapse rates that are fixed at 2 % as known: in simulations of comparisons by participants who never lapse they contained the true JND in 22 to 95 % of the studies, in fewer of them the more participants and trials there were, and in 91 to 96 % with lapse rates of 2 %.</source>
         <translation>Die KIs der Mittelwerte setzen die auf 2 % festgelegten Fehlerraten (lapse rates) als bekannt voraus: In Simulationen von Vergleichen ohne Aussetzer enthielten sie die wahre Unterschiedsschwelle in 22 bis 95 % der Studien, in umso weniger, je mehr Versuchspersonen und Durchgänge es waren, und bei Fehlerraten (lapse rates) von 2 % in 91 bis 96 %.</translation>
     </message>
@@ -2740,10 +2616,6 @@
         <translation>Metrische Skalierung, weil die nichtmetrische Konfiguration degeneriert ist.</translation>
     </message>
     <message>
-        <source>%1 Nothing is established: p is below .05, but the CI contains the chance level; more participants are needed.</source>
-        <translation>%1 Belegt ist nichts: p liegt unter 0,05, aber das KI enthält das Zufallsniveau; es sind mehr Versuchspersonen nötig.</translation>
-    </message>
-    <message>
         <source>Geometric means over the participants whose stimulus was matched, with t-based 95 % CIs on the logarithmic scale, and without a CI where a match did not succeed: the matched ones are then a selection (for thresholds within the levels such CIs contained the true mean in 48 to 75 % of simulated studies). The reference has the relative amplitude 1.</source>
         <translation>Geometrische Mittel über die Versuchspersonen, deren Reiz angeglichen wurde, mit t-basierten 95-%-KIs auf der logarithmischen Skala, und ohne KI, wenn eine Angleichung nicht gelang: Die angeglichenen sind dann eine Auswahl (bei Schwellen innerhalb der Stufen enthielten solche KIs den wahren Mittelwert in 48 bis 75 % der simulierten Studien). Der Bezugsreiz hat die relative Amplitude 1.</translation>
     </message>
@@ -2832,32 +2704,8 @@
         <translation>Differenz (%1 − %2): %3</translation>
     </message>
     <message>
-        <source>Yes: %1; %2. Permutation test of group labels: %3.</source>
-        <translation>Ja: %1; %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
-    </message>
-    <message>
-        <source>Not significantly: %1; %2. Permutation test of group labels: %3. This does not show that they are equal.</source>
-        <translation>Nicht signifikant: %1; %2. Permutationstest der Gruppenzugehörigkeit: %3. Das zeigt nicht, dass sie gleich sind.</translation>
-    </message>
-    <message>
-        <source>For these participants, %1; %2. Permutation test of group labels: %3.</source>
-        <translation>Bei diesen Versuchspersonen: %1; %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
-    </message>
-    <message>
         <source>the largest difference (%1 − %2), each participant&apos;s mean removed, is that of %3, %4</source>
         <translation>die größte Differenz (%1 − %2), ohne den Mittelwert jeder Versuchsperson, ist die von %3, %4</translation>
-    </message>
-    <message>
-        <source>Yes: a proportion R² = %1 of the variation of the profiles is between the groups; %2. Permutation test of group labels: %3.</source>
-        <translation>Ja: ein Anteil R² = %1 der Variation der Profile liegt zwischen den Gruppen; %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
-    </message>
-    <message>
-        <source>Not significantly: a proportion R² = %1 of the variation of the profiles is between the groups; %2. Permutation test of group labels: %3. This does not show that they are equal.</source>
-        <translation>Nicht signifikant: ein Anteil R² = %1 der Variation der Profile liegt zwischen den Gruppen; %2. Permutationstest der Gruppenzugehörigkeit: %3. Das zeigt nicht, dass sie gleich sind.</translation>
-    </message>
-    <message>
-        <source>For these participants, a proportion R² = %1 of the variation of the profiles is between the groups; %2. Permutation test of group labels: %3.</source>
-        <translation>Bei diesen Versuchspersonen liegt ein Anteil R² = %1 der Variation der Profile zwischen den Gruppen; %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
     </message>
     <message>
         <source>Means of the groups</source>
@@ -2920,10 +2768,6 @@
         <translation>%1 Ausgelassen: %2 von %3 Versuchspersonen, für die diese Zahl fehlt; der Vergleich beschreibt sie nicht und hat daher kein KI.</translation>
     </message>
     <message>
-        <source>Not established: %1; %2. Permutation test of group labels: %3. The test is significant, but the CI of the %4 contains %5; more participants are needed.</source>
-        <translation>Nicht nachgewiesen: %1; %2. Permutationstest der Gruppenzugehörigkeit: %3. Der Test ist signifikant, aber das KI (%4) schließt %5 ein; es werden mehr Versuchspersonen benötigt.</translation>
-    </message>
-    <message>
         <source>%1 The CIs of the means are t-based; that of the %2 is Welch&apos;s CI.</source>
         <translation>%1 Die KIs der Mittelwerte beruhen auf der t-Verteilung; das KI nach Welch gehört zum Effekt (%2).</translation>
     </message>
@@ -2938,6 +2782,98 @@
     <message>
         <source>Means of the participants of each group, geometric where a ratio is compared, with t-based 95 % CIs. left out: participants for whom the number is missing; where there are any, there is no CI.</source>
         <translation>Mittelwerte der Versuchspersonen jeder Gruppe, geometrisch, wo ein Verhältnis verglichen wird, mit 95-%-KIs nach der t-Verteilung. ausgelassen: Versuchspersonen, für die die Zahl fehlt; wo es welche gibt, gibt es kein KI.</translation>
+    </message>
+    <message>
+        <source>geometric mean thresholds of %1 participants: %2 (%3).</source>
+        <translation>geometrische Mittel der Schwellen von %1 Versuchspersonen: %2 (%3).</translation>
+    </message>
+    <message>
+        <source>%1 (%2).</source>
+        <translation>%1 (%2).</translation>
+    </message>
+    <message>
+        <source>On average, %1</source>
+        <translation>Im Mittel gilt: %1</translation>
+    </message>
+    <message>
+        <source>on average %1 of a participant&apos;s items were matched correctly (%2), compared with a chance level of %3; permutation test over participants, %4.</source>
+        <translation>Im Mittel waren %1 der Zuordnungen einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; Permutationstest über die Versuchspersonen, %4.</translation>
+    </message>
+    <message>
+        <source>Not significantly above chance: %1</source>
+        <translation>Nicht signifikant über dem Zufallsniveau: %1</translation>
+    </message>
+    <message>
+        <source>%1 was chosen most often, in %2 of its comparisons (%3), and %4 least often, in %5 (%6). Friedman test: %7.</source>
+        <translation>%1 wurde am häufigsten gewählt, in %2 seiner Vergleiche (%3), und %4 am seltensten, in %5 (%6). Friedman-Test: %7.</translation>
+    </message>
+    <message>
+        <source>the mean rating is highest for %1, %2, and lowest for %3, %4. Friedman test: %5.</source>
+        <translation>Das mittlere Urteil ist für %1 am höchsten, %2, und für %3 am niedrigsten, %4. Friedman-Test: %5.</translation>
+    </message>
+    <message>
+        <source>on average %1 of a participant&apos;s responses were correct (%2), compared with a chance level of %3; %4.</source>
+        <translation>Im Mittel waren %1 der Antworten einer Versuchsperson richtig (%2), bei einem Zufallsniveau von %3; %4.</translation>
+    </message>
+    <message>
+        <source>No, significantly below chance: %1</source>
+        <translation>Nein, signifikant unter dem Zufallsniveau: %1</translation>
+    </message>
+    <message>
+        <source>Yes: %1</source>
+        <translation>Ja: %1</translation>
+    </message>
+    <message>
+        <source>the configuration in %1 dimensions has a stress-1 of %2, and that of permuted ratings is %3 on average. Permutation test: %4.</source>
+        <translation>Die Konfiguration in %1 Dimensionen hat einen Stress-1 von %2, und der permutierter Urteile beträgt im Mittel %3. Permutationstest: %4.</translation>
+    </message>
+    <message>
+        <source>the 95 % CI of the mean contains the chance level</source>
+        <translation>das 95-%-Konfidenzintervall des Mittelwerts enthält das Zufallsniveau</translation>
+    </message>
+    <message>
+        <source>the 95 % CI of the ratio contains 1</source>
+        <translation>das 95-%-Konfidenzintervall des Verhältnisses enthält 1</translation>
+    </message>
+    <message>
+        <source>the 95 % CI of the difference contains 0</source>
+        <translation>das 95-%-Konfidenzintervall der Differenz enthält 0</translation>
+    </message>
+    <message>
+        <source>%1 Nothing is established: p is below .05, but %2; more participants are needed.</source>
+        <translation>%1 Belegt ist nichts: p liegt unter 0,05, aber %2; es sind mehr Versuchspersonen nötig.</translation>
+    </message>
+    <message>
+        <source>Not established: %1 The test is significant, but %2; more participants are needed.</source>
+        <translation>Nicht gesichert: %1 Der Test ist signifikant, doch %2; es werden mehr Versuchspersonen benötigt.</translation>
+    </message>
+    <message>
+        <source>%1 This does not show that they are equal.</source>
+        <translation>%1 Das zeigt nicht, dass sie gleich sind.</translation>
+    </message>
+    <message>
+        <source>Not significantly: %1</source>
+        <translation>Nicht signifikant: %1</translation>
+    </message>
+    <message>
+        <source>For these participants, %1</source>
+        <translation>Bei diesen Versuchspersonen: %1</translation>
+    </message>
+    <message>
+        <source>%1; %2. Permutation test of group labels: %3.</source>
+        <translation>%1; %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
+    </message>
+    <message>
+        <source>a proportion R² = %1 of the variation of the profiles is between the groups; %2. Permutation test of group labels: %3.</source>
+        <translation>ein Anteil R² = %1 der Variation der Profile liegt zwischen den Gruppen; %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
+    </message>
+    <message>
+        <source>%1; difference (%4 − %5) %2. Permutation test of group labels: %3.</source>
+        <translation>%1; Differenz (%4 − %5) %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
+    </message>
+    <message>
+        <source>test of equal proportions of %1 with every texture, %2.</source>
+        <translation>Test auf gleiche Anteile von %1 bei jeder Textur, %2.</translation>
     </message>
 </context>
 <context>

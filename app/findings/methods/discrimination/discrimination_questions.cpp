@@ -301,17 +301,15 @@ void ask_conditions(const DiscriminationResults& results, const StudyTests& test
     return;
   }
   const Phrase means = compared_thresholds_text(results);
-  const auto with_numbers = [&](const Phrase& words) {
-    return with_left_out_participants(words.with(std::to_string(complete), means, p_text(*test)),
-                                      results, complete);
-  };
-  const Sayings sayings{
-      with_numbers(
-          phrase("Analysis", "Yes: geometric mean thresholds of %1 participants: %2 (%3).")),
-      with_numbers(phrase("Analysis",
-                          "Not significantly: geometric mean thresholds of %1 participants: %2 "
-                          "(%3). This does not show that they are equal.")),
-      with_numbers(phrase("Analysis", "Geometric mean thresholds of %1 participants: %2 (%3)."))};
+  const Sayings sayings =
+      sayings_of(*test, {.numbers = phrase("Analysis",
+                                           "geometric mean thresholds of %1 participants: %2 (%3).")
+                                        .with(std::to_string(complete), means, p_text(*test)),
+                         .exploratory = {},
+                         .compares = true})
+          .with([&](const Phrase& answer) {
+            return with_left_out_participants(answer, results, complete);
+          });
   add_question(outcome, name.c_str(), question, said_of(*test, sayings), method, kMeanThresholds,
                shown);
 }

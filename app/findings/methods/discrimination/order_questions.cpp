@@ -36,12 +36,9 @@ void add_answer(AnalysisOutcome& outcome, const OrderQuestion& asked, const Phra
                  finding);
     return;
   }
-  const auto with_numbers = [&](const Phrase& words) {
-    return words.with(estimate, p_text(*test));
-  };
-  const Sayings sayings{with_numbers(phrase("Analysis", "Yes: %1 (%2).")),
-                        with_numbers(phrase("Analysis", "Not significantly: %1 (%2).")),
-                        with_numbers(phrase("Analysis", "On average, %1 (%2)."))};
+  const Sayings sayings =
+      sayings_of(*test, {.numbers = phrase("Analysis", "%1 (%2).").with(estimate, p_text(*test)),
+                         .exploratory = phrase("Analysis", "On average, %1")});
   add_question(outcome, asked.name.c_str(), asked.question, said_of(*test, sayings), asked.method,
                asked.table, finding);
 }

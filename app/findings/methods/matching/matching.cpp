@@ -105,6 +105,7 @@ std::vector<StudyTest> test_matching(const GatheredAnswers& gathered) {
   add_matching_tests(assignments, felt_in(findings), found, tests);
   if (found.find("group.perm.p.two", "F-M") != nullptr) {
     tests.add("sexes", "F|M", found, "group.perm.p.two", "F-M");
+    tests.state_compared(found.find("group.diff", "F-M"), 0.0);
   }
   if (tests.is_in_family(kGroupsTest)) {
     PairComparisons(gathered, pairs_of_groups(gathered), items_of_people(gathered, assignments))
@@ -152,6 +153,7 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   add_matching_tests(assignments, felt, found, tests);
   if (found.find("group.perm.p.two", "F-M") != nullptr) {
     tests.add("sexes", "F|M", found, "group.perm.p.two", "F-M");
+    tests.state_compared(found.find("group.diff", "F-M"), 0.0);
   }
   const PairComparisons groups(gathered, pairs_of_groups(gathered),
                                items_of_people(gathered, assignments));

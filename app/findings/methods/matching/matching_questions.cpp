@@ -30,35 +30,19 @@ void ask_items(std::size_t fewest, bool equal_size, const FoundNumbers& found,
             : phrase("Analysis", "1 divided by the number of items, which differs between trials"),
         p_text(*test));
   };
-  const bool contains_chance = holds_in_interval(*mean, chance);
   const Phrase of_one = with_numbers(phrase(
       "Analysis",
       "For this participant only: %1 of the items were matched correctly (%2), compared with a "
       "chance level of %3; permutation test, %4. More participants are needed."));
-  const Phrase plain = with_numbers(
-      phrase("Analysis",
-             "On average %1 of a participant's items were matched correctly (%2), compared with a "
-             "chance level of %3; permutation test over participants, %4."));
-  const Sayings sayings{
-      mean->n == 1 ? of_one
-      : contains_chance
-          ? with_numbers(
-                phrase("Analysis",
-                       "Not established: on average %1 of a participant's items were matched "
-                       "correctly (%2), compared with a chance level of %3; permutation test over "
-                       "participants, %4. The test is significant, but the CI contains the chance "
-                       "level; more participants are needed."))
-          : with_numbers(phrase(
-                "Analysis",
-                "Yes: on average %1 of a participant's items were matched correctly (%2), compared "
-                "with a chance level of %3; permutation test over participants, %4.")),
-      with_numbers(phrase("Analysis",
-                          "Not significantly above chance: on average %1 of a participant's items "
-                          "were matched correctly (%2), compared with a chance level of %3; "
-                          "permutation test over participants, %4.")),
-      mean->n == 1                                ? of_one
-      : test->is_significant() && contains_chance ? with_contradiction(plain)
-                                                  : plain};
+  Sayings sayings = sayings_of(
+      *test,
+      {.numbers = with_numbers(phrase(
+           "Analysis",
+           "on average %1 of a participant's items were matched correctly (%2), compared with "
+           "a chance level of %3; permutation test over participants, %4.")),
+       .not_significant = phrase("Analysis", "Not significantly above chance: %1"),
+       .exploratory = {}});
+  if (mean->n == 1) sayings.claim = sayings.told = of_one;
   add_question(
       outcome, "items", phrase("Analysis", "Are textures matched to their pictures above chance?"),
       said_of(*test, sayings),
@@ -88,7 +72,7 @@ void ask_whole(const FoundNumbers& found, const StudyTests& tests, AnalysisOutco
                 percent(*share.value), interval_text(share), p_text(*test));
   add_question(
       outcome, "whole", phrase("Analysis", "How often are all items of a trial correct?"),
-      test->contradicts_interval() ? with_contradiction(answer) : answer,
+      with_contradiction(answer, *test),
       phrase("Analysis",
              "%1 Exact permutation test: the pictures are relabelled once per participant, in all "
              "trials alike.")

@@ -415,20 +415,13 @@ void ask_items(const PairedStudy& study, const FoundNumbers& found, const StudyT
                  method, kScores, most);
     return;
   }
-  const auto with_numbers = [&](const Phrase& words) {
-    return words.with(most->key, percent(*most->value), interval_text(*most), least->key,
-                      percent(*least->value), interval_text(*least), p_text(*test));
-  };
-  const Sayings sayings{
-      with_numbers(phrase("Analysis",
-                          "Yes: %1 was chosen most often, in %2 of its comparisons (%3), and %4 "
-                          "least often, in %5 (%6). Friedman test: %7.")),
-      with_numbers(phrase("Analysis",
-                          "Not significantly: %1 was chosen most often, in %2 of its comparisons "
-                          "(%3), and %4 least often, in %5 (%6). Friedman test: %7.")),
-      with_numbers(phrase("Analysis",
-                          "For these participants, %1 was chosen most often, in %2 of its "
-                          "comparisons (%3), and %4 least often, in %5 (%6). Friedman test: %7."))};
+  const Sayings sayings = sayings_of(
+      *test,
+      {.numbers = phrase("Analysis",
+                         "%1 was chosen most often, in %2 of its comparisons (%3), and %4 "
+                         "least often, in %5 (%6). Friedman test: %7.")
+                      .with(most->key, percent(*most->value), interval_text(*most), least->key,
+                            percent(*least->value), interval_text(*least), p_text(*test))});
   add_question(outcome, "preference", question, said_of(*test, sayings), method, kScores, most);
 }
 

@@ -205,21 +205,15 @@ void ask_about(const RatedScale& scale, const FoundNumbers& found, const StudyTe
     return *one.first->value < *other.first->value;
   };
   const auto [low, high] = std::minmax_element(means.begin(), means.end(), by_value);
-  const auto with_numbers = [&](const Phrase& words) {
-    return words.with(words_of_condition(high->second), mean_text(*high->first),
-                      words_of_condition(low->second), mean_text(*low->first), p_text(*test));
-  };
-  const Sayings sayings{
-      with_numbers(phrase("Analysis",
-                          "Yes: the mean rating is highest for %1, %2, and lowest for %3, %4. "
-                          "Friedman test: %5.")),
-      with_numbers(
-          phrase("Analysis",
-                 "Not significantly: the mean rating is highest for %1, %2, and lowest for "
-                 "%3, %4. Friedman test: %5. This does not show that they are equal.")),
-      with_numbers(phrase("Analysis",
-                          "For these participants, the mean rating is highest for %1, %2, and "
-                          "lowest for %3, %4. Friedman test: %5."))};
+  const Sayings sayings = sayings_of(
+      *test,
+      {.numbers =
+           phrase(
+               "Analysis",
+               "the mean rating is highest for %1, %2, and lowest for %3, %4. Friedman test: %5.")
+               .with(words_of_condition(high->second), mean_text(*high->first),
+                     words_of_condition(low->second), mean_text(*low->first), p_text(*test)),
+       .compares = true});
   add_question(outcome, name.c_str(), question, said_of(*test, sayings), method, kRatings,
                high->first);
 }

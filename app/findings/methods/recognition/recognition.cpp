@@ -121,33 +121,17 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
       phrase("Analysis",
              "For this participant only: %1 of the responses were correct (%2), compared with a "
              "chance level of %3; %4. More participants are needed."));
-  const Phrase plain = with_numbers(
-      phrase("Analysis",
-             "On average %1 of a participant's responses were correct (%2), compared with a chance "
-             "level of %3; %4."));
-  const Sayings sayings{
-      mean->n == 1 ? of_one
-      : *mean->value < level
-          ? with_numbers(
-                phrase("Analysis",
-                       "No, significantly below chance: on average %1 of a participant's responses "
-                       "were correct (%2), compared with a chance level of %3; %4."))
-      : holds_in_interval(*mean, level)
-          ? with_numbers(
-                phrase("Analysis",
-                       "Not established: on average %1 of a participant's responses were correct "
-                       "(%2), compared with a chance level of %3; %4. The test is significant, but "
-                       "the CI contains the chance level; more participants are needed."))
-          : with_numbers(phrase("Analysis",
-                                "Yes: on average %1 of a participant's responses were correct "
-                                "(%2), compared with a chance level of %3; %4.")),
-      with_numbers(
-          phrase("Analysis",
-                 "Not significantly above chance: on average %1 of a participant's responses were "
-                 "correct (%2), compared with a chance level of %3; %4.")),
-      mean->n == 1                                                ? of_one
-      : test->is_significant() && holds_in_interval(*mean, level) ? with_contradiction(plain)
-                                                                  : plain};
+  Sayings sayings = sayings_of(
+      *test, {.numbers = with_numbers(phrase(
+                  "Analysis",
+                  "on average %1 of a participant's responses were correct (%2), compared with a "
+                  "chance level of %3; %4.")),
+              .significant = *mean->value < level
+                                 ? phrase("Analysis", "No, significantly below chance: %1")
+                                 : phrase("Analysis", "Yes: %1"),
+              .not_significant = phrase("Analysis", "Not significantly above chance: %1"),
+              .exploratory = {}});
+  if (mean->n == 1) sayings.claim = sayings.told = of_one;
   add_question(outcome, "right", question, said_of(*test, sayings), method, kAllShares, mean);
 }
 

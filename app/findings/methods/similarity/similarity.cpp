@@ -322,18 +322,15 @@ void ask_about_configuration(const FoundNumbers& found, const StudyTests& tests,
     const Phrase qualified = qualification_of_stress(found);
     return qualified.empty() ? said : phrase("Analysis", "%1 %2").with(said, qualified);
   };
-  const Sayings sayings{
-      with_numbers(phrase("Analysis",
-                          "Yes: the configuration in %1 dimensions has a stress-1 of %2, lower "
-                          "than that of permuted ratings (mean %3). Permutation test: %4.")),
-      with_numbers(phrase("Analysis",
-                          "Not significantly: the configuration in %1 dimensions has a stress-1 of "
-                          "%2, and that of permuted ratings is %3 on average. Permutation test: "
-                          "%4.")),
-      with_numbers(phrase("Analysis",
-                          "For these participants, the configuration in %1 dimensions has a "
-                          "stress-1 of %2, and that of permuted ratings is %3 on average. "
-                          "Permutation test: %4."))};
+  Sayings sayings = sayings_of(
+      *test, {.numbers = with_numbers(phrase(
+                  "Analysis",
+                  "the configuration in %1 dimensions has a stress-1 of %2, and that of permuted "
+                  "ratings is %3 on average. Permutation test: %4."))});
+  sayings.claim = with_numbers(
+      phrase("Analysis",
+             "Yes: the configuration in %1 dimensions has a stress-1 of %2, lower than that of "
+             "permuted ratings (mean %3). Permutation test: %4."));
   add_question(outcome, kConfiguration, question, said_of(*test, sayings), method, kConfiguration,
                stress);
 }
