@@ -30,6 +30,7 @@ quietly() {
 configure() {
   local preset=$1
   shift
+  if [[ ! -e $root/build/$preset/build.ninja ]]; then say "Configuring the build, up to a minute"; fi
   (cd "$root" && quietly "$root/build/$preset-configure.log" cmake --preset "$preset" "$@")
 }
 

@@ -50,7 +50,8 @@ void check_grid(const LevelGrid& grid, const std::string& name, ProcedureProblem
   if (grid.lowest > grid.highest) {
     problems.report(prefix + "highest", "the grid is empty: its highest level " +
                                             number_text(grid.highest) + " is below its lowest " +
-                                            number_text(grid.lowest) + "; exchange them");
+                                            number_text(grid.lowest) +
+                                            "; exchange them, or correct the unit of one of them");
     return;
   }
   if (steps_above_lowest(grid, grid.highest) >= static_cast<double>(kMostLevels)) {
