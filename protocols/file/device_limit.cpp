@@ -8,7 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/design/wording.h"
-#include "protocols/file/schema_check.h"
+#include "protocols/keys/device_keys.h"
+#include "protocols/keys/valid_part.h"
 
 namespace asperity {
 
@@ -20,11 +21,9 @@ std::optional<std::string> complaint_about(const DeviceLimit& limit, double rate
   if (limit.limit == std::trunc(limit.limit) && std::abs(limit.limit) < kExact) {
     number = static_cast<std::int64_t>(limit.limit);
   }
-  const std::string text = nlohmann::json{{"device", {{"limits", {{limit.item, number}}}}}}.dump();
-  const std::string place = "/device/limits";
-  for (const Diagnostic& found : check_schema(JsonDocument(text, ""))) {
-    if (found.pointer.starts_with(place)) return found.message;
-  }
+  const ValidPart part =
+      valid_part(nlohmann::json{{limit.item, number}}, device_limit_keys(), "/device/limits");
+  if (!part.problems.empty()) return part.problems.front().message;
   if (limit.item != "rate_Hz") return {};
   return complaint_about_rate_limit(limit.limit, rate_Hz);
 }

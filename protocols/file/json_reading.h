@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/design/protocol.h"
+#include "protocols/keys/key.h"
 
 namespace asperity {
 
@@ -61,7 +62,7 @@ void for_each_named(const nlohmann::json& object, const char* key, const Visit& 
   const auto found = object.find(key);
   if (found == object.end()) return;
   for (const auto& [name, member] : found->items()) {
-    if (!name.starts_with("x-") && name != "$comment") visit(name, member);
+    if (!is_comment(name)) visit(name, member);
   }
 }
 
@@ -73,7 +74,7 @@ inline Level level_of(const nlohmann::json& value) {
 inline std::map<std::string, Level, std::less<>> levels_of(const nlohmann::json& object) {
   std::map<std::string, Level, std::less<>> levels{};
   for (const auto& [name, member] : object.items()) {
-    if (!name.starts_with("x-") && name != "$comment") levels[name] = level_of(member);
+    if (!is_comment(name)) levels[name] = level_of(member);
   }
   return levels;
 }

@@ -12,6 +12,7 @@
 #include "protocols/design/wording.h"
 #include "protocols/file/schema_check.h"
 #include "protocols/file/schema_nodes.h"
+#include "protocols/keys/key.h"
 
 namespace asperity {
 

@@ -1,8 +1,9 @@
-// Implements validation by valijson and the conversion of its findings to sentences that quote the schema.
+// Implements the check by the tables of keys, and that by valijson, whose findings become the same sentences.
 
 #include "protocols/file/schema_check.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <set>
 #include <utility>
@@ -13,9 +14,11 @@
 #include <valijson/validator.hpp>
 
 #include "protocols/design/json_pointer.h"
-#include "protocols/design/wording.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/schema_nodes.h"
+#include "protocols/keys/device_keys.h"
+#include "protocols/keys/form_sentences.h"
+#include "protocols/keys/valid_part.h"
 
 namespace asperity {
 
@@ -23,54 +26,19 @@ namespace {
 
 using nlohmann::json;
 
-bool is_id(const std::string& key) {
-  if (key.empty() || key.size() > 64 || key[0] < 'a' || key[0] > 'z') return false;
-  return std::all_of(key.begin(), key.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
-  });
-}
+/// The objects whose keys are declared in tables, which check their form in place of the schema.
+struct ObjectWithTable {
+  const char* name = nullptr;
+  const KeyTable& (*table)() = nullptr;
+};
+constexpr std::array kTables{
+    ObjectWithTable{"device", []() -> const KeyTable& { return device_keys(); }},
+};
 
 std::vector<std::string> keys_of(const json& object) {
   std::vector<std::string> keys{};
   for (const auto& [key, value] : object.items()) keys.push_back(key);
   return keys;
-}
-
-std::string shown(const json& value) {
-  switch (value.type()) {
-    case json::value_t::string:
-      return in_quotes(value.get_ref<const std::string&>());
-    case json::value_t::object:
-      return "an object {…}";
-    case json::value_t::array:
-      return "a list […]";
-    case json::value_t::number_float:
-      return digits(value.get<double>());
-    case json::value_t::null:
-    case json::value_t::boolean:
-    case json::value_t::number_integer:
-    case json::value_t::number_unsigned:
-    case json::value_t::binary:
-    case json::value_t::discarded:
-      break;
-  }
-  return value.dump();
-}
-
-std::string shown_bound(const json& bound) { return digits(bound.get<double>()); }
-
-std::string type_in_words(const std::string& type) {
-  if (type == "object") return "an object {…}";
-  if (type == "array") return "a list […]";
-  if (type == "string") return "text in quotation marks";
-  if (type == "integer") return "a whole number";
-  if (type == "boolean") return "true or false";
-  return "a number";
-}
-
-bool is_quoted_number(const json& value) {
-  return value.is_string() &&
-         json::parse(value.get_ref<const std::string&>(), nullptr, false).is_number();
 }
 
 /// Checks keys without valijson, which reports only one per object and does not name unknown keys. Returns false if a
@@ -104,18 +72,12 @@ bool check_keys(const JsonDocument& document, const json& root, const json& sche
     const json* const inner = member_schema(root, schema, key);
     if (inner == nullptr) {
       if (!closed) continue;
-      const std::vector<std::string> known = keys_of(schema.at("properties"));
-      const std::string guess = did_you_mean(key, known);
-      found.push_back(
-          document.at_key(at, "there is no key " + in_quotes(key) + " here" +
-                                  (guess.empty() ? "; it could be " + one_of(known) : guess)));
+      found.push_back(document.at_key(at, unknown_key(key, keys_of(schema.at("properties")))));
       continue;
     }
     const auto names = schema.find("propertyNames");
-    if (names != schema.end() && names->contains("pattern") && !is_id(key)) {
-      found.push_back(document.at_key(
-          at, in_quotes(key) + " is not a name: use lower-case letters, digits and underscores, "
-                               "starting with a letter, at most 64 characters"));
+    if (names != schema.end() && names->contains("pattern") && !is_name(key)) {
+      found.push_back(document.at_key(at, not_a_name(key)));
     }
     is_short = check_keys(document, root, *inner, member, at, found) && is_short;
   }
@@ -133,12 +95,11 @@ std::string sentence(const std::string& description, const json& schema, const j
   }
   if (starts("Object contains a property")) return {};  // check_keys reports it in more detail
   const std::string meaning = schema.value("description", std::string{});
-  const std::string purpose = meaning.empty() ? "" : ". Expected here: " + meaning;
   if (description.find("oneOf") != std::string::npos ||
       starts("Failed to validate against exactly one")) {
     std::vector<std::string> keys{};
     for (const json& branch : schema.at("oneOf")) keys.push_back(branch.at("required").at(0));
-    return "write exactly one of the keys " + one_of(keys) + " here";
+    return undecided_object(keys);
   }
   if (starts("Missing required property '")) {
     const std::string key = description.substr(27, description.rfind('\'') - 27);
@@ -147,35 +108,21 @@ std::string sentence(const std::string& description, const json& schema, const j
         properties != schema.end() && properties->contains(key)) {
       what = properties->at(key).value("description", std::string{});
     }
-    return "the key " + in_quotes(key) + " is missing; add it" +
-           (what.empty() ? "" : ". Expected here: " + what);
+    return missing_key(key, what);
   }
   if (starts("Missing dependency '")) {
-    return "another key here requires the key " +
-           in_quotes(description.substr(20, description.rfind('\'') - 20)) +
-           ", which is missing; add it";
+    return missing_companion(description.substr(20, description.rfind('\'') - 20));
   }
-  if (starts("Failed to match against any enum")) {
-    const std::vector<std::string> choices = schema.at("enum");
-    return shown(value) + " is not permitted here: write " + one_of(choices) +
-           (value.is_string() ? did_you_mean(value.get<std::string>(), choices) : "");
-  }
+  if (starts("Failed to match against any enum")) return wrong_word(value, schema.at("enum"));
   if (starts("Failed to match expected value set by 'const'")) {
-    return shown(value) + " is not supported: write " + shown(schema.at("const"));
+    return wrong_word(value, {schema.at("const").get<std::string>()});
   }
   if (starts("Value type not permitted")) {
-    std::string wanted{};
     const json& type = schema.at("type");
-    if (type.is_array()) {
-      for (const json& each : type) {
-        wanted += (wanted.empty() ? "" : " or ") + type_in_words(each.get<std::string>());
-      }
-    } else {
-      wanted = type_in_words(type.get<std::string>());
-    }
-    const bool is_number = wanted.find("number") != std::string::npos && is_quoted_number(value);
-    return shown(value) + " is not permitted here: write " + wanted +
-           (is_number ? ", without quotation marks" : "") + purpose;
+    return wrong_type(value,
+                      type.is_array() ? type.get<std::vector<std::string>>()
+                                      : std::vector<std::string>{type.get<std::string>()},
+                      meaning);
   }
   if (starts("Expected number")) {
     const bool low = description.find("greater") != std::string::npos;
@@ -183,37 +130,26 @@ std::string sentence(const std::string& description, const json& schema, const j
                       !schema.contains(low ? "minimum" : "maximum");
     const json& bound = schema.at(open ? (low ? "exclusiveMinimum" : "exclusiveMaximum")
                                        : (low ? "minimum" : "maximum"));
-    return shown(value) + (low ? " is too small: it must be " : " is too large: it must be ") +
-           (open ? (low ? "greater than " : "less than ") : (low ? "at least " : "at most ")) +
-           shown_bound(bound) + purpose;
+    return wrong_number(value, bound.get<double>(), low, open, meaning);
   }
-  if (starts("Failed to match regex")) {
-    return shown(value) + " does not have the required form; correct it" + purpose;
-  }
+  if (starts("Failed to match regex")) return wrong_pattern(value, meaning);
   if (starts("Array should contain")) {
     const bool few = schema.contains("minItems") && value.size() < schema.at("minItems");
-    return std::to_string(value.size()) +
-           (value.size() == 1 ? " entry is too " : " entries are too ") +
-           (few ? "few: write at least " + schema.at("minItems").dump()
-                : "many: write at most " + schema.at("maxItems").dump()) +
-           purpose;
+    return few ? too_few_entries(value.size(), schema.at("minItems"), meaning)
+               : too_many_entries(value.size(), schema.at("maxItems"), meaning);
   }
-  if (starts("String should be no fewer")) return "this text is empty; enter a text" + purpose;
-  if (starts("String should be no more")) {
-    return "this text is longer than " + schema.at("maxLength").dump() + " characters; shorten it";
-  }
-  if (starts("Object should have no fewer")) return "this object is empty; add an entry" + purpose;
+  if (starts("String should be no fewer")) return empty_text(meaning);
+  if (starts("String should be no more")) return long_text(schema.at("maxLength"));
+  if (starts("Object should have no fewer")) return empty_object(meaning);
   if (starts("Object should have no more")) {
     const json& most = schema.at("maxProperties");
     const auto properties = schema.find("properties");
     if (most == json(1) && properties != schema.end()) {
-      return "write exactly one of the keys " + one_of(keys_of(*properties)) +
-             " here; remove the other" + purpose;
+      return undecided_object(keys_of(*properties)) + "; remove the other" + expected_here(meaning);
     }
-    return std::to_string(value.size()) + " entries are too many: write at most " + most.dump() +
-           purpose;
+    return too_many_entries(value.size(), most, meaning);
   }
-  return description + purpose;
+  return description + expected_here(meaning);
 }
 
 /// The schema in valijson's form; its conversion takes longer than the check of a document.
@@ -246,8 +182,6 @@ const json& resolved_node(const json& root, const json& schema) {
   return root.at(json::json_pointer(reference->get<std::string>().substr(1)));
 }
 
-bool is_comment(const std::string& key) { return key.starts_with("x-") || key == "$comment"; }
-
 const json* member_schema(const json& root, const json& schema, const std::string& key) {
   if (is_comment(key)) return nullptr;
   if (const auto properties = schema.find("properties"); properties != schema.end()) {
@@ -262,13 +196,14 @@ const json* member_schema(const json& root, const json& schema, const std::strin
 
 bool follows_schema(const json& document) { return validate(document, nullptr); }
 
-std::vector<Diagnostic> check_schema(const JsonDocument& document) {
+std::vector<Diagnostic> check_by_schema(const JsonDocument& document) {
   const json& root = schema_root();
   std::vector<Diagnostic> found{};
   if (!document.root().is_object()) {
-    return {document.at("", shown(document.root()) + " is not a protocol; a protocol is an object "
-                                                     "{…} that begins with \"format\": "
-                                                     "\"asperity.protocol/1\"")};
+    return {document.at("", quoted_value(document.root()) +
+                                " is not a protocol; a protocol is an object "
+                                "{…} that begins with \"format\": "
+                                "\"asperity.protocol/1\"")};
   }
   if (!check_keys(document, root, root, document.root(), "", found)) return found;
 
@@ -326,6 +261,23 @@ std::vector<Diagnostic> check_schema(const JsonDocument& document) {
     std::string message = sentence(error.description, *node, *value);
     if (message.empty() || !said.emplace(pointer, message).second) continue;
     found.push_back(document.at(pointer, std::move(message)));
+  }
+  return found;
+}
+
+std::vector<Diagnostic> check_schema(const JsonDocument& document) {
+  std::vector<Diagnostic> found = check_by_schema(document);
+  for (const auto& [name, table] : kTables) {
+    const auto value = document.root().find(name);
+    if (value == document.root().end()) continue;
+    const std::string place = pointer_to("", name);
+    std::erase_if(found, [&place](const Diagnostic& problem) {
+      return problem.pointer == place || problem.pointer.starts_with(place + '/');
+    });
+    for (FormProblem& problem : valid_part(*value, table(), place).problems) {
+      found.push_back(problem.is_at_key ? document.at_key(problem.pointer, problem.message)
+                                        : document.at(problem.pointer, problem.message));
+    }
   }
   std::stable_sort(found.begin(), found.end(), [](const Diagnostic& a, const Diagnostic& b) {
     return std::pair(a.line, a.column) < std::pair(b.line, b.column);

@@ -14,9 +14,6 @@ const nlohmann::json& schema_root();
 /// The target of a "$ref"; any other node itself. `root` is the complete schema.
 const nlohmann::json& resolved_node(const nlohmann::json& root, const nlohmann::json& schema);
 
-/// Whether a key is a comment of the author: "x-…" and "$comment".
-bool is_comment(const std::string& key);
-
 /// The schema of a member; null if the schema does not describe it.
 const nlohmann::json* member_schema(const nlohmann::json& root, const nlohmann::json& schema,
                                     const std::string& key);

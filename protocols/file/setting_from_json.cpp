@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/file/json_reading.h"
+#include "protocols/keys/device_keys.h"
+#include "protocols/keys/reading.h"
 
 namespace asperity {
 
@@ -46,18 +48,7 @@ void read_setting(const nlohmann::json& root, Protocol& protocol) {
     read_senses(*found, protocol);
   }
   if (const auto found = root.find("device"); found != root.end()) {
-    read(*found, "rate_Hz", protocol.rate_Hz);
-    read(*found, "force_limit_N", protocol.force_limit_N);
-    read(*found, "maximum_missed_deadlines", protocol.maximum_missed_deadlines);
-    read(*found, "maximum_gaps_in_contact", protocol.maximum_gaps_in_contact);
-    read(*found, "maximum_lost_records", protocol.maximum_lost_records);
-    read(*found, "profile_maximum_age_days", protocol.profile_maximum_age_days);
-    read(*found, "refuse_rehearsal_warnings", protocol.refuses_rehearsal_warnings);
-    read_choice(*found, "compute", protocol.computes_on_gpu, {{"cpu", false}, {"gpu", true}});
-    read(*found, "input_only", protocol.input_only);
-    for_each_named(*found, "limits", [&](const std::string& item, const json& limit) {
-      protocol.device_limits[item] = limit.get<double>();
-    });
+    read_keys(device_keys(), *found, "/device", protocol);
   }
   if (const auto found = root.find("instability"); found != root.end()) {
     using OnExcess = InstabilityRule::OnExcess;

@@ -9,6 +9,7 @@
 #include "protocols/file/protocol_reader.h"
 #include "protocols/file/schema_check.h"
 #include "protocols/file/warnings.h"
+#include "tests/protocols/both_checks.h"
 #include "tests/protocols/example.h"
 #include "tests/protocols/protocol_files.h"
 
@@ -56,6 +57,7 @@ std::vector<Diagnostic> problems_of(const std::string& text) {
 /// consequence of that.
 void expect_no_follow_ups(const std::string& text, const std::string& all) {
   try {
+    test::expect_that_both_checks_agree(text);
     const std::size_t of_form = check_schema(JsonDocument(text, "p.json")).size();
     if (of_form > 0) {
       EXPECT_EQ(problems_of(text).size(), of_form) << all;

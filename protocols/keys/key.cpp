@@ -1,0 +1,64 @@
+// Implements the properties of keys and shapes, and the reading of the keys of a table.
+
+#include "protocols/keys/key.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace asperity {
+
+bool is_name(std::string_view text) {
+  if (text.empty() || text.size() > kMaximumNameLength || text[0] < 'a' || text[0] > 'z')
+    return false;
+  return std::all_of(text.begin(), text.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
+const ProtocolKey* KeyTable::find(std::string_view name) const {
+  const auto found = std::find_if(keys.begin(), keys.end(),
+                                  [name](const ProtocolKey& key) { return key.name == name; });
+  return found == keys.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> types_of(const ValueShape& shape) {
+  struct Types {
+    std::vector<std::string> operator()(const NumberShape& number) const {
+      return {number.is_whole ? "integer" : "number"};
+    }
+    std::vector<std::string> operator()(const TruthShape&) const { return {"boolean"}; }
+    std::vector<std::string> operator()(const WordShape&) const { return {"string"}; }
+    std::vector<std::string> operator()(const TextShape&) const { return {"string"}; }
+    std::vector<std::string> operator()(const NameShape&) const { return {"string"}; }
+    std::vector<std::string> operator()(const ListShape&) const { return {"array"}; }
+    std::vector<std::string> operator()(const MapShape&) const { return {"object"}; }
+    std::vector<std::string> operator()(const ObjectShape&) const { return {"object"}; }
+    std::vector<std::string> operator()(const BoundShape& bound) const {
+      std::vector<std::string> types = types_of(*bound.value);
+      types.emplace_back("object");
+      return types;
+    }
+    std::vector<std::string> operator()(const FormsShape& shape) const {
+      std::vector<std::string> types{};
+      for (const ValueShape& form : shape.forms) {
+        for (std::string& type : types_of(form)) types.push_back(std::move(type));
+      }
+      return types;
+    }
+  };
+  return std::visit(Types{}, shape);
+}
+
+void read_keys(const KeyTable& table, const nlohmann::json& valid, void* owner) {
+  for (const ProtocolKey& key : table.keys) {
+    const auto found = valid.find(key.name);
+    if (found != valid.end()) key.store(key, *found, owner);
+  }
+}
+
+}  // namespace asperity

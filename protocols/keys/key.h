@@ -1,0 +1,60 @@
+// Declares a key of a protocol and the table of an object's keys: everything that is known about a key, declared once.
+
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "protocols/keys/shape.h"
+
+namespace asperity {
+
+/// A key of an object. Rows are written with `member_key`, `inner_key` and `entry_key` (keys_of.h), which derive `store`
+/// and `standard` from the member that receives the value.
+struct ProtocolKey {
+  std::string_view name{};
+  std::string_view label{};    ///< of its field in a form
+  std::string_view meaning{};  ///< for schema, page, help and errors; ends with a full stop
+  ValueShape shape{};
+  bool is_required = false;
+  std::string_view needs{};  ///< another key of the object without which this one is not permitted
+  /// The default that is computed from something else, in words: "95 % of `device.rate_Hz`". Empty: the default is that
+  /// of the member, if there is one.
+  std::string_view computed_default{};
+
+  /// Stores a value of this shape in the owner, of the type that the table describes.
+  void (*store)(const ProtocolKey& key, const nlohmann::json& value, void* owner) = nullptr;
+  /// The value of a new owner: the default; null if the key has none.
+  nlohmann::json (*standard)(const ProtocolKey& key) = nullptr;
+};
+
+/// The keys of an object, in the order in which files and forms have them.
+///
+/// Every object also permits comments: "$comment" and keys that begin with "x-".
+struct KeyTable {
+  std::string_view meaning{};  ///< of the object; ends with a full stop
+  std::span<const ProtocolKey> keys{};
+  /// Keys of which an object has exactly one, such as the kinds of a step of the flow; empty: no such choice.
+  std::span<const std::string_view> deciding{};
+  bool is_open = false;  ///< other keys are permitted and not interpreted
+
+  /// The key with this name; null if there is none.
+  const ProtocolKey* find(std::string_view name) const;
+};
+
+/// Stores the value of every key in its member; members without a key keep their value. `valid` is the part of an object
+/// that has the form of the table.
+void read_keys(const KeyTable& table, const nlohmann::json& valid, void* owner);
+
+/// A table whose keys are stored in an Owner.
+template <class Owner>
+struct KeyTableOf : KeyTable {};
+
+/// Whether a key is a comment of the author.
+constexpr bool is_comment(std::string_view name) {
+  return name.starts_with("x-") || name == "$comment";
+}
+
+}  // namespace asperity

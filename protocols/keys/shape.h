@@ -1,0 +1,113 @@
+// Declares the shapes of the values in a protocol, as values: what a file may contain at a key.
+
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace asperity {
+
+struct ValueShape;
+struct KeyTable;
+
+/// A unit for display: one `unit` is 10^`power` of the unit in the file. The power is an integer, so that a number is
+/// converted as a decimal: 2.3 mm is 0.0023 m exactly.
+struct DisplayUnit {
+  std::string_view unit{};
+  int power = 0;
+};
+
+/// A finite number. Limits that are absent do not apply.
+struct NumberShape {
+  std::optional<double> minimum{};
+  std::optional<double> above{};  ///< the number is greater than this
+  std::optional<double> maximum{};
+  std::optional<double> below{};  ///< the number is less than this
+  bool is_whole = false;
+  std::string_view
+      unit{};  ///< SI, as the name of the key ends with: "N s/m" of damping_N_s_per_m; empty: none
+  DisplayUnit display{};  ///< without a unit: the number is displayed in `unit`
+};
+
+/// true or false.
+struct TruthShape {};
+
+/// One of the words of a list.
+struct KeyWord {
+  std::string_view name{};
+  int value = 0;  ///< the enumerator, or the truth value, that the word stands for
+  std::string_view meaning{};
+};
+struct WordShape {
+  std::span<const KeyWord> words{};
+};
+
+/// A text for people, or in a form that a pattern states.
+struct TextShape {
+  bool may_be_empty = false;
+  std::size_t longest = 200;  ///< in characters
+  std::string_view
+      pattern{};         ///< a regular expression (ECMAScript); only with at most 256 characters
+  bool is_long = false;  ///< a form shows several lines
+};
+
+/// What a name refers to: an entry of the protocol's object with this key ("factors", "blocks"), or a new name.
+struct NameShape {
+  std::string_view registry{};  ///< empty: the name is declared here
+};
+
+struct ListShape {
+  const ValueShape* entry = nullptr;
+  std::string_view meaning{};  ///< of an entry
+  std::size_t shortest = 0;
+  std::optional<std::size_t> longest{};
+  bool is_distinct = false;  ///< no entry occurs twice
+};
+
+/// An object whose keys are chosen by the author.
+struct MapShape {
+  const ValueShape* entry = nullptr;
+  std::string_view meaning{};  ///< of an entry
+  bool has_names = true;       ///< its keys are names; otherwise texts with at most 64 characters
+  std::size_t shortest = 0;
+  std::optional<std::size_t> longest{};
+};
+
+/// An object with declared keys.
+struct ObjectShape {
+  const KeyTable* table = nullptr;
+};
+
+/// A value, or {"factor": NAME}: the level of that factor in the trial.
+struct BoundShape {
+  const ValueShape* value = nullptr;
+};
+
+/// One of several shapes, which the JSON type of the value decides: no two of them have a type in common. A choice that
+/// a key decides is a property of a table (`KeyTable::deciding`).
+struct FormsShape {
+  std::span<const ValueShape> forms{};
+};
+
+/// A closed set: whoever examines shapes (form, schema, page, editor) visits all of them, and a new shape does not compile
+/// until each of these has a part for it. A variant of plain structs, because tables of them are constants: a table needs
+/// no code to be built, no order of initialization and no ownership.
+struct ValueShape : std::variant<NumberShape, TruthShape, WordShape, TextShape, NameShape,
+                                 ListShape, MapShape, ObjectShape, BoundShape, FormsShape> {
+  using variant::variant;
+};
+
+/// The types of the values of a shape, as the schema names them: "integer", "string".
+std::vector<std::string> types_of(const ValueShape& shape);
+
+/// A name: lower-case letters, digits and underscores, starting with a letter, at most 64 characters.
+inline constexpr std::size_t kMaximumNameLength = 64;
+inline constexpr std::string_view kNamePattern = "^[a-z][a-z0-9_]*$";
+bool is_name(std::string_view text);
+
+}  // namespace asperity
