@@ -26,6 +26,11 @@ const ProtocolKey* KeyTable::find(std::string_view name) const {
   return found == keys.end() ? nullptr : &*found;
 }
 
+nlohmann::json default_of(const ProtocolKey& key) {
+  if (key.is_required || !key.computed_default.empty()) return nullptr;
+  return key.standard(key);
+}
+
 std::vector<std::string> types_of(const ValueShape& shape) {
   struct Types {
     std::vector<std::string> operator()(const NumberShape& number) const {

@@ -26,9 +26,12 @@ struct ProtocolKey {
 
   /// Stores a value of this shape in the owner, of the type that the table describes.
   void (*store)(const ProtocolKey& key, const nlohmann::json& value, void* owner) = nullptr;
-  /// The value of a new owner: the default; null if the key has none.
+  /// The value of a new owner, as a file writes it; null for a member whose absence means something else.
   nlohmann::json (*standard)(const ProtocolKey& key) = nullptr;
 };
+
+/// The value that an absent key stands for; null if the key is required, or if its default is computed or there is none.
+nlohmann::json default_of(const ProtocolKey& key);
 
 /// The keys of an object, in the order in which files and forms have them.
 ///

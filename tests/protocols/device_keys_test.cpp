@@ -2,6 +2,8 @@
 
 #include "protocols/keys/device_keys.h"
 
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -9,7 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/numbers/random.h"
+#include "protocols/keys/page_of.h"
 #include "protocols/keys/reading.h"
+#include "protocols/keys/schema_of.h"
 #include "tests/protocols/both_checks.h"
 #include "tests/protocols/protocol_files.h"
 
@@ -25,6 +29,12 @@ const json kEverything = json::parse(R"({
   "compute": "gpu", "input_only": true,
   "limits": {"friction_N": 0.25, "missed_deadlines": 4, "$comment": "of the manual"}, "x-serial": "12"
 })");
+
+std::string source_file(const std::string& path) {
+  std::ifstream stream(std::string(ASPERITY_SOURCE_DIR) + '/' + path, std::ios::binary);
+  EXPECT_TRUE(stream) << path;
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
 
 std::vector<std::string> pointers_of(const std::vector<FormProblem>& problems) {
   std::vector<std::string> pointers{};
@@ -73,6 +83,37 @@ TEST(DeviceKeys, AreNotReadFromAnotherValue) {
   EXPECT_THAT(pointers_of(read_keys(device_keys(), json::array({1}), "/device", protocol)),
               ElementsAre("/device"));
   EXPECT_EQ(protocol.rate_Hz, 1000.0);
+}
+
+TEST(DeviceKeys, AreThoseOfTheSchema) {
+  EXPECT_EQ(schema_of(device_keys()), json::parse(protocol_schema()).at("properties").at("device"));
+}
+
+TEST(DeviceKeys, AreThoseOfThePage) {
+  const std::string page = source_file("docs/formats/protocol.md");
+  for (const KeyTable* const table : {static_cast<const KeyTable*>(&device_keys()),
+                                      static_cast<const KeyTable*>(&device_limit_keys())}) {
+    const std::string rows = page_rows_of(*table);
+    EXPECT_NE(page.find("| --- | --- | --- | --- |\n" + rows + '\n'), std::string::npos) << rows;
+  }
+}
+
+/// The unit of a quantity ends its name.
+TEST(DeviceKeys, HaveALabelAndTheUnitOfTheirName) {
+  for (const KeyTable* const table : {static_cast<const KeyTable*>(&device_keys()),
+                                      static_cast<const KeyTable*>(&device_limit_keys())}) {
+    for (const ProtocolKey& key : table->keys) {
+      EXPECT_FALSE(key.label.empty()) << key.name;
+      EXPECT_TRUE(key.meaning.ends_with('.')) << key.name;
+      const auto* const number = std::get_if<NumberShape>(&key.shape);
+      if (number == nullptr || number->unit.empty()) continue;
+      std::string ending = "_";
+      for (const char c : number->unit) {
+        ending += c == ' ' ? std::string("_") : c == '/' ? std::string("_per_") : std::string(1, c);
+      }
+      EXPECT_TRUE(key.name.ends_with(ending)) << key.name << ' ' << ending;
+    }
+  }
 }
 
 /// Of the objects with tables in all library protocols, and of one with all keys.

@@ -1,0 +1,144 @@
+// Implements the conversion of tables and shapes to pieces of the schema.
+
+#include "protocols/keys/schema_of.h"
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace asperity {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kCommentPattern = "^(x-|\\$comment$)";
+constexpr const char* kNameOrCommentPattern = "^([a-z][a-z0-9_]*|x-.*|\\$comment)$";
+
+json as_written(const json& value) {
+  return value.is_number() ? written_number(value.get<double>()) : value;
+}
+
+/// The keywords of a shape except "type" and "description".
+struct Keywords {
+  json operator()(const NumberShape& shape) const {
+    json keywords = json::object();
+    if (shape.minimum) keywords["minimum"] = written_number(*shape.minimum);
+    if (shape.above) keywords["exclusiveMinimum"] = written_number(*shape.above);
+    if (shape.maximum) keywords["maximum"] = written_number(*shape.maximum);
+    if (shape.below) keywords["exclusiveMaximum"] = written_number(*shape.below);
+    return keywords;
+  }
+  json operator()(const TruthShape&) const { return json::object(); }
+  json operator()(const WordShape& shape) const {
+    json words = json::array();
+    for (const KeyWord& word : shape.words) words.push_back(word.name);
+    return {{"enum", std::move(words)}};
+  }
+  json operator()(const TextShape& shape) const {
+    json keywords{{"maxLength", shape.longest}};
+    if (!shape.may_be_empty) keywords["minLength"] = 1;
+    if (!shape.pattern.empty()) keywords["pattern"] = shape.pattern;
+    return keywords;
+  }
+  json operator()(const NameShape&) const {
+    return {{"pattern", kNamePattern}, {"maxLength", kMaximumNameLength}};
+  }
+  json operator()(const ListShape& shape) const {
+    json keywords{{"items", schema_of(*shape.entry, shape.meaning)}};
+    if (shape.shortest > 0) keywords["minItems"] = shape.shortest;
+    if (shape.longest) keywords["maxItems"] = *shape.longest;
+    if (shape.is_distinct) keywords["uniqueItems"] = true;
+    return keywords;
+  }
+  json operator()(const MapShape& shape) const {
+    json keywords{{"additionalProperties", schema_of(*shape.entry, shape.meaning)},
+                  {"patternProperties", {{kCommentPattern, json::object()}}},
+                  {"propertyNames", {{"maxLength", kMaximumNameLength}}}};
+    if (shape.has_names) keywords["propertyNames"]["pattern"] = kNameOrCommentPattern;
+    if (shape.shortest > 0) keywords["minProperties"] = shape.shortest;
+    if (shape.longest) keywords["maxProperties"] = *shape.longest;
+    return keywords;
+  }
+  json operator()(const ObjectShape& shape) const {
+    json keywords = schema_of(*shape.table);
+    keywords.erase("description");
+    keywords.erase("type");
+    return keywords;
+  }
+  json operator()(const BoundShape& shape) const {
+    json keywords = std::visit(*this, *shape.value);
+    keywords["required"] = {"factor"};
+    keywords["properties"] = {{"factor", schema_of(NameShape{}, "")}};
+    keywords["additionalProperties"] = false;
+    return keywords;
+  }
+  /// Keywords of different types do not affect each other, except for words, which become a pattern of texts.
+  json operator()(const FormsShape& shape) const {
+    json keywords = json::object();
+    for (const ValueShape& form : shape.forms) {
+      json added = std::visit(*this, form);
+      if (const auto words = added.find("enum"); words != added.end()) {
+        std::string pattern{};
+        for (const json& word : *words) {
+          pattern += (pattern.empty() ? "" : "|") + word.get<std::string>();
+        }
+        added = {{"pattern", words->size() == 1 ? '^' + pattern + '$' : "^(" + pattern + ")$"}};
+      }
+      keywords.update(added);
+    }
+    return keywords;
+  }
+};
+
+}  // namespace
+
+json written_number(double value) {
+  constexpr double kExact = 9e15;
+  if (value == std::trunc(value) && std::abs(value) < kExact) {
+    return static_cast<std::int64_t>(value);
+  }
+  return value;
+}
+
+json schema_of(const ValueShape& shape, std::string_view meaning) {
+  json schema = std::visit(Keywords{}, shape);
+  if (!schema.contains("enum")) {
+    const std::vector<std::string> types = types_of(shape);
+    schema["type"] = types.size() == 1 ? json(types.front()) : json(types);
+  }
+  if (!meaning.empty()) schema["description"] = meaning;
+  return schema;
+}
+
+json schema_of(const KeyTable& table) {
+  json properties = json::object();
+  json required = json::array();
+  json needs = json::object();
+  for (const ProtocolKey& key : table.keys) {
+    const std::string name(key.name);
+    properties[name] = schema_of(key.shape, key.meaning);
+    if (key.is_required) required.push_back(name);
+    if (!key.needs.empty()) needs[name] = {key.needs};
+    if (const json standard = default_of(key); !standard.is_null()) {
+      properties[name]["default"] = as_written(standard);
+    }
+  }
+  json schema{{"description", table.meaning}, {"type", "object"}, {"properties", properties}};
+  if (!required.empty()) schema["required"] = std::move(required);
+  if (!needs.empty()) schema["dependencies"] = std::move(needs);
+  for (const std::string_view key : table.deciding) {
+    schema["oneOf"].push_back({{"required", {key}}});
+  }
+  if (!table.is_open) {
+    schema["patternProperties"] = {{kCommentPattern, json::object()}};
+    schema["additionalProperties"] = false;
+  }
+  return schema;
+}
+
+}  // namespace asperity
