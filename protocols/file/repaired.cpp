@@ -20,15 +20,6 @@ namespace {
 
 using nlohmann::json;
 
-bool is_of_type(const json& value, const std::string& type) {
-  if (type == "object") return value.is_object();
-  if (type == "array") return value.is_array();
-  if (type == "string") return value.is_string();
-  if (type == "boolean") return value.is_boolean();
-  if (type == "integer") return value.is_number_integer();
-  return value.is_number();
-}
-
 std::vector<std::string> types_of(const json& schema) {
   const auto type = schema.find("type");
   if (type == schema.end()) return {};

@@ -31,6 +31,15 @@ nlohmann::json default_of(const ProtocolKey& key) {
   return key.standard(key);
 }
 
+bool is_of_type(const nlohmann::json& value, const std::string& type) {
+  if (type == "object") return value.is_object();
+  if (type == "array") return value.is_array();
+  if (type == "string") return value.is_string();
+  if (type == "boolean") return value.is_boolean();
+  if (type == "integer") return value.is_number_integer();
+  return value.is_number();
+}
+
 std::vector<std::string> types_of(const ValueShape& shape) {
   struct Types {
     std::vector<std::string> operator()(const NumberShape& number) const {

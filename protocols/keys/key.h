@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include <nlohmann/json_fwd.hpp>
@@ -54,6 +55,9 @@ void read_keys(const KeyTable& table, const nlohmann::json& valid, void* owner);
 /// A table whose keys are stored in an Owner.
 template <class Owner>
 struct KeyTableOf : KeyTable {};
+
+/// Whether a value is of a type that the schema names: "integer", "string".
+bool is_of_type(const nlohmann::json& value, const std::string& type);
 
 /// Whether a key is a comment of the author.
 constexpr bool is_comment(std::string_view name) {

@@ -23,15 +23,6 @@ std::size_t characters_in(const std::string& text) {
   }));
 }
 
-bool is_of_type(const json& value, const std::string& type) {
-  if (type == "object") return value.is_object();
-  if (type == "array") return value.is_array();
-  if (type == "string") return value.is_string();
-  if (type == "boolean") return value.is_boolean();
-  if (type == "integer") return value.is_number_integer();
-  return value.is_number();
-}
-
 bool is_of_types(const json& value, const std::vector<std::string>& types) {
   return std::any_of(types.begin(), types.end(),
                      [&value](const std::string& type) { return is_of_type(value, type); });
