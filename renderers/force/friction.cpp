@@ -84,7 +84,7 @@ glm::dvec2 smoothed_way_m(const FrictionSettings& settings, const FrictionSample
     return glm::dvec2(0.0);
   }
   const double gain =
-      settings.smoothing_s > 0.0 ? -std::expm1(-sample.dt_s / settings.smoothing_s) : 1.0;
+      settings.smoothing_s > 0.0 ? 1.0 - std::exp(-sample.dt_s / settings.smoothing_s) : 1.0;
   state.halfway_m += gain * (sample.position_m - state.halfway_m);
   const glm::dvec2 way_m = gain * (state.halfway_m - state.smooth_m);
   state.smooth_m += way_m;
@@ -116,35 +116,37 @@ glm::dvec2 proxy_drag_N(const FrictionSettings& settings, const FrictionSample& 
   return shortened(drag_N + settings.damping_N_s_per_m / sample.dt_s * way_m, sticking_N);
 }
 
-// r after the path u outwards: r + u until b, then the solution of dr/du = 1 − q², q = (r − b)/(1 − b), by the addition
-// theorem of tanh.
-double loaded(double share, double way) noexcept {
-  const double elastic = std::clamp(kElasticShare - share, 0.0, way);
-  if (elastic == way) return share + way;
-  const double before = (share + elastic - kElasticShare) / (1.0 - kElasticShare);
-  const double more = std::tanh((way - elastic) / (1.0 - kElasticShare));
-  return kElasticShare + (1.0 - kElasticShare) * (before + more) / (1.0 + before * more);
-}
-
 // The share c after the path of the contact, where z_ss is `sliding_m`: unloaded elastically while it points against the path,
-// then loaded.
+// then loaded, which |c| follows until b and then as dr/du = 1 − q², q = (r − b)/(1 − b). The addition theorem of tanh solves
+// that for any u, q⁺ = (q + t)/(1 + qt), with t = tanh(u/(1 − b)) = (1 − E)/(1 + E), E = exp(−2u/(1 − b)).
 glm::dvec2 moved_share(const glm::dvec2& share, const glm::dvec2& way_m,
                        double sliding_m) noexcept {
   // Beyond it c is e, also without a normal force, by which a quotient would overflow.
   constexpr double kFar = 1e6;
   constexpr double kSlides = 1.0 - 1e-9;
+  constexpr double kYieldingShare = 1.0 - kElasticShare;
   const double length_m = glm::length(way_m);
   if (!(length_m > 0.0)) return share;
-  const double along_m = glm::dot(share, way_m);
-  if (along_m > kSlides * length_m) return share;  // c is e already: most ticks of a stroke
-  if (length_m > kFar * sliding_m) return way_m / length_m;
   const glm::dvec2 towards = way_m / length_m;
+  const double along = glm::dot(share, towards);
+  if (along > kSlides) return share;  // c is e already: most ticks of a stroke
+  if (length_m > kFar * sliding_m) return towards;
   const double length = length_m / sliding_m;
-  const double back = std::clamp(-along_m / length_m, 0.0, length);
-  const double before = glm::length(share + back * towards);
+  const double back = std::clamp(-along, 0.0, length);
+  const double square = glm::dot(share, share);
+  const double before =
+      std::max(square + back * (back + 2.0 * along), kElasticShare * kElasticShare);
+  const double after = square + length * (length + 2.0 * along);
   const glm::dvec2 elastic = share + length * towards;
-  const double after = glm::length(elastic);
-  return after > before ? loaded(before, after - before) / after * elastic : elastic;
+  if (!(after > before)) return elastic;
+  const double from = std::sqrt(before);
+  const double to = std::sqrt(after);
+  // (q + t)/(1 + qt) is up/down, with both times (1 − b)(1 + E): one quotient in the end.
+  const double q = from - kElasticShare;
+  const double rest = std::exp(-2.0 / kYieldingShare * (to - from));
+  const double up = q * (1.0 + rest) + kYieldingShare * (1.0 - rest);
+  const double down = kYieldingShare * (1.0 + rest) + q * (1.0 - rest);
+  return (kElasticShare * down + kYieldingShare * up) / (down * to) * elastic;
 }
 
 // `share` times `most_m`, or shorter: what the work holds, whose square is `longest_m2`.
