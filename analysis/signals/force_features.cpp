@@ -107,8 +107,17 @@ std::vector<double> over_distance(std::span<const double> force_N, std::span<con
   return cells;
 }
 
+std::vector<double> hann_window() {
+  std::vector<double> hann(kWindow);
+  for (std::size_t i = 0; i < kWindow; ++i) {
+    hann[i] = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * static_cast<double>(i) / kWindow);
+  }
+  return hann;
+}
+
 // The window less its straight line of least squares, times a Hann window.
 void detrend_and_taper(std::span<double> window) {
+  static const std::vector<double> hann = hann_window();
   const auto count = static_cast<double>(window.size());
   const double middle = 0.5 * (count - 1.0);
   double sum = 0.0;
@@ -120,9 +129,7 @@ void detrend_and_taper(std::span<double> window) {
   const double mean = sum / count;
   const double slope = moment / (count * (count * count - 1.0) / 12.0);
   for (std::size_t i = 0; i < window.size(); ++i) {
-    const auto at = static_cast<double>(i);
-    const double hann = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * at / count);
-    window[i] = (window[i] - mean - slope * (at - middle)) * hann;
+    window[i] = (window[i] - mean - slope * (static_cast<double>(i) - middle)) * hann[i];
   }
 }
 

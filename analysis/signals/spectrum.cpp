@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -32,41 +33,77 @@ std::size_t greatest_prime_factor(std::size_t n) {
   return std::max(greatest, n);
 }
 
+Eigen::FFT<double> transform_without_plans() {
+  Eigen::FFT<double> fft;
+  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);  // of real signals
+  return fft;
+}
+
+// The transform with the plans of the latest lengths, which take longer to make than to use: the windows of a record and the
+// axes of a force have the same length. Bounded, because records have many lengths.
+Eigen::FFT<double>& transform_of(std::size_t length) {
+  constexpr std::size_t kMostLengths = 8;
+  thread_local std::vector<std::size_t> lengths;
+  thread_local Eigen::FFT<double> fft = transform_without_plans();
+  if (std::find(lengths.begin(), lengths.end(), length) == lengths.end()) {
+    if (lengths.size() == kMostLengths) {
+      fft = transform_without_plans();
+      lengths.clear();
+    }
+    lengths.push_back(length);
+  }
+  return fft;
+}
+
+// What [Bluestein 1970] needs of a length besides the signal.
+struct Chirp {
+  std::vector<Complex> factors{};  // exp(−πi·n²/N)
+  std::vector<Complex> kernel_lines{};
+};
+
+Chirp chirp_of(std::size_t count) {
+  Chirp chirp{.factors = std::vector<Complex>(count)};
+  for (std::uint64_t n = 0; n < count; ++n) {  // n² modulo 2N keeps the angle exact
+    const auto turns = static_cast<double>((n * n) % (2 * count));
+    chirp.factors[n] = std::polar(1.0, -kPi * turns / static_cast<double>(count));
+  }
+  const std::size_t padded = std::bit_ceil(2 * count);
+  std::vector<Complex> kernel(padded);
+  for (std::size_t n = 0; n < count; ++n) {
+    kernel[n] = std::conj(chirp.factors[n]);
+    kernel[(padded - n) % padded] = std::conj(chirp.factors[n]);
+  }
+  transform_of(padded).fwd(chirp.kernel_lines, kernel);
+  return chirp;
+}
+
+const Chirp& latest_chirp(std::size_t count) {
+  thread_local Chirp latest;
+  if (latest.factors.size() != count) latest = chirp_of(count);
+  return latest;
+}
+
 // [Bluestein 1970]: with k·n = (k² + n² − (k − n)²)/2 the transform is a convolution with a chirp,
 // which transforms of a length with small factors can do.
 std::vector<Complex> spectrum_by_chirp(std::span<const double> signal) {
   const std::size_t count = signal.size();
-  std::size_t padded = 1;
-  while (padded < 2 * count) {
-    padded *= 2;
-  }
-  std::vector<Complex> chirp(count);  // exp(−πi·n²/N); n² modulo 2N keeps the angle exact
-  for (std::uint64_t n = 0; n < count; ++n) {
-    const auto turns = static_cast<double>((n * n) % (2 * count));
-    chirp[n] = std::polar(1.0, -kPi * turns / static_cast<double>(count));
-  }
-  std::vector<Complex> modulated(padded);
-  std::vector<Complex> kernel(padded);
+  const Chirp& chirp = latest_chirp(count);
+  std::vector<Complex> modulated(chirp.kernel_lines.size());
   for (std::size_t n = 0; n < count; ++n) {
-    modulated[n] = signal[n] * chirp[n];
-    kernel[n] = std::conj(chirp[n]);
-    kernel[(padded - n) % padded] = std::conj(chirp[n]);
+    modulated[n] = signal[n] * chirp.factors[n];
   }
-  Eigen::FFT<double> fft;
-  std::vector<Complex> modulated_lines;
-  std::vector<Complex> kernel_lines;
-  fft.fwd(modulated_lines, modulated);
-  fft.fwd(kernel_lines, kernel);
-  for (std::size_t k = 0; k < padded; ++k) {
-    modulated_lines[k] *= kernel_lines[k];
+  Eigen::FFT<double>& fft = transform_of(modulated.size());
+  std::vector<Complex> lines;
+  fft.fwd(lines, modulated);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    lines[k] *= chirp.kernel_lines[k];
   }
-  std::vector<Complex> convolved;
-  fft.inv(convolved, modulated_lines);
-  convolved.resize(count / 2 + 1);
-  for (std::size_t k = 0; k < convolved.size(); ++k) {
-    convolved[k] *= chirp[k];
+  fft.inv(modulated, lines);
+  modulated.resize(count / 2 + 1);
+  for (std::size_t k = 0; k < modulated.size(); ++k) {
+    modulated[k] *= chirp.factors[k];
   }
-  return convolved;
+  return modulated;
 }
 
 double hann(std::size_t i, std::size_t count) {
@@ -164,11 +201,9 @@ std::vector<Complex> real_spectrum(std::span<const double> signal) {
   if (greatest_prime_factor(signal.size()) > 100) {
     return spectrum_by_chirp(signal);
   }
-  Eigen::FFT<double> fft;
-  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   const std::vector<double> input(signal.begin(), signal.end());
   std::vector<Complex> lines;
-  fft.fwd(lines, input);
+  transform_of(signal.size()).fwd(lines, input);
   lines.resize(signal.size() / 2 + 1);
   return lines;
 }
@@ -237,6 +272,10 @@ double band_rms(std::span<const double> signal, double rate_Hz, double low_Hz, d
   const double mean = mean_of(signal);
   for (double& value : about_mean) {
     value -= mean;
+  }
+  if (std::all_of(about_mean.begin(), about_mean.end(),
+                  [](double value) { return value == 0.0; })) {
+    return 0.0;  // such as an axis on which a texture exerts no force
   }
   const std::vector<Complex> lines = real_spectrum(about_mean);
   const auto count = static_cast<double>(signal.size());

@@ -34,12 +34,6 @@ RecordedTexture texture_of(const JudgedSurface& surface, std::span<const TickRec
                           {records, static_cast<std::uint64_t>(surface.position), rate_Hz});
 }
 
-std::optional<double> finite_texture_force_N(const RecordedTexture& texture,
-                                             const TextureForceBand& band) {
-  const std::optional<double> rms_N = recorded_texture_force_rms_N(texture, band);
-  return rms_N && std::isfinite(*rms_N) ? rms_N : std::nullopt;
-}
-
 bool is_finite(const InstabilityRow& row) {
   constexpr std::array kNumbers{&InstabilityRow::buzz,
                                 &InstabilityRow::buzz_force_N,
@@ -58,10 +52,13 @@ bool is_finite(const InstabilityRow& row) {
 ReplayedMeasures measures_of(const JudgedSurface& surface, std::span<const TickRecord> records,
                              double rate_Hz, AttemptInstability::Values wanted) {
   const RecordedTexture texture = texture_of(surface, records, rate_Hz);
-  ReplayedMeasures measures{.texture_force_N = finite_texture_force_N(texture, surface.band)};
+  const std::optional<double> rms_N = recorded_texture_force_rms_N(texture, surface.band);
+  ReplayedMeasures measures{};
+  if (rms_N && std::isfinite(*rms_N)) measures.texture_force_N = rms_N;
   if (wanted == AttemptInstability::Values::all) {
-    measures.instability =
-        instability_row(perceived_instability(surface.model, surface.inputs, texture));
+    const bool is_perceivable_band = surface.band == TextureForceBand{};
+    measures.instability = instability_row(perceived_instability(
+        surface.model, surface.inputs, texture, is_perceivable_band ? rms_N : std::nullopt));
   }
   return measures;
 }

@@ -21,7 +21,6 @@
 namespace asperity {
 namespace {
 
-constexpr TextureForceBand kPerceivable{5.0, 500.0};
 constexpr FrequencyBand kAlive{2.0, 20.0};
 constexpr double kLeastRest_s = 0.5;   // one period of the lower limit
 constexpr double kReturn_m = 50e-6;    // a few steps of a device's position
@@ -218,7 +217,8 @@ const char* name_of(NotJudged reason) noexcept {
 }
 
 PerceivedInstability perceived_instability(const ForceModel& model, const RendererInputs& inputs,
-                                           const RecordedTexture& texture) {
+                                           const RecordedTexture& texture,
+                                           std::optional<double> texture_force_N) {
   PerceivedInstability judged{};
   const double rate_Hz = texture.rate_Hz;
   if (!(rate_Hz > 2.0 * kBuzzFrom_Hz)) {
@@ -236,7 +236,8 @@ PerceivedInstability perceived_instability(const ForceModel& model, const Render
         stretches.empty() ? NotJudged::too_short : NotJudged::no_force;
   } else {
     const auto explained = replay(*make_renderer(model, inputs), slow, rate_Hz);
-    const double texture_N = recorded_texture_force_rms_N(texture, kPerceivable).value_or(0.0);
+    if (!texture_force_N) texture_force_N = recorded_texture_force_rms_N(texture, {});
+    const double texture_N = texture_force_N.value_or(0.0);
     judged.buzz = buzz_of(felt, explained, texture_N, stretches, rate_Hz);
     if (!judged.buzz) judged.no_buzz = NotJudged::too_short;
     const std::vector<IndexRange> rests = rests_in(slow, stretches);

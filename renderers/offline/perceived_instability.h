@@ -103,7 +103,9 @@ inline constexpr double kSlow_m_per_s = 0.030;
 /// Errors: std::invalid_argument for inputs that the model rejects. A rate of at most 300 Hz is a reason not to judge.
 ///
 /// [Choi 2004] Choi, Tan: Perceived instability of virtual haptic texture. I. Experimental studies.
+/// `texture_force_N`: recorded_texture_force_rms_N(texture, {}), by a caller that has it.
 PerceivedInstability perceived_instability(const ForceModel& model, const RendererInputs& inputs,
-                                           const RecordedTexture& texture);
+                                           const RecordedTexture& texture,
+                                           std::optional<double> texture_force_N = {});
 
 }  // namespace asperity

@@ -39,6 +39,8 @@ std::optional<double> recorded_shaking_m_per_s2(const RecordedSurfaceSpan& surfa
 struct TextureForceBand {
   double low_Hz = 5.0;
   double high_Hz = 500.0;
+
+  friend bool operator==(const TextureForceBand&, const TextureForceBand&) = default;
 };
 
 /// The records of the ticks in which the surface was rendered, each of its entries with
