@@ -1,6 +1,8 @@
 // Discriminations whose levels psi chose: the posterior threshold next to the fitted one.
 
 #include <cmath>
+#include <cstddef>
+#include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -8,8 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/psychometric/psychometric_function.h"
-#include "app/findings/study/analyze_study.h"
+#include "app/findings/outcome/figure.h"
 #include "app/findings/outcome/found_numbers.h"
+#include "app/findings/study/analyze_study.h"
+#include "app/findings/study/figures_of.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/made_up_study.h"
 #include "tests/app/stored_tables.h"
@@ -19,6 +23,7 @@ namespace {
 
 using nlohmann::json;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(Discrimination, ReportsThePosteriorThresholdOfPsiNextToTheFittedOne) {
   const AnalysisOutcome outcome = outcome_of_staircases(psi_protocol(40), 8, 80);
@@ -52,6 +57,20 @@ TEST(Discrimination, ReportsThePosteriorThresholdOfPsiNextToTheFittedOne) {
   EXPECT_TRUE(FoundNumbers(means).value("geomean.jnd.posterior", "all"));
   EXPECT_FALSE(
       column_of(table_of(outcome_of_twelve_staircases(), "thresholds").table, "jnd_posterior"));
+}
+
+// A fitted threshold of levels that psi chose has no interval, and the caption of its figure states none.
+TEST(Discrimination, CaptionsThresholdsOfPsiWithoutIntervals) {
+  std::size_t with_marks = 0;
+  for (const Figure& figure : figures_of(outcome_of_staircases(psi_protocol(40), 8, 80))) {
+    if (!figure.name.starts_with("psychometric_p")) continue;
+    const std::string note = figure.note.english();
+    EXPECT_THAT(note, Not(HasSubstr("95 % CI"))) << figure.name;
+    if (note.find("Open symbols") == std::string::npos) continue;
+    EXPECT_THAT(note, HasSubstr("the level of 75 % correct, without CIs.")) << figure.name;
+    ++with_marks;
+  }
+  EXPECT_GT(with_marks, 0U);
 }
 
 // The same probabilities from the trials themselves: 41 thresholds from 2 to 100 % of 50 µm, 8 slopes, 4 lapse rates.

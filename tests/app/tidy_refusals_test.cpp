@@ -321,6 +321,20 @@ TEST(TidyRefusals, FitNoFunctionWithMoreParametersThanLevels) {
   EXPECT_EQ(word_of(findings, "threshold"), "(absent)");
 }
 
+// Each participant has the same difference, so that nothing but rounding is left, whatever the unit.
+TEST(TidyRefusals, FitNoLinearMixedModelWithoutResidualVariance) {
+  for (const char* const unit : {"", "e-9", "e6"}) {
+    std::string table = "subject,cond,y\n";
+    for (const char* const row :
+         {"A,a,1.1", "A,b,1.4", "B,a,2.3", "B,b,2.6", "C,a,0.7", "C,b,1.0"}) {
+      table += std::string(row) + unit + '\n';
+    }
+    const auto findings = findings_of("lmm", table, R"({"fixed": {"cond": ["a", "b"]}})");
+    EXPECT_EQ(word_of(findings, "lmm.status"), "no_residual_variance") << unit;
+    EXPECT_EQ(word_of(findings, "lmm.F"), "(absent)") << unit;
+  }
+}
+
 // The effect is the same in all participants.
 TEST(TidyRefusals, SayThatThereIsNoErrorVariance) {
   const auto findings = findings_of(

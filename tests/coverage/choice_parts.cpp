@@ -1,4 +1,4 @@
-// Proportions of right answers, assignments, choices of the best, groups.
+// Proportions of right answers, choices of the best, groups.
 
 #include <array>
 #include <cmath>
@@ -12,7 +12,6 @@ namespace asperity {
 namespace {
 
 constexpr std::array kSpreads{0.0, 1.0};
-constexpr std::array kNoSpread{0.0};
 
 // --- recognition: one of four pictures -----------------------------------------------------------
 
@@ -61,128 +60,6 @@ std::vector<CheckedTest> recognition_tests(const CoverageSetting& setting) {
           {.quantity = "pc.p.greater"},
           {.quantity = "G.p"},
           {.quantity = "G.perm.p"}};
-}
-
-// --- matching: four pictures to four surfaces ------------------------------------------------------
-
-constexpr std::size_t kItems = 4;
-constexpr std::array kThetas{0.0, 0.4, 0.8, 1.6, 3.0};
-constexpr std::array kThetaSpreads{0.0, 0.5};
-/// Of the 24 permutations those with 0, 1, … right items.
-constexpr std::array<double, kItems + 1> kPermutations{9.0, 8.0, 6.0, 0.0, 1.0};
-
-using Permutation = std::array<std::size_t, kItems>;
-
-/// With `right` items in their places, all such permutations equally likely.
-Permutation permutation_with(std::size_t right, Random& random) {
-  Permutation drawn{};
-  do {  // 1 in 24 has all items right, and is at hand without drawing
-    std::iota(drawn.begin(), drawn.end(), std::size_t{0});
-    if (right == kItems) return drawn;
-    random.shuffle(std::span<std::size_t>(drawn));
-  } while ([&] {
-    std::size_t places = 0;
-    for (std::size_t i = 0; i < kItems; ++i) places += drawn[i] == i ? 1 : 0;
-    return places != right;
-  }());
-  return drawn;
-}
-
-std::array<double, kItems + 1> mallows_weights(double theta) {
-  std::array<double, kItems + 1> weights = kPermutations;
-  for (std::size_t k = 0; k <= kItems; ++k) weights[k] *= std::exp(theta * static_cast<double>(k));
-  return weights;
-}
-
-/// The mean over participants of what `of_weights` makes of their probabilities of 0, 1, … right items.
-template <class OfWeights>
-double mean_over_thetas(const CoverageSetting& setting, OfWeights of_weights) {
-  constexpr int kSteps = 160;
-  constexpr double kFurthest = 8.0;
-  double sum = 0.0;
-  double all = 0.0;
-  for (int i = 0; i <= kSteps; ++i) {
-    const double z = kFurthest * (2.0 * i / kSteps - 1.0);
-    const double weight = std::exp(-0.5 * z * z);
-    std::array<double, kItems + 1> own = mallows_weights(setting.effect + setting.spread * z);
-    const double total = std::accumulate(own.begin(), own.end(), 0.0);
-    for (double& one : own) one /= total;
-    sum += weight * of_weights(own);
-    all += weight;
-  }
-  return sum / all;
-}
-
-void add_assignment(const std::string& subject, std::size_t trial, const Permutation& chosen,
-                    DrawnTable& table) {
-  const std::string number = std::to_string(trial + 1);
-  for (std::size_t i = 0; i < kItems; ++i) {
-    table.add({subject, number, kPictures[i], kPictures[chosen[i]]});
-  }
-}
-
-TidyInput draw_matching(const CoverageSetting& setting, Random& random) {
-  DrawnTable table("subject,trial,stimulus,response");
-  for (std::size_t i = 0; i < setting.participants; ++i) {
-    const auto weights = mallows_weights(setting.effect + setting.spread * random.normal());
-    for (std::size_t trial = 0; trial < setting.trials; ++trial) {
-      add_assignment(participant_label(i), trial,
-                     permutation_with(drawn_by_weight(weights, random), random), table);
-    }
-  }
-  return std::move(table).as_input();
-}
-
-std::vector<CheckedInterval> matching_intervals(const CoverageSetting& setting) {
-  std::vector<CheckedInterval> intervals{
-      {.quantity = "subj.mean",
-       .truth = mean_over_thetas(setting,
-                                 [](const auto& own) {
-                                   double right = 0.0;
-                                   for (std::size_t k = 0; k <= kItems; ++k) {
-                                     right += own[k] * static_cast<double>(k);
-                                   }
-                                   return right / static_cast<double>(kItems);
-                                 })},
-      {.quantity = "perfect",
-       .truth = mean_over_thetas(setting, [](const auto& own) { return own[kItems]; }),
-       .lower = "perfect.wilson.lower",
-       .upper = "perfect.wilson.upper"}};
-  intervals.push_back({.quantity = "perfect.subj.mean", .truth = intervals.back().truth});
-  if (setting.spread == 0.0) {
-    intervals.push_back({.quantity = "mallows.theta",
-                         .truth = setting.effect,
-                         .lower = "mallows.ci.lower",
-                         .upper = "mallows.ci.upper"});
-  }
-  return intervals;
-}
-
-std::vector<CheckedTest> tests_of_guessing(const CoverageSetting&) {
-  return {{.quantity = "relabel.p.greater"},
-          {.quantity = "perfect.relabel.p.greater"},
-          {.quantity = "texture.relabel.p.greater", .key = "a"},
-          // These take trials as independent.
-          {.quantity = "exact.p.greater"},
-          {.quantity = "perfect.p.greater"},
-          {.quantity = "texture.p.greater", .key = "a"}};
-}
-
-std::vector<CheckedTest> matching_tests(const CoverageSetting& setting) {
-  if (setting.effect != 0.0 || setting.spread > 0.0) return {};
-  return tests_of_guessing(setting);
-}
-
-TidyInput draw_kept_matching(const CoverageSetting& setting, Random& random) {
-  DrawnTable table("subject,trial,stimulus,response");
-  const auto weights = mallows_weights(0.0);
-  for (std::size_t i = 0; i < setting.participants; ++i) {
-    const Permutation kept = permutation_with(drawn_by_weight(weights, random), random);
-    for (std::size_t trial = 0; trial < setting.trials; ++trial) {
-      add_assignment(participant_label(i), trial, kept, table);
-    }
-  }
-  return std::move(table).as_input();
 }
 
 // --- selection: the best of three --------------------------------------------------------------------
@@ -327,8 +204,6 @@ std::vector<CheckedTest> group_tests(const CoverageSetting&) {
 
 std::span<const CoveragePart> choice_parts() {
   static const auto kOfProportions = all_designs(kProportions, kSpreads);
-  static const auto kOfThetas = all_designs(kThetas, kThetaSpreads);
-  static const auto kOfGuessing = all_designs(std::array{0.0}, kNoSpread);
   static const auto kOfAdvantages = all_designs(kAdvantages, kSpreads);
   static const std::array kParts{
       CoveragePart{.name = "recognition",
@@ -341,26 +216,6 @@ std::span<const CoveragePart> choice_parts() {
                    .findings = recognition_findings,
                    .intervals = recognition_intervals,
                    .tests = recognition_tests},
-      CoveragePart{.name = "matching",
-                   .model = "four pictures to four surfaces by Mallows' model (Hamming distance); "
-                            "a participant's theta is normal",
-                   .effect = "mean theta",
-                   .spread = "SD of theta",
-                   .settings = kOfThetas,
-                   .draw = draw_matching,
-                   .findings = matching_findings,
-                   .intervals = matching_intervals,
-                   .tests = matching_tests},
-      CoveragePart{.name = "matching_kept",
-                   .model = "four pictures to four surfaces; each participant guesses one "
-                            "assignment and keeps it in all trials",
-                   .effect = "always 0",
-                   .spread = "always 0",
-                   .settings = kOfGuessing,
-                   .draw = draw_kept_matching,
-                   .findings = matching_findings,
-                   .intervals = no_intervals,
-                   .tests = tests_of_guessing},
       CoveragePart{.name = "selection",
                    .model = "the best of three; a participant's utilities are normal, and the "
                             "choice follows Luce's rule",

@@ -11,8 +11,9 @@ namespace asperity {
 std::vector<CoveragePart> coverage_parts() {
   std::vector<CoveragePart> parts{};
   for (const auto of_subject :
-       {choice_parts, scale_parts, time_parts, agreement_parts, difference_parts, model_parts,
-        detection_parts, discrimination_parts, rating_parts, exploration_parts, similarity_parts}) {
+       {choice_parts, matching_parts, scale_parts, time_parts, agreement_parts, difference_parts,
+        model_parts, detection_parts, discrimination_parts, left_out_parts, rating_parts,
+        exploration_parts, similarity_parts}) {
     parts.insert(parts.end(), of_subject().begin(), of_subject().end());
   }
   return parts;

@@ -61,6 +61,8 @@ std::vector<CoveragePart> coverage_parts();
 
 /// Of proportions and choices.
 std::span<const CoveragePart> choice_parts();
+/// Of assignments of pictures to surfaces.
+std::span<const CoveragePart> matching_parts();
 /// Of scales: worths of compared items, estimated magnitudes.
 std::span<const CoveragePart> scale_parts();
 /// Of response times, and of what changes over the trials.
@@ -75,6 +77,8 @@ std::span<const CoveragePart> model_parts();
 std::span<const CoveragePart> detection_parts();
 /// Of choices among three surfaces, and of thresholds of split counts.
 std::span<const CoveragePart> discrimination_parts();
+/// Of a mean of thresholds of which some lie outside the levels.
+std::span<const CoveragePart> left_out_parts();
 /// Of ratings on ordered categories and continuous scales.
 std::span<const CoveragePart> rating_parts();
 /// Of choices that depend on the exploration.

@@ -91,8 +91,10 @@ constexpr std::array kEqualMeans{0.0};
 constexpr std::array kSpreadsOfEffects{0.0, 0.5, 1.0};
 
 /// Four items in turn; the effects of a participant are normal around 0, and the residuals have an SD of 1.
-TidyInput draw_varying_items(const CoverageSetting& setting, Random& random) {
-  DrawnTable table("subject,item,y");
+template <class Rating>
+DrawnTable varying(std::string_view columns, const CoverageSetting& setting, Random& random,
+                   Rating rating) {
+  DrawnTable table(columns);
   for (std::size_t i = 0; i < setting.participants; ++i) {
     const double own = random.normal();
     std::array<double, kVaryingItems.size()> effects{};
@@ -100,15 +102,37 @@ TidyInput draw_varying_items(const CoverageSetting& setting, Random& random) {
     for (std::size_t trial = 0; trial < setting.trials; ++trial) {
       const std::size_t item = (trial + i) % kVaryingItems.size();
       table.add({participant_label(i), kVaryingItems[item],
-                 number_text(own + effects[item] + random.normal())});
+                 rating(own + effects[item] + random.normal())});
     }
   }
-  TidyInput input = std::move(table).as_input();
+  return table;
+}
+
+TidyInput draw_varying_items(const CoverageSetting& setting, Random& random) {
+  TidyInput input = varying("subject,item,y", setting, random, [](double y) {
+                      return number_text(y);
+                    }).as_input();
   const std::vector<std::pair<std::string, std::vector<std::string>>> items{
       {"item", {kVaryingItems.begin(), kVaryingItems.end()}}};
   input.options.set("fixed", items);
   input.options.set("within", items);
   return input;
+}
+
+/// The same ratings on five categories.
+TidyInput draw_varying_categories(const CoverageSetting& setting, Random& random) {
+  constexpr std::array kBorders{-1.2, -0.4, 0.4, 1.2};
+  TidyInput input =
+      varying("subject,item,score", setting, random, [&kBorders](double y) {
+        return std::to_string(1 + std::count_if(kBorders.begin(), kBorders.end(),
+                                                [y](double border) { return y > border; }));
+      }).as_input();
+  input.options.add("items", "A,B,C,D");
+  return input;
+}
+
+std::vector<CheckedTest> varying_category_tests(const CoverageSetting&) {
+  return {{.quantity = "lr.p"}};
 }
 
 /// The linear mixed model of the responses, and the analysis of variance of the participants' means.
@@ -304,6 +328,18 @@ std::span<const CoveragePart> rating_parts() {
                    .intervals = varying_item_intervals,
                    .tests = varying_item_tests,
                    .tables = 4000},
+      CoveragePart{.name = "varying_categories",
+                   .model = "the ratings of `varying_items` on five ordered categories with the "
+                            "borders ±0.4 and ±1.2; cumulative link mixed model with random "
+                            "intercepts",
+                   .effect = "always 0",
+                   .spread = "SD of the effects over the participants",
+                   .settings = kOfVarying,
+                   .draw = draw_varying_categories,
+                   .findings = ordinal_findings,
+                   .intervals = no_intervals,
+                   .tests = varying_category_tests,
+                   .tables = 1000},
       CoveragePart{.name = "components",
                    .model = "ten items on eight scales, whose true means have a first principal "
                             "component of about nine tenths of the variance; a participant's "

@@ -1,8 +1,10 @@
-// What asperity new prints: the study, and the rule about versions.
+// What asperity new prints: the study, and the rule about versions, which the README and the release notes state as well.
 
 #include <cstddef>
+#include <sstream>
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/journeys/program.h"
@@ -34,6 +36,22 @@ TEST(New, PrintsTheStudyAndThatItIsFinishedWithThisVersion) {
   EXPECT_EQ(again.status, 0) << again.err;
   EXPECT_EQ(again.out, "an earlier command created the unused study " + study + rule);
   EXPECT_TRUE(contents_of(study) == files);
+}
+
+/// A document in one line.
+std::string words_of(const char* document) {
+  std::istringstream words(text_of(fs::path(ASPERITY_SOURCE_DIR) / document));
+  std::string line{};
+  for (std::string word; words >> word;) line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
+TEST(VersionOfAStudy, IsKeptAccordingToTheReadmeAndTheReleaseNotesToo) {
+  const std::string rule =
+      "finish a study with the version that began it; the package of each version stays available.";
+  EXPECT_THAT(words_of("README.md"), testing::HasSubstr("Before 1.0.0, " + rule));
+  EXPECT_THAT(words_of("CHANGELOG.md"), testing::HasSubstr("Until 1.0.0, "));
+  EXPECT_THAT(words_of("CHANGELOG.md"), testing::HasSubstr(rule));
 }
 
 }  // namespace

@@ -150,6 +150,25 @@ TEST(Render, SaysWhatIsWrongWithAPath) {
   refused("time_s\tx_m\ty_m\tz_m\n0\t0\t0\t0\n1\t0\t0\n", {":3"});
 }
 
+// Half a millimetre, written in a column of metres.
+TEST(Render, WarnsOfAPathInMillimetres) {
+  const TemporaryFolder place{};
+  const auto warning_of = [&place](const std::string& depth_m) {
+    write_text(place / "path.tsv",
+               "time_s\tx_m\ty_m\tz_m\n0\t0\t0\t" + depth_m + "\n0.001\t0\t0\t" + depth_m + "\n");
+    const Outcome outcome = asperity({"render", "--model", "sinusoid", "--path", place / "path.tsv",
+                                      "--out", place / ("forces" + depth_m + ".tsv")});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_THAT(warning_of("-0.5"),
+              testing::AllOf(testing::HasSubstr("asperity: warning: "),
+                             testing::HasSubstr("path.tsv: z_m reaches -0.5 m"),
+                             testing::HasSubstr("if the positions are in millimetres, divide them "
+                                                "by 1000")));
+  EXPECT_THAT(warning_of("-0.0005"), testing::Not(testing::HasSubstr("millimetres")));
+}
+
 TEST(Render, RefusesAModelOrParameterThatThereIsNot) {
   const TemporaryFolder place{};
   write_text(place / "path.tsv", "time_s\tx_m\ty_m\tz_m\n0\t0\t0\t0\n1\t0\t0\t0\n");

@@ -440,7 +440,9 @@ TEST_F(StudyPages, ReportAnInterruptedSessionOnTheWelcomePage) {
       << banner.text().toStdString();
   EXPECT_TRUE(child<QLabel>(window_, "welcome_versions")
                   .text()
-                  .contains("finish a study with the version that began it"));
+                  .endsWith(". Before 1.0.0, finish a study with the version that began it; the "
+                            "package of each version stays available."))
+      << child<QLabel>(window_, "welcome_versions").text().toStdString();
   window_.resize(1280, 720);
   const auto cut = [&]() -> std::string {
     for (const auto* label : child<QWidget>(window_, "welcome_page").findChildren<QLabel*>()) {
