@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -19,6 +20,7 @@
 #include "protocols/keys/device_keys.h"
 #include "protocols/keys/form_sentences.h"
 #include "protocols/keys/valid_part.h"
+#include "stimuli/properties/unit_of_name.h"
 
 namespace asperity {
 
@@ -84,8 +86,33 @@ bool check_keys(const JsonDocument& document, const json& root, const json& sche
   return is_short;
 }
 
-/// One of valijson's findings as a sentence; empty for those that only repeat a more specific one.
-std::string sentence(const std::string& description, const json& schema, const json& value) {
+/// The unit that the name of the key at the pointer ends with; of an entry of a list and of an interval, that of its key.
+std::string unit_at(const std::string& pointer) {
+  std::string of_key = pointer;
+  const std::string name = pointer.substr(pointer.rfind('/') + 1);
+  if (name == "shortest" || name == "longest" ||
+      name.find_first_not_of("0123456789") == std::string::npos) {
+    of_key = pointer.substr(0, pointer.rfind('/'));
+  }
+  return unit_at_end_of(of_key).value_or("");
+}
+
+NumberShape number_shape(const json& schema, std::string_view unit) {
+  const auto limit = [&schema](const char* key) {
+    const auto found = schema.find(key);
+    return found == schema.end() ? std::nullopt : std::optional(found->get<double>());
+  };
+  return {.minimum = limit("minimum"),
+          .above = limit("exclusiveMinimum"),
+          .maximum = limit("maximum"),
+          .below = limit("exclusiveMaximum"),
+          .unit = unit};
+}
+
+/// One of valijson's findings as a sentence; empty for those that only repeat a more specific one. `unit` is that of a
+/// number.
+std::string sentence(const std::string& description, const json& schema, const json& value,
+                     std::string_view unit) {
   const auto starts = [&description](std::string_view text) {
     return description.starts_with(text);
   };
@@ -125,12 +152,7 @@ std::string sentence(const std::string& description, const json& schema, const j
                       meaning);
   }
   if (starts("Expected number")) {
-    const bool low = description.find("greater") != std::string::npos;
-    const bool open = schema.contains(low ? "exclusiveMinimum" : "exclusiveMaximum") &&
-                      !schema.contains(low ? "minimum" : "maximum");
-    const json& bound = schema.at(open ? (low ? "exclusiveMinimum" : "exclusiveMaximum")
-                                       : (low ? "minimum" : "maximum"));
-    return wrong_number(value, bound.get<double>(), low, open, meaning);
+    return wrong_number(value, number_shape(schema, unit), meaning);
   }
   if (starts("Failed to match regex")) return wrong_pattern(value, meaning);
   if (starts("Array should contain")) {
@@ -258,7 +280,7 @@ std::vector<Diagnostic> check_by_schema(const JsonDocument& document) {
       const json required = node->value("required", json::array());
       if (std::find(required.begin(), required.end(), json(key)) == required.end()) continue;
     }
-    std::string message = sentence(error.description, *node, *value);
+    std::string message = sentence(error.description, *node, *value, unit_at(pointer));
     if (message.empty() || !said.emplace(pointer, message).second) continue;
     found.push_back(document.at(pointer, std::move(message)));
   }

@@ -1,12 +1,14 @@
 // Implements the checks of head, textures, factors, explorations and questions.
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <string_view>
 
 #include "protocols/file/device_limit.h"
 #include "protocols/file/meaning_checks.h"
+#include "stimuli/properties/other_unit.h"
 
 namespace asperity {
 
@@ -236,37 +238,46 @@ void Meaning::check_guidance(const Exploration& exploration, const std::string& 
 void Meaning::check_explorations() {
   for (const auto& [name, exploration] : protocol_.explorations) {
     const std::string pointer = pointer_to("/explorations", name);
-    check_band(exploration.stroke_length_m, pointer + "/stroke_length_m");
     check_band(exploration.speed_m_per_s, pointer + "/speed_m_per_s");
-    check_band(exploration.normal_force_N, pointer + "/normal_force_N");
     check_band(exploration.strokes, pointer + "/strokes");
     check_guidance(exploration, pointer);
+    const auto is_weak_enough = [&](double force_N) { return force_N <= protocol_.force_limit_N; };
     const auto too_strong = [&](const std::optional<double>& force_N, const char* key) {
-      if (!force_N || *force_N <= protocol_.force_limit_N) return;
+      if (!force_N || is_weak_enough(*force_N)) return false;
       report(pointer + "/normal_force_N/" + key,
              "the band reaches " + digits(*force_N) + " N, but the force limit is " +
                  digits(protocol_.force_limit_N) +
-                 " N (/device/force_limit_N); lower the force or raise the limit");
+                 " N (/device/force_limit_N); lower the force or raise the limit" +
+                 meant_in_other_unit(*force_N, "N", is_weak_enough));
+      return true;
     };
-    too_strong(exploration.normal_force_N.minimum, "minimum");
-    too_strong(exploration.normal_force_N.target, "target");
-    too_strong(exploration.normal_force_N.maximum, "maximum");
+    const Band& force = exploration.normal_force_N;
+    const std::array strong{too_strong(force.minimum, "minimum"),
+                            too_strong(force.target, "target"),
+                            too_strong(force.maximum, "maximum")};
+    // A value in another unit is out of order as well, which would be a second error.
+    if (strong == std::array{false, false, false}) check_band(force, pointer + "/normal_force_N");
     const auto& patch = protocol_.patch;
     const double along_x = std::abs(std::cos(exploration.direction_rad));
     const double along_y = std::abs(std::sin(exploration.direction_rad));
-    const auto too_long = [&](const std::optional<double>& length_m, const char* key) {
+    const auto is_short_enough = [&](double length_m) {
       constexpr double kRounding_m = 1e-9;
-      if (!length_m || (*length_m * along_x <= patch.extent_m.x + kRounding_m &&
-                        *length_m * along_y <= patch.extent_m.y + kRounding_m)) {
-        return;
-      }
+      return length_m * along_x <= patch.extent_m.x + kRounding_m &&
+             length_m * along_y <= patch.extent_m.y + kRounding_m;
+    };
+    const auto too_long = [&](const std::optional<double>& length_m, const char* key) {
+      if (!length_m || is_short_enough(*length_m)) return false;
       report(pointer + "/stroke_length_m/" + key,
              "a stroke of " + digits(*length_m) + " m does not fit into the patch of " +
                  digits(patch.extent_m.x) + " m by " + digits(patch.extent_m.y) +
-                 " m; shorten the stroke or enlarge the patch");
+                 " m; shorten the stroke or enlarge the patch" +
+                 meant_in_other_unit(*length_m, "m", is_short_enough));
+      return true;
     };
-    too_long(exploration.stroke_length_m.minimum, "minimum");
-    too_long(exploration.stroke_length_m.target, "target");
+    const Band& length = exploration.stroke_length_m;
+    const std::array is_long{too_long(length.minimum, "minimum"),
+                             too_long(length.target, "target")};
+    if (is_long == std::array{false, false}) check_band(length, pointer + "/stroke_length_m");
     if (exploration.minimum_contact_s > exploration.maximum_contact_s) {
       report(pointer + "/minimum_contact_s",
              "at least " + digits(exploration.minimum_contact_s) +

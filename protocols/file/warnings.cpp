@@ -20,6 +20,7 @@
 #include "protocols/file/stored_protocol.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/procedures/procedure.h"
+#include "stimuli/properties/other_unit.h"
 
 namespace asperity {
 
@@ -85,16 +86,16 @@ class Warnings final {
 
   void warn_of_bands(const Exploration& asked, const std::string& pointer) {
     const auto look = [&](const std::optional<double>& value, double most, const char* place,
-                          const std::string& why) {
-      if (value && *value > most) warn(pointer + place, digits(*value) + why);
-      return value && *value > most;
+                          const std::string& why, std::string_view unit = "") {
+      if (!value || *value <= most) return false;
+      const auto is_permitted = [most](double other) { return other <= most; };
+      warn(pointer + place, digits(*value) + why + meant_in_other_unit(*value, unit, is_permitted));
+      return true;
     };
-    const std::string no_hand =
-        " m/s is faster than a hand strokes; write the speed in metres per second, such as 0.04 "
-        "for 40 mm/s";
+    const std::string no_hand = " m/s is faster than a hand strokes; request a slower stroke";
     const Band& speed = asked.speed_m_per_s;
-    if (!look(speed.minimum, kFastestHand_m_per_s, "/speed_m_per_s/minimum", no_hand)) {
-      look(speed.target, kFastestHand_m_per_s, "/speed_m_per_s/target", no_hand);
+    if (!look(speed.minimum, kFastestHand_m_per_s, "/speed_m_per_s/minimum", no_hand, "m/s")) {
+      look(speed.target, kFastestHand_m_per_s, "/speed_m_per_s/target", no_hand, "m/s");
     }
     const double most_N = kRoomForTexture * protocol_.force_limit_N;
     const std::string no_room = " N leaves little room below the device's limit of " +

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/design/wording.h"
+#include "stimuli/properties/other_unit.h"
 
 namespace asperity {
 
@@ -97,13 +98,19 @@ std::string wrong_word(const json& value, const std::vector<std::string>& words)
          (value.is_string() ? did_you_mean(value.get<std::string>(), words) : "");
 }
 
-std::string wrong_number(const json& value, double limit, bool is_low, bool is_open,
-                         std::string_view meaning) {
+std::string wrong_number(const json& value, const NumberShape& shape, std::string_view meaning) {
+  const auto number = value.get<double>();
+  const auto within = [&shape](double one) { return lies_within(shape, one); };
+  const bool is_low =
+      (shape.minimum && number < *shape.minimum) || (shape.above && number <= *shape.above);
+  const bool is_open = is_low ? !shape.minimum : !shape.maximum;
+  const double limit = is_low ? shape.minimum.value_or(shape.above.value_or(0.0))
+                              : shape.maximum.value_or(shape.below.value_or(0.0));
   const char* const relation =
       is_open ? (is_low ? "greater than " : "less than ") : (is_low ? "at least " : "at most ");
   return quoted_value(value) +
          (is_low ? " is too small: it must be " : " is too large: it must be ") + relation +
-         digits(limit) + expected_here(meaning);
+         digits(limit) + meant_in_other_unit(number, shape.unit, within) + expected_here(meaning);
 }
 
 std::string wrong_pattern(const json& value, std::string_view meaning) {

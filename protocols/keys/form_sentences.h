@@ -8,6 +8,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "protocols/keys/shape.h"
+
 namespace asperity {
 
 /// A value as an error quotes it: a text in quotation marks, "an object {…}", "a list […]".
@@ -28,8 +30,8 @@ std::string not_a_name(const std::string& key);
 std::string wrong_type(const nlohmann::json& value, const std::vector<std::string>& types,
                        std::string_view meaning);
 std::string wrong_word(const nlohmann::json& value, const std::vector<std::string>& words);
-/// `is_low`: the number is below the limit; `is_open`: the limit itself is not permitted.
-std::string wrong_number(const nlohmann::json& value, double limit, bool is_low, bool is_open,
+/// `value` is a number outside the limits of the shape.
+std::string wrong_number(const nlohmann::json& value, const NumberShape& shape,
                          std::string_view meaning);
 std::string wrong_pattern(const nlohmann::json& value, std::string_view meaning);
 std::string empty_text(std::string_view meaning);

@@ -20,6 +20,11 @@ bool is_name(std::string_view text) {
   });
 }
 
+bool lies_within(const NumberShape& shape, double number) {
+  return (!shape.minimum || number >= *shape.minimum) && (!shape.above || number > *shape.above) &&
+         (!shape.maximum || number <= *shape.maximum) && (!shape.below || number < *shape.below);
+}
+
 const ProtocolKey* KeyTable::find(std::string_view name) const {
   const auto found = std::find_if(keys.begin(), keys.end(),
                                   [name](const ProtocolKey& key) { return key.name == name; });

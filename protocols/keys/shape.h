@@ -34,6 +34,9 @@ struct NumberShape {
   DisplayUnit display{};  ///< without a unit: the number is displayed in `unit`
 };
 
+/// Whether the number is within the limits.
+bool lies_within(const NumberShape& shape, double number);
+
 /// true or false.
 struct TruthShape {};
 

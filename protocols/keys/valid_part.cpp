@@ -73,19 +73,8 @@ class Walk final {
   }
 
   std::optional<json> part_of(const NumberShape& shape, const Place& place) {
-    const auto number = place.value.get<double>();
-    const auto is_outside = [&](const std::optional<double>& limit, bool is_low, bool is_open) {
-      const bool is_inside =
-          !limit || (is_low ? number > *limit : number < *limit) || (!is_open && number == *limit);
-      if (is_inside) return false;
-      report(place.pointer, wrong_number(place.value, *limit, is_low, is_open, place.meaning));
-      return true;
-    };
-    if (is_outside(shape.minimum, true, false) || is_outside(shape.above, true, true) ||
-        is_outside(shape.maximum, false, false) || is_outside(shape.below, false, true)) {
-      return {};
-    }
-    return place.value;
+    if (lies_within(shape, place.value.get<double>())) return place.value;
+    return refused(place, wrong_number(place.value, shape, place.meaning));
   }
 
   std::optional<json> part_of(const TruthShape&, const Place& place) { return place.value; }

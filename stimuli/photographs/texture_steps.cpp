@@ -74,9 +74,8 @@ void check_width(const GreyImage& photograph, double width_m, const std::string&
   if (const auto complaint = complaint_about(*width, width_m)) {
     const std::string given = number_text(width_m);
     throw std::invalid_argument(*complaint + " It is the width of the surface in " + name +
-                                ", from its left to its right edge, in metres: " + given +
-                                " mm are " + number_text(width_m * 1e-3) + " m, and " + given +
-                                " cm are " + number_text(width_m * 1e-2) + " m.");
+                                ", from its left to its right edge: " + given + " cm are " +
+                                number_text(width_m * 1e-2) + " m.");
   }
   const double pitch_m = width_m / static_cast<double>(photograph.columns);
   if (pitch_m > kLargestPitch_m) {

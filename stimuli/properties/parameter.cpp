@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "analysis/numbers/number_text.h"
+#include "stimuli/properties/other_unit.h"
 
 namespace asperity {
 
@@ -78,7 +79,7 @@ std::optional<std::string> complaint_about(const Parameter& parameter,
 
   const std::string right =
       (parameter.kind == ParameterKind::integer ? "a whole number from " : "a number from ") +
-      number_text(parameter.minimum) + " to " + with_unit(parameter, parameter.maximum) + ".";
+      number_text(parameter.minimum) + " to " + with_unit(parameter, parameter.maximum);
   const auto* number = std::get_if<double>(&value);
   if (number == nullptr) {
     const std::string& text = std::get<std::string>(value);
@@ -86,12 +87,16 @@ std::optional<std::string> complaint_about(const Parameter& parameter,
     const auto read = std::from_chars(text.data(), text.data() + text.size(), quoted);
     const bool is_quoted_number = read.ec == std::errc() && read.ptr == text.data() + text.size();
     return parameter.name + " is \"" + text + "\"; it must be " +
-           (is_quoted_number ? "written without quotation marks, as " : "") + right;
+           (is_quoted_number ? "written without quotation marks, as " : "") + right + ".";
   }
   const bool whole = parameter.kind != ParameterKind::integer || *number == std::floor(*number);
   // In this form the condition rejects NaN, for which all comparisons are false.
-  if (whole && *number >= parameter.minimum && *number <= parameter.maximum) return std::nullopt;
-  return parameter.name + " is " + with_unit(parameter, *number) + "; it must be " + right;
+  const auto lies_within = [&parameter](double one) {
+    return one >= parameter.minimum && one <= parameter.maximum;
+  };
+  if (whole && lies_within(*number)) return std::nullopt;
+  return parameter.name + " is " + with_unit(parameter, *number) + "; it must be " + right +
+         meant_in_other_unit(*number, parameter.unit, lies_within) + ".";
 }
 
 ParameterValues complete_values(const ModelDeclaration& declaration, const ParameterValues& given) {

@@ -751,6 +751,39 @@ TEST(Problems, NameTypesInPlainEnglish) {
               testing::StartsWith("3 is not permitted here: write text in quotation marks"));
 }
 
+TEST(Problems, OfAValueInAnotherUnitAreOneAndStateTheValueThatWasMeant) {
+  struct {
+    const char* protocol;
+    const char* from;
+    const char* to;
+    const char* pointer;
+    const char* words;
+  } const kCases[] = {
+      // Ranges of the schema, of a table of keys, of a model, and those that depend on other values.
+      {"roughness_diameter", R"("spacing_m": 0.0005)", R"("spacing_m": 500)",
+       "/textures/spacing_05/spacing_m",
+       "500 is too large: it must be at most 1; lengths are in metres: 500 mm is 0.5, and 500 µm "
+       "is 0.0005. Expected here: "},
+      {"roughness_force", R"("force_limit_N": 5)", R"("force_limit_N": 5000)",
+       "/device/force_limit_N", "at most 20; forces are in newtons: 5000 mN is 5"},
+      {"amplitude_jnd", R"("wavelength_m": 0.0025)", R"("wavelength_m": 2.5)",
+       "/stimuli/grating/parameters/wavelength_m", "lengths are in metres: 2.5 mm is 0.0025"},
+      {"roughness_force", R"({"minimum": 0.03, "target": 0.05)",
+       R"({"minimum": 30, "target": 0.05)", "/explorations/light/stroke_length_m/minimum",
+       "enlarge the patch; lengths are in metres: 30 mm is 0.03"},
+      {"roughness_force", R"("target": 2, "maximum": 2.6)", R"("target": 2000, "maximum": 2.6)",
+       "/explorations/firm/normal_force_N/target",
+       "raise the limit; forces are in newtons: 2000 mN is 2"},
+  };
+  for (const auto& each : kCases) {
+    const std::string text = replaced(test::library_text(each.protocol), each.from, each.to);
+    const std::vector<Diagnostic> problems = problems_of(text);
+    ASSERT_EQ(problems.size(), 1U) << each.to;
+    EXPECT_EQ(problems[0].pointer, each.pointer);
+    EXPECT_THAT(problems[0].message, testing::HasSubstr(each.words));
+  }
+}
+
 /// What is doubted of the library's protocol of three forces with one text in place of another.
 std::vector<Diagnostic> warnings_with(const std::string& from, const std::string& to) {
   const std::string text = replaced(test::library_text("roughness_force"), from, to);
@@ -772,7 +805,7 @@ TEST(Warnings, AreAboutWhatIsValidAndMayNotBeMeant) {
        "/explorations/light/strokes/minimum", "30 strokes of 0.03 m at 0.09 m/s"},
       {R"({"minimum": 0.04, "target": 0.06, "maximum": 0.09})",
        R"({"minimum": 40, "target": 60, "maximum": 90})",
-       "/explorations/light/speed_m_per_s/minimum", "0.04 for 40 mm/s"},
+       "/explorations/light/speed_m_per_s/minimum", "metres per second: 40 mm/s is 0.04"},
       {R"("target": 2, "maximum": 2.6)", R"("target": 4.5, "maximum": 4.8)",
        "/explorations/firm/normal_force_N/target", "set 4 N or less"},
       {R"(back and forth, from left to right. Two bars)", R"(back and forth. Two low tones)",

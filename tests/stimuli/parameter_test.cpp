@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include "stimuli/properties/other_unit.h"
 #include "tests/support/refusal.h"
 
 namespace asperity {
@@ -46,6 +47,31 @@ TEST(Parameter, RefusesANumberOutsideItsRangeWithTheRange) {
   EXPECT_EQ(complaint_about(kSpacing, 0.06),
             "spacing_m is 0.06 m; it must be a number from 1e-04 to 0.05 m.");
   EXPECT_TRUE(complaint_about(kSpacing, 0.9e-4));
+}
+
+TEST(Parameter, StatesTheNumberThatAnotherUnitMeans) {
+  EXPECT_EQ(complaint_about(kSpacing, 2.3),
+            "spacing_m is 2.3 m; it must be a number from 1e-04 to 0.05 m; lengths are in metres: "
+            "2.3 mm is 0.0023.");
+  EXPECT_EQ(complaint_about(kSpacing, 500.0),
+            "spacing_m is 500 m; it must be a number from 1e-04 to 0.05 m; lengths are in metres: "
+            "500 µm is 0.0005.");
+  EXPECT_EQ(complaint_about(kSpacing, -2.3),
+            "spacing_m is -2.3 m; it must be a number from 1e-04 to 0.05 m.");
+}
+
+TEST(MeantInOtherUnit, ListsEveryUnitOfALargeNumberAndTheLikeliestOfASmallOne) {
+  const auto up_to = [](double most) { return [most](double number) { return number <= most; }; };
+  EXPECT_EQ(meant_in_other_unit(500.0, "m", up_to(1.0)),
+            "; lengths are in metres: 500 mm is 0.5, and 500 µm is 0.0005");
+  EXPECT_EQ(meant_in_other_unit(2.3, "m", up_to(1.0)), "; lengths are in metres: 2.3 mm is 0.0023");
+  EXPECT_EQ(meant_in_other_unit(1500.0, "N", up_to(5.0)),
+            "; forces are in newtons: 1500 mN is 1.5");
+  EXPECT_EQ(meant_in_other_unit(6.0, "N", up_to(5.0)), "");
+  EXPECT_EQ(meant_in_other_unit(90.0, "rad", up_to(6.3)), "; angles are in radians: 90° is 1.5708");
+  EXPECT_EQ(meant_in_other_unit(1.0, "Hz", [](double number) { return number >= 100.0; }),
+            "; frequencies are in hertz: 1 kHz is 1000");
+  EXPECT_EQ(meant_in_other_unit(7.0, "1", up_to(1.0)), "");
 }
 
 TEST(Parameter, RefusesWhatIsNotANumber) {

@@ -1,0 +1,79 @@
+#include "stimuli/properties/other_unit.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "analysis/numbers/number_text.h"
+
+namespace asperity {
+
+namespace {
+
+/// One of it is 10^`power` of the unit of the file; a degree, which has no such power, is converted by itself.
+struct OtherUnit {
+  std::string_view name{};
+  int power = 0;
+  double usual_from = 0.0;  ///< smaller numbers are not written in this unit
+};
+
+struct Quantity {
+  std::string_view unit{};
+  std::string_view convention{};
+  std::span<const OtherUnit> others{};  ///< the greatest first
+};
+
+constexpr std::string_view kDegree = "°";
+constexpr std::array<OtherUnit, 2> kLengths{{{" mm", -3}, {" µm", -6}}};
+constexpr std::array<OtherUnit, 2> kTimes{{{" ms", -3}, {" µs", -6}}};
+constexpr std::array<OtherUnit, 1> kSpeeds{{{" mm/s", -3}}};
+constexpr std::array<OtherUnit, 1> kForces{{{" mN", -3, 100.0}}};
+constexpr std::array<OtherUnit, 1> kMasses{{{" g", -3}}};
+constexpr std::array<OtherUnit, 1> kFrequencies{{{" kHz", 3}}};
+constexpr std::array<OtherUnit, 1> kStiffnesses{{{" N/mm", 3}}};
+constexpr std::array<OtherUnit, 1> kAngles{{{kDegree, 0}}};
+
+constexpr std::array<Quantity, 8> kQuantities{
+    {{"m", "lengths are in metres", kLengths},
+     {"s", "times are in seconds", kTimes},
+     {"m/s", "speeds are in metres per second", kSpeeds},
+     {"N", "forces are in newtons", kForces},
+     {"kg", "masses are in kilograms", kMasses},
+     {"Hz", "frequencies are in hertz", kFrequencies},
+     {"N/m", "stiffnesses are in newtons per metre", kStiffnesses},
+     {"rad", "angles are in radians", kAngles}}};
+
+std::string converted(double number, const OtherUnit& unit) {
+  if (unit.name == kDegree) {
+    constexpr double kDigits = 1e4;
+    return number_text(std::round(kDigits * number * std::numbers::pi / 180.0) / kDigits);
+  }
+  return shifted_decimal(number_text(number), unit.power).value_or("");
+}
+
+double value_of(double number, const OtherUnit& unit) {
+  return unit.name == kDegree ? number * std::numbers::pi / 180.0
+                              : number * std::pow(10.0, unit.power);
+}
+
+}  // namespace
+
+std::string meant_in_other_unit(double number, std::string_view unit,
+                                const std::function<bool(double)>& is_permitted) {
+  constexpr double kManyOfThem = 100.0;  // from which on a smaller unit is as likely: 500 µm
+  for (const Quantity& quantity : kQuantities) {
+    if (quantity.unit != unit) continue;
+    std::string meant{};
+    for (const OtherUnit& other : quantity.others) {
+      if (number < other.usual_from || !is_permitted(value_of(number, other))) continue;
+      if (!meant.empty() && std::abs(number) < kManyOfThem) break;
+      meant += (meant.empty() ? ": " : ", and ") + number_text(number) + std::string(other.name) +
+               " is " + converted(number, other);
+    }
+    return meant.empty() ? "" : "; " + std::string(quantity.convention) + meant;
+  }
+  return {};
+}
+
+}  // namespace asperity
