@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "protocols/file/follow_ups.h"
 #include "protocols/file/json_document.h"
 #include "protocols/file/meaning.h"
 #include "protocols/file/protocol_from_json.h"
@@ -39,7 +40,8 @@ std::vector<Diagnostic> certain_problems(const JsonDocument& document, const Rep
     }
     is_first = false;
   }
-  return certain;
+  if (repair.roots.empty()) return certain;
+  return without_follow_ups(std::move(certain), document.with_root(repair.roots.front()), models);
 }
 
 }  // namespace
@@ -62,7 +64,9 @@ ProtocolReading read_protocol_with_problems(std::string_view text, const std::st
     reading.has_form = of_form.empty();
     if (reading.has_form) {
       reading.protocol = protocol_from_json(document.root(), models);
-      append(reading.problems, check_meaning(*reading.protocol, document, models));
+      append(
+          reading.problems,
+          without_follow_ups(check_meaning(*reading.protocol, document, models), document, models));
     } else {
       reading.repair = repaired(document);
       if (!reading.repair.roots.empty()) {

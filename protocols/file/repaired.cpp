@@ -7,9 +7,11 @@
 #include <optional>
 #include <regex>
 #include <set>
+#include <span>
 
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"
+#include "protocols/file/follow_ups.h"
 #include "protocols/file/schema_check.h"
 #include "protocols/file/schema_nodes.h"
 #include "protocols/keys/key.h"
@@ -53,7 +55,9 @@ bool has_right_letters(const json& schema, const std::string& text) {
 /// One way of repairing a document. `variant` determines arbitrary choices, such as the value of an enumeration.
 class Repairer final {
  public:
-  Repairer(const json& schema, std::size_t variant) : root_(schema), variant_(variant) {}
+  /// `names`: those to which a replaced reference may refer.
+  Repairer(const json& schema, std::span<const std::string> names, std::size_t variant)
+      : root_(schema), names_(names), variant_(variant) {}
 
   std::optional<json> whole(const json& document) { return fitted(document, root_, ""); }
   const std::set<std::string>& places() const { return places_; }
@@ -191,6 +195,10 @@ class Repairer final {
     const std::string& type = types.front();
     if (type == "boolean") return variant_ % 2 == 1;
     if (type == "string") {
+      const bool is_reference =
+          !names_.empty() && schema.value("pattern", std::string{}) == kNamePattern;
+      if (is_reference) choices_ = std::max(choices_, 1 + names_.size());
+      if (is_reference && variant_ > 0) return names_[(variant_ - 1) % names_.size()];
       for (const char* text : {"x", "1.0.0"}) {
         if (has_right_letters(schema, text)) return text;
       }
@@ -236,6 +244,7 @@ class Repairer final {
   }
 
   const json& root_;
+  std::span<const std::string> names_;
   std::size_t variant_;
   std::size_t choices_ = 1;  ///< the greatest number of alternatives for one value
   std::set<std::string> places_{};
@@ -244,12 +253,14 @@ class Repairer final {
 }  // namespace
 
 Repair repaired(const JsonDocument& document) {
-  constexpr std::size_t kMostVariants = 8;
+  constexpr std::size_t kMostVariants = 24;
   const json& schema = schema_root();
+  const std::vector<std::string> names =
+      document.root().is_object() ? declared_names(document.root()) : std::vector<std::string>{};
   Repair repair{};
   std::size_t variants = 1;
   for (std::size_t variant = 0; variant < std::min(variants, kMostVariants); ++variant) {
-    Repairer repairer(schema, variant);
+    Repairer repairer(schema, names, variant);
     auto root = repairer.whole(document.root());
     if (!root || !follows_schema(*root)) return {};
     variants = std::max(variants, repairer.choices());

@@ -14,7 +14,7 @@ namespace asperity {
 /// A document in which every value that violates the schema is replaced by a permitted one or left out.
 ///
 /// The correct value of a replacement is unknown. If it is one of a few, each of these occurs in one of the `roots`;
-/// for a number they contain the default, a small and a large one. Findings that hold in all roots do not depend on the
+/// for a number they contain the default, a small and a large one, for a name the declared ones. Findings that hold in all roots do not depend on the
 /// replacement. Keys that are similar to one of the schema's are treated as that key.
 struct Repair {
   std::vector<nlohmann::json> roots{};  ///< each follows the schema; empty if too much is missing

@@ -699,6 +699,58 @@ TEST(Problems, OfAllLayersAreReportedAtOnceInTheOrderOfLines) {
                      [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; }));
 }
 
+/// What depends on a wrong value is no second problem.
+TEST(Problems, OfOneWrongValueAreOne) {
+  struct {
+    const char* protocol;
+    const char* from;
+    const char* to;
+    const char* pointer;
+    const char* words;
+  } const kCases[] = {
+      // A name that the blocks need.
+      {"chapter_selection", R"("model": {"factor": "model"})", R"("model": {"factor": "mode"})",
+       "/stimuli/rendered/model/factor", "did you mean \"model\"?"},
+      {"chapter_selection", R"("model": {"factor": "model"})", R"("model": {"factor": 3})",
+       "/stimuli/rendered/model/factor", "write text in quotation marks"},
+      // A level that a block lists.
+      {"chapter_selection", R"("levels": ["metal")", R"("levels": ["meta")",
+       "/factors/texture/levels/0", "did you mean \"metal\"?"},
+      {"chapter_selection", R"("levels": ["metal")", R"("levels": [3)", "/factors/texture/levels/0",
+       "use names as its levels"},
+      // A surface that the analysis is about.
+      {"chapter_selection", R"("stimulus": "rendered")", R"("stimulus": "rendere")",
+       "/blocks/main/presented/0/stimulus", "did you mean \"rendered\"?"},
+      // A block without which there is no practice.
+      {"amplitude_jnd", R"("run": "practice")", R"("run": "practic")", "/flow/6/run",
+       "did you mean \"practice\"?"},
+      // A number in quotation marks, to which the levels refer.
+      {"amplitude_jnd", R"("amplitude_m": 5e-05)", R"("amplitude_m": "5e-05")",
+       "/stimuli/grating/parameters/amplitude_m", "without quotation marks"},
+      {"amplitude_jnd", R"("relative_to": "standard")", R"("relative_to": "standar")",
+       "/blocks/practice/vary/relative_to", "has the role \"standar\""},
+  };
+  for (const auto& each : kCases) {
+    const std::string text = replaced(test::library_text(each.protocol), each.from, each.to);
+    const std::vector<Diagnostic> problems = problems_of(text);
+    std::string all{};
+    for (const Diagnostic& problem : problems) all += text_of(problem) + '\n';
+    ASSERT_EQ(problems.size(), 1U) << each.to << '\n' << all;
+    EXPECT_EQ(problems[0].pointer, each.pointer) << all;
+    EXPECT_THAT(problems[0].message, testing::HasSubstr(each.words));
+  }
+}
+
+TEST(Problems, OfTwoWrongValuesAreTwo) {
+  std::string text = replaced(test::library_text("chapter_selection"),
+                              R"("model": {"factor": "model"})", R"("model": {"factor": "mode"})");
+  text = replaced(text, R"("levels": ["metal")", R"("levels": ["meta")");
+  std::vector<std::string> places{};
+  for (const Diagnostic& problem : problems_of(text)) places.push_back(problem.pointer);
+  EXPECT_THAT(places,
+              testing::ElementsAre("/factors/texture/levels/0", "/stimuli/rendered/model/factor"));
+}
+
 TEST(Problems, HideNoLevelOfTheSameFactor) {
   for (const auto& [from, to] :
        {std::pair(R"("levels": ["metal", "stone"])", R"("levels": ["metal", "granite"], "x": 1)"),
