@@ -20,6 +20,7 @@ namespace asperity {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
@@ -145,6 +146,7 @@ TEST(DragLines, NameTheStimuliWithTheSameNumbersOnce) {
   EXPECT_THAT(
       drag_lines(drags),
       ElementsAre(
+          HasSubstr("should have the same mean drag, because participants can otherwise"),
           "mean drag 0.198 N, 99.2 % of friction × normal force: fine, even (exploration slow)",
           "mean drag 0.165 N, 82.5 % of friction × normal force: coarse (exploration slow)",
           "mean drag 0.198 N, 99.2 % of friction × normal force: fine (exploration fast)"));
@@ -153,8 +155,10 @@ TEST(DragLines, NameTheStimuliWithTheSameNumbersOnce) {
     drags.push_back({"l" + std::to_string(level), "slow", 0.1984, 0.992});
   }
   EXPECT_THAT(drag_lines(drags),
-              ElementsAre("mean drag 0.198 N, 99.2 % of friction × normal force: l1, l2, l3, l4, "
+              ElementsAre(HasSubstr("the mean drag is the mean force of friction"),
+                          "mean drag 0.198 N, 99.2 % of friction × normal force: l1, l2, l3, l4, "
                           "l5, l6, l7, l8 and 52 more (exploration slow)"));
+  EXPECT_THAT(drag_lines({}), IsEmpty());
 }
 
 }  // namespace

@@ -114,7 +114,11 @@ std::vector<std::string> drag_lines(std::span<const StimulusDrag> drags) {
           {.numbers = numbers, .exploration = drag.exploration, .stimuli = {drag.stimulus}});
     }
   }
-  std::vector<std::string> lines{};
+  if (groups.empty()) return {};
+  std::vector<std::string> lines{
+      "the mean drag is the mean force of friction against a stroke, without the texture; stimuli "
+      "that should differ only in their texture should have the same mean drag, because "
+      "participants can otherwise distinguish them by it"};
   for (const Alike& group : groups) {
     std::string names{};
     for (std::size_t i = 0; i < std::min(group.stimuli.size(), kNames); ++i) {

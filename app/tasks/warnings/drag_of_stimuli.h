@@ -27,8 +27,9 @@ struct StimulusDrag {
 std::vector<StimulusDrag> drag_of_stimuli(const CheckedProtocol& checked, StimulusBuilder& builder,
                                           const StimuliCourse& course = {});
 
-/// "mean drag 0.198 N, 99.2 % of friction × normal force: fine, coarse (exploration stroke)", one line for all stimuli of
-/// an exploration with the same numbers. Of more than eight, such as the levels of a staircase, it counts the others.
+/// A line that states what the mean drag is and why to compare it, then "mean drag 0.198 N, 99.2 % of friction × normal
+/// force: fine, coarse (exploration stroke)", one line for all stimuli of an exploration with the same numbers. Of more
+/// than eight, such as the levels of a staircase, it counts the others. Empty without drags.
 std::vector<std::string> drag_lines(std::span<const StimulusDrag> drags);
 
 }  // namespace asperity
