@@ -65,7 +65,7 @@ simulate_participants() {
   local status=0
   "$asperity" simulate "${files[@]}" --study "$study" --participants "$kParticipants" --seed "$kSeed" \
     --jobs "$(nproc)" --resume 2>&1 | (trap '' INT; awk -v is_terminal="$(if [[ -t 2 ]]; then echo 1; fi)" '
-      /^(done|stored) / { next }
+      /^(done|stored) |^asperity: each stored attempt / { next }
       { if (moving) printf "\r" }
       { moving = is_terminal && /^simulating: /; printf moving ? "%s" : "%s\n", $0; fflush() }
       END { if (moving) print "" }') >&2 || status=$?

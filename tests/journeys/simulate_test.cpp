@@ -93,6 +93,9 @@ TEST(Simulate, SaysItsTotalsAsOneJsonDocumentAndEachCommitOnStandardError) {
   ASSERT_EQ(done.size(), 2 * kTrialsPerSession);
   EXPECT_EQ(done.front(), "done virtual0001 1 1 1");
   EXPECT_EQ(done.back(), "done virtual0001 2 6 1");
+  const std::string columns = "done PARTICIPANT SESSION TRIAL ATTEMPT";
+  EXPECT_LT(outcome.err.find(columns), outcome.err.find(done.front()));
+  EXPECT_EQ(outcome.err.find(columns), outcome.err.rfind(columns)) << "once";
 }
 
 TEST(Simulate, KeepsTheRecordingsThatWereAskedFor) {

@@ -62,7 +62,7 @@ class DemoStudy(unittest.TestCase):
 echo "$@" >> {self.asked}
 case $1 in
   new) mkdir -p "$2/protocols"; {new or ":"}; touch {files}; cp {self.pretended}/study.sqlite "$2" ;;
-  simulate) echo "done virtual0001 1 1 1" >&2; echo "stored virtual0001 1 2 1 not_compliant" >&2; echo "simulating: 50 %" >&2; {simulate or ":"} ;;
+  simulate) echo "asperity: each stored attempt is acknowledged by a line" >&2; echo "done virtual0001 1 1 1" >&2; echo "stored virtual0001 1 2 1 not_compliant" >&2; echo "simulating: 50 %" >&2; {simulate or ":"} ;;
   analyze) cat {self.pretended}/result ;;
 esac
 """)
