@@ -141,8 +141,10 @@ void add_run(CLI::App& program, Job& job) {
       if (!inputs.is_virtual) {
         if (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0) {
           throw WrongUsage(
-              "run needs a terminal for its questions, and there is none; use --virtual for a "
-              "virtual participant");
+              "run asks the participant at a terminal, and its standard input or output is not a "
+              "terminal but a file, a pipe or a job. Start the command in a terminal without "
+              "redirecting it, run the session in the program's windows (asperity " +
+              inputs.study.string() + "), or add --virtual for a virtual participant");
         }
         person.emplace(STDIN_FILENO, std::cout, inputs.study,
                        inputs.study / ("sheet-" + inputs.participant + ".png"));

@@ -540,6 +540,18 @@ TEST(WrongUsage, EndsWithTwo) {
   EXPECT_TRUE(contents_of(small.place()) == before);
 }
 
+TEST(WrongUsage, WithoutATerminalNamesTheWaysToTakePart) {
+  const SmallStudy small(1);
+  const Outcome outcome = asperity({"run", small.selection(), "--study", small.study(),
+                                    "--participant", "p1", "--mode", "pilot"});
+  EXPECT_EQ(outcome.status, 2);
+  for (const std::string& way : {std::string("Start the command in a terminal"),
+                                 "windows (asperity " + small.study().string() + ")",
+                                 std::string("--virtual for a virtual participant")}) {
+    EXPECT_THAT(outcome.err, testing::HasSubstr(way));
+  }
+}
+
 TEST(WrongUsage, NamesTheOptionAndWhatWouldBeRight) {
   const TemporaryFolder place{};
   const std::vector<std::string> rendering{"render",    "--model", "sinusoid", "--path",
