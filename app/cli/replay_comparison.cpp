@@ -81,7 +81,8 @@ Table summary_of(const ForceDifference& pooled) {
 
 void say_what_is_left_out(const ReplayComparison& comparison) {
   if (comparison.attempts_without_recording > 0) {
-    say("attempts without a recording: " + std::to_string(comparison.attempts_without_recording));
+    say("attempts without a recording, which cannot be replayed: " +
+        std::to_string(comparison.attempts_without_recording));
   }
   if (comparison.of_other_kind > 0) {
     say("asperity: warning: presentations that are not compared because the force model does not "

@@ -84,7 +84,10 @@ void add_verify(CLI::App& program, Job& job) {
         std::cout << counted(static_cast<std::size_t>(result.recordings_replayed), "recording")
                   << " replayed";
         if (result.attempts_without_recording > 0) {
-          std::cout << "; attempts without a recording: " << result.attempts_without_recording;
+          std::cout << "; attempts without a recording, which cannot be replayed: "
+                    << result.attempts_without_recording
+                    << " (simulate keeps the recordings of the first participant unless "
+                       "--recordings states otherwise)";
         }
         std::cout << '\n';
       }

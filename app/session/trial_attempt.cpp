@@ -672,7 +672,8 @@ void TrialAttempt::judge() {
     row_.valid = false;
     row_.invalid_reason = stored(phrase_of(Reason::lost_records)
                                      .with(std::to_string(servo.lost_records),
-                                           std::to_string(protocol.maximum_lost_records)));
+                                           std::to_string(protocol.maximum_lost_records),
+                                           std::to_string(servo.ticks + servo.lost_records)));
     return;
   }
   Phrase flags{};

@@ -59,7 +59,10 @@ const std::vector<ReasonWords>& all_reasons() {
       {Reason::gaps_in_contact, "gaps_in_contact",
        phrase("Reasons", "gaps between ticks in contact: %1, at most %2 allowed")},
       {Reason::lost_records, "records_lost",
-       phrase("Reasons", "lost records: %1, at most %2 allowed")},
+       phrase("Reasons",
+              "%1 of %3 ticks are missing from the recording, at most %2 allowed: the computer or "
+              "its disk was busy for seconds, and force, speed and strokes of this attempt are not "
+              "completely known; close other programs, and keep the study on a local disk")},
       {Reason::force_limited, "force_limited", phrase("Reasons", "ticks with limited force: %1")},
       {Reason::not_explored_as_asked, "exploration_not_compliant",
        phrase("Reasons", "not explored as instructed: %1")},

@@ -78,6 +78,12 @@ TEST_F(MetLimits, OfTheServoLoopLeaveAnAttemptValid) {
     const AttemptRow exceeded = attempt_with([&] { limit.disturb(limit.most + 1); });
     ASSERT_FALSE(exceeded.valid) << limit.code;
     EXPECT_EQ(codes_of(exceeded.invalid_reason.value()), limit.code);
+    if (limit.code == std::string("records_lost")) {
+      EXPECT_EQ(exceeded.invalid_reason->text.find(
+                    "4 of " + std::to_string(exceeded.servo->ticks + 4) + " ticks are missing"),
+                0U)
+          << exceeded.invalid_reason->text;
+    }
   }
 }
 

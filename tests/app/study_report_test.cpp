@@ -332,8 +332,9 @@ TEST(StudyReport, CountsWhatDidNotComeAsItWasMeant) {
   EXPECT_THAT(words, HasSubstr("at most 30 µs late; in the worst attempt, 40 µs"));
   EXPECT_THAT(words, AllOf(HasSubstr("The servo loop was set to 1000 Hz; it ran 12"),
                            HasSubstr(" ticks in 2 attempts. In the median")));
-  EXPECT_THAT(words, HasSubstr("3 deadlines were missed in one attempt (one in contact) and 1 tick "
-                               "record was lost in one attempt."));
+  EXPECT_THAT(words,
+              HasSubstr("3 deadlines were missed in one attempt (one in contact) and 1 tick was "
+                        "not recorded in one attempt."));
   EXPECT_THAT(words, HasSubstr("The limiter reduced the force in 12 ticks of one attempt."));
   EXPECT_THAT(words, HasSubstr("missed deadlines | 3 | 1 of 2 attempts | 3 |"));
   EXPECT_THAT(words, HasSubstr("readings replaced as implausible | 4 | 1 of 2 attempts | 4 |"));

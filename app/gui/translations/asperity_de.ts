@@ -7333,8 +7333,8 @@
         <translation>das Maskierrauschen ist verstummt</translation>
     </message>
     <message>
-        <source>lost records: %1, at most %2 allowed</source>
-        <translation>verlorene Datensätze: %1, höchstens %2 erlaubt</translation>
+        <source>%1 of %3 ticks are missing from the recording, at most %2 allowed: the computer or its disk was busy for seconds, and force, speed and strokes of this attempt are not completely known; close other programs, and keep the study on a local disk</source>
+        <translation>%1 von %3 Takten fehlen in der Aufzeichnung, höchstens %2 erlaubt: Der Rechner oder sein Datenträger war sekundenlang ausgelastet, und Kraft, Geschwindigkeit und Striche dieses Versuchs sind nicht vollständig bekannt; andere Programme schließen und die Studie auf einem lokalen Datenträger speichern</translation>
     </message>
     <message>
         <source>ticks with limited force: %1</source>
@@ -10546,8 +10546,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>verpasste Fristen</translation>
     </message>
     <message>
-        <source>lost records</source>
-        <translation>verlorene Datensätze</translation>
+        <source>ticks missing from the recording</source>
+        <translation>in der Aufzeichnung fehlende Takte</translation>
     </message>
     <message>
         <source>ticks with the force at its limit</source>

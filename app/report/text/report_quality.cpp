@@ -117,12 +117,13 @@ ReportText timing_text(const ReportFacts& facts) {
 
 ReportText losses_text(const ReportFacts& facts) {
   const ReportedServo& servo = facts.servo;
-  std::string text = capitalised(listed({times(servo.missed_deadlines, "no deadline was missed",
-                                               "deadline was missed", "deadlines were missed") +
-                                             in_contact_text(servo),
-                                         times(servo.lost_records, "no tick record was lost",
-                                               "tick record was lost", "tick records were lost")}) +
-                                 ". ");
+  std::string text =
+      capitalised(listed({times(servo.missed_deadlines, "no deadline was missed",
+                                "deadline was missed", "deadlines were missed") +
+                              in_contact_text(servo),
+                          times(servo.lost_records, "every tick was recorded",
+                                "tick was not recorded", "ticks were not recorded")}) +
+                  ". ");
   std::vector<std::string> limited{};
   if (servo.saturated.total > 0) {
     limited.push_back("the limiter reduced the force in " + ticks_of(servo.saturated));
@@ -179,7 +180,7 @@ ReportTable counts_table(const ReportFacts& facts) {
                 count_row("missed deadlines in contact", servo.missed_in_contact, "attempts"),
                 count_row("gaps between ticks in contact", servo.gaps_in_contact, "attempts"),
                 count_row("readings replaced as implausible", servo.held_readings, "attempts"),
-                count_row("lost records", servo.lost_records, "attempts"),
+                count_row("ticks missing from the recording", servo.lost_records, "attempts"),
                 count_row("force reduced to the limit", servo.saturated, "attempts"),
                 count_row("growth of the force limited", servo.slew_limited, "attempts"),
                 count_row("force that was not finite", servo.not_finite, "attempts")};

@@ -248,7 +248,8 @@ void replay_session(const Study& study, const SessionRow& session, const Plan& p
                                "force; largest difference " +
                                text_of_number(difference_N) + " N";
         if (attempt.servo && attempt.servo->lost_records > 0) {
-          sentence += " (lost records: " + std::to_string(attempt.servo->lost_records) + ")";
+          sentence += " (" + std::to_string(attempt.servo->lost_records) +
+                      " ticks are missing from the recording, which can be the cause)";
         }
         faults.problems.push_back(std::move(sentence));
       }
