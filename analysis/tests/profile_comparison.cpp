@@ -1,4 +1,4 @@
-// Enumerates the divisions recursively with the sums of the first group, from which those of the second follow.
+// R² of a division from the sums of the first group, from which those of the second follow.
 
 #include "analysis/tests/profile_comparison.h"
 
@@ -6,9 +6,8 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
-#include <utility>
 
-#include "analysis/tests/two_samples.h"
+#include "analysis/tests/label_permutations.h"
 
 namespace asperity {
 namespace {
@@ -43,7 +42,6 @@ class Divisions final {
       }
     }
     observed_ = squares_of_first();
-    sums_.assign(size_ + 1, std::vector<double>(mean.size(), 0.0));
     // Two divisions are equal if they would be without rounding. A sum s of N deviations of numbers x is off by at most δ ≤ N·ε·Σ|x|,
     // so that Σs² is off by 2·Σ|s|δ, and by the inequality of Cauchy and Schwarz by no more than 2·N²·ε·√(total·Σx²).
     const auto participants = static_cast<double>(all_.size());
@@ -59,26 +57,16 @@ class Divisions final {
     return are_equal_ ? std::numeric_limits<double>::quiet_NaN()
                       : (n1 + n2) / (n1 * n2) * observed_ / total_;
   }
-  bool is_exact() const { return all_.size() <= kMostPermuted; }
-
-  double exact_p() {
-    choose(0, 0);
-    return as_far_ / ways_;
-  }
-  double random_p(Random& random) {
-    std::size_t as_far = 1;
-    for (std::size_t i = 0; i < kRandomSplits; ++i) {
-      // The first places of a shuffle, which is all that a division needs.
-      for (std::size_t place = 0; place < size_; ++place) {
-        std::swap(all_[place], all_[place + random.below(all_.size() - place)]);
-      }
-      as_far += is_as_far(squares_of_first()) ? 1 : 0;
-    }
-    return static_cast<double>(as_far) / static_cast<double>(kRandomSplits + 1);
+  SplitTest p(std::span<const std::size_t> blocks, const Random& random) const {
+    return permute_labels(
+        {.first = size_, .second = all_.size() - size_, .blocks = {blocks.begin(), blocks.end()}},
+        all_,
+        [this](std::span<const double> sums) { return squares(sums) >= observed_ - rounding_; },
+        random);
   }
 
  private:
-  static double squares(const std::vector<double>& sums) {
+  static double squares(std::span<const double> sums) {
     return std::inner_product(sums.begin(), sums.end(), sums.begin(), 0.0);
   }
   double squares_of_first() const {
@@ -86,31 +74,12 @@ class Divisions final {
     for (std::size_t i = 0; i < size_; ++i) add_to(sums, all_[i]);
     return squares(sums);
   }
-  bool is_as_far(double of_division) const { return of_division >= observed_ - rounding_; }
-
-  /// Every first group that contains `chosen` of the participants before `next`, whose sums are sums_[chosen].
-  void choose(std::size_t next, std::size_t chosen) {
-    if (chosen == size_) {
-      ways_ += 1.0;
-      as_far_ += is_as_far(squares(sums_[chosen])) ? 1.0 : 0.0;
-      return;
-    }
-    for (std::size_t i = next; i + (size_ - chosen) <= all_.size(); ++i) {
-      sums_[chosen + 1] = sums_[chosen];
-      add_to(sums_[chosen + 1], all_[i]);
-      choose(i + 1, chosen + 1);
-    }
-  }
-
   std::size_t size_ = 0;  ///< of the first group
   std::vector<std::vector<double>> all_{};
-  std::vector<std::vector<double>> sums_{};  ///< by the number of participants chosen
   double total_ = 0.0;
   bool are_equal_ = false;
   double observed_ = 0.0;
   double rounding_ = 0.0;
-  double as_far_ = 0.0;
-  double ways_ = 0.0;
 };
 
 }  // namespace
@@ -121,7 +90,8 @@ std::vector<double> centred(std::vector<double> profile) {
   return profile;
 }
 
-ProfileComparison compare_profiles(Profiles first, Profiles second, Random random) {
+ProfileComparison compare_profiles(Profiles first, Profiles second,
+                                   std::span<const std::size_t> blocks, Random random) {
   if (first.empty() || second.empty()) {
     throw std::invalid_argument("a group is empty; each group needs at least one participant");
   }
@@ -134,21 +104,11 @@ ProfileComparison compare_profiles(Profiles first, Profiles second, Random rando
       }
     }
   }
-  Divisions divisions(first, second);
-  ProfileComparison compared{.r2 = divisions.r2(), .exact = divisions.is_exact()};
-  if (std::isnan(compared.r2)) return compared;
-  compared.p = compared.exact ? divisions.exact_p() : divisions.random_p(random);
-  return compared;
-}
-
-double smallest_p_of_groups(std::size_t first, std::size_t second) noexcept {
-  if (first == 0 || second == 0) return 1.0;
-  if (first + second > kMostPermuted) return 1.0 / static_cast<double>(kRandomSplits + 1);
-  double ways = 1.0;  // binomial coefficient, exact for up to kMostPermuted
-  for (std::size_t i = 1; i <= first; ++i) {
-    ways = ways * static_cast<double>(second + i) / static_cast<double>(i);
-  }
-  return (first == second ? 2.0 : 1.0) / ways;
+  const Divisions divisions(first, second);
+  const double r2 = divisions.r2();
+  if (std::isnan(r2)) return {.r2 = r2};
+  const SplitTest test = divisions.p(blocks, random);
+  return {.r2 = r2, .p = test.p, .exact = test.exact};
 }
 
 }  // namespace asperity

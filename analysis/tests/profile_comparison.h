@@ -18,9 +18,8 @@ namespace asperity {
 /// that is between the groups: n₁n₂/(n₁ + n₂)·Σⱼ(m₁ⱼ − m₂ⱼ)² divided by Σᵢⱼ(xᵢⱼ − mⱼ)² [Anderson 2001]. In the population it
 /// is 0 for equal groups; in samples it then is 1/(n₁ + n₂ − 1) on average.
 ///
-/// p: the proportion of the ways to divide the participants into groups of these sizes that have at least this R², rounding
-/// apart. All ways for up to `kMostPermuted` participants; for more the proportion (b + 1)/(B + 1) of B = `kRandomSplits` random
-/// ones, the observed one among them. The unit is the participant: the numbers of one always stay together.
+/// p, by `permute_labels`: the proportion of the ways to divide the participants into groups of these sizes that have at least this
+/// R², rounding apart. The unit is the participant: the numbers of one always stay together.
 ///
 /// [Anderson 2001] Anderson: A new method for non-parametric multivariate analysis of variance.
 struct ProfileComparison {
@@ -29,15 +28,13 @@ struct ProfileComparison {
   bool exact = true;
 };
 using Profiles = std::span<const std::vector<double>>;
-/// Errors: std::invalid_argument for an empty group, for profiles of unequal length, and for those of fewer than two numbers.
+/// `blocks`: TwoGroups::blocks. Errors: std::invalid_argument for an empty group, for profiles of unequal length, and for those of
+/// fewer than two numbers.
 ProfileComparison compare_profiles(Profiles first, Profiles second,
+                                   std::span<const std::size_t> blocks = {},
                                    Random random = Random(kSeedOfTests));
 
 /// A profile without its mean.
 std::vector<double> centred(std::vector<double> profile);
-
-/// The smallest p that a permutation of all labels of groups of these sizes can have, apart from ties: one way in all, or two
-/// where exchanging the groups gives the same; of random permutations the observed one. 1 for an empty group.
-double smallest_p_of_groups(std::size_t first, std::size_t second) noexcept;
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// Permutations one by one, and ranks by convolution.
+// The statistic of the permutations, and ranks by convolution.
 
 #include "analysis/tests/two_samples.h"
 
@@ -91,7 +91,8 @@ std::optional<double> normal_p(const std::vector<std::size_t>& ranks, std::size_
 
 }  // namespace
 
-SplitTest permutation_test(const TwoSamples& samples, Random random) {
+SplitTest permutation_test(const TwoSamples& samples, std::span<const std::size_t> blocks,
+                           Random random) {
   std::vector<double> all = pooled(samples);
   const auto n1 = static_cast<double>(samples.first.size());
   const auto n2 = static_cast<double>(samples.second.size());
@@ -99,10 +100,12 @@ SplitTest permutation_test(const TwoSamples& samples, Random random) {
   double greatest = 0.0;
   double widest = 0.0;
   const double origin = all.front();
+  std::vector<std::vector<double>> numbers;
   for (double& number : all) {
     greatest = std::max(greatest, std::abs(number));
     number -= origin;
     widest = std::max(widest, std::abs(number));
+    numbers.push_back({number});
   }
   const double total = std::accumulate(all.begin(), all.end(), 0.0);
   const auto difference = [&](double sum) { return std::abs(sum / n1 - (total - sum) / n2); };
@@ -112,43 +115,12 @@ SplitTest permutation_test(const TwoSamples& samples, Random random) {
                           (2.0 * greatest + 4.0 * static_cast<double>(all.size()) * widest);
   const auto end_of_first = all.begin() + static_cast<std::ptrdiff_t>(samples.first.size());
   const double observed = difference(std::accumulate(all.begin(), end_of_first, 0.0)) - rounding;
-  if (all.size() > kMostPermuted) {
-    std::size_t as_far = 1;
-    for (std::size_t i = 0; i < kRandomSplits; ++i) {
-      // The first places of a shuffle, which is all that a split needs.
-      for (std::size_t place = 0; place < samples.first.size(); ++place) {
-        std::swap(all[place], all[place + random.below(all.size() - place)]);
-      }
-      const double sum = std::accumulate(all.begin(), end_of_first, 0.0);
-      as_far += difference(sum) >= observed ? 1 : 0;
-    }
-    return {.p = static_cast<double>(as_far) / static_cast<double>(kRandomSplits + 1),
-            .exact = false};
-  }
-  std::vector<std::size_t> split(samples.first.size());
-  std::iota(split.begin(), split.end(), std::size_t{0});
-  double as_far = 0.0;
-  double ways = 0.0;
-  while (true) {
-    double sum = 0.0;
-    for (const std::size_t i : split) {
-      sum += all[i];
-    }
-    ways += 1.0;
-    as_far += difference(sum) >= observed ? 1.0 : 0.0;
-    // The next combination: the last place that can move on does, those behind follow it.
-    std::size_t place = split.size();
-    while (place > 0 && split[place - 1] == all.size() - split.size() + place - 1) {
-      --place;
-    }
-    if (place == 0) {
-      return {.p = as_far / ways};
-    }
-    ++split[place - 1];
-    for (std::size_t i = place; i < split.size(); ++i) {
-      split[i] = split[i - 1] + 1;
-    }
-  }
+  return permute_labels(
+      {.first = samples.first.size(),
+       .second = samples.second.size(),
+       .blocks = {blocks.begin(), blocks.end()}},
+      numbers, [&](std::span<const double> sums) { return difference(sums.front()) >= observed; },
+      random);
 }
 
 MannWhitney mann_whitney(const TwoSamples& samples) {

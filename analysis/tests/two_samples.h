@@ -4,30 +4,20 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 
 #include "analysis/numbers/random.h"
 #include "analysis/numbers/seed_of_tests.h"
+#include "analysis/tests/label_permutations.h"
 #include "analysis/tests/t_test.h"
 
 namespace asperity {
 
-/// How many participants an exact permutation of them is run for: 2 704 156 ways to split 24 evenly.
-inline constexpr std::size_t kMostPermuted = 24;
-
-/// And how many of the ways stand for all of them where there are more numbers.
-inline constexpr std::size_t kRandomSplits = 10000;
-
-/// Two-sided p of the difference of means: the share of the ways to split the pooled numbers into
-/// samples of these sizes whose means differ by no less than the observed ones (but for rounding).
-/// Of all ways for up to kMostPermuted numbers; of more the share (b + 1)/(B + 1) of B random ones,
-/// the observed one among them [Davison 1997]. Throws std::invalid_argument for an empty sample.
-///
-/// [Davison 1997] Davison, Hinkley: Bootstrap Methods and their Application.
-struct SplitTest {
-  double p = 1.0;  ///< two-sided
-  bool exact = true;
-};
-SplitTest permutation_test(const TwoSamples& samples, Random random = Random(kSeedOfTests));
+/// Two-sided p of the difference of means by `permute_labels`: of the ways to split the pooled numbers into samples of these
+/// sizes those whose means differ by no less than the observed ones (but for rounding). `blocks`: TwoGroups::blocks. Throws
+/// std::invalid_argument for an empty sample.
+SplitTest permutation_test(const TwoSamples& samples, std::span<const std::size_t> blocks = {},
+                           Random random = Random(kSeedOfTests));
 
 /// How many numbers the exact distribution of ranks is computed for: its cost grows with the fourth
 /// power of them, and is a tenth of a second here.

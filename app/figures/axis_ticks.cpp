@@ -1,3 +1,5 @@
+// Takes round steps from QCustomPlot on linear axes, and labels multiples of powers of ten on logarithmic ones.
+
 #include "app/figures/axis_ticks.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Draws axes, marks, intervals, curves and legends of a layout, in its colours.
+
 #include "app/figures/draw_figure.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Lays a figure out in hundredths of a millimetre and draws it into each format.
+
 #include "app/figures/figure_files.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Measures labels and legends first; the rest of the area is that of the numbers.
+
 #include "app/figures/figure_layout.h"
 
 #include <algorithm>

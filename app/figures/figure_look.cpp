@@ -1,3 +1,5 @@
+// The colours on paper.
+
 #include "app/figures/figure_look.h"
 
 namespace asperity {

@@ -1,3 +1,5 @@
+// Takes the candidate that covers the least of lines, arrow heads and other labels.
+
 #include "app/figures/label_places.h"
 
 #include <algorithm>

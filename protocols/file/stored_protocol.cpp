@@ -315,6 +315,21 @@ std::optional<StoredProtocol::Senses> stored_senses(const Json& protocol) {
   return senses;
 }
 
+std::optional<PermutedBlocks> stored_blocks(const Json& groups, std::size_t count) {
+  if (text_in(groups, "assigned") != "permuted_blocks" || count == 0) return {};
+  PermutedBlocks blocks{.groups = count, .sizes = default_block_sizes(count)};
+  const Json& seed = member_of(groups, "seed");
+  if (seed.is_number_unsigned()) blocks.seed = seed.get<std::uint64_t>();
+  const Json& sizes = member_of(groups, "block_sizes");
+  if (!sizes.is_array() || sizes.empty()) return blocks;
+  blocks.sizes.clear();
+  for (const Json& size : sizes) {
+    if (!size.is_number_unsigned() || size.get<int>() < 1) return {};
+    blocks.sizes.push_back(size.get<int>());
+  }
+  return blocks;
+}
+
 std::vector<ProcedureSettings> stored_tracks(const Json& protocol, const Json& block) {
   try {
     Dimension dimension = dimension_in(member_of(block, "vary"));
@@ -471,10 +486,12 @@ StoredProtocol stored_protocol(const std::string& source) {
       if (tags.is_string()) declared.hed[level] = tags.get<std::string>();
     }
   });
-  read.group_factor = text_in(member_of(root, "groups"), "factor");
+  const Json& groups = member_of(root, "groups");
+  read.group_factor = text_in(groups, "factor");
   for (const auto& [level, number] : levels_in(root, read.group_factor)) {
     read.groups.push_back(level);
   }
+  read.permuted_blocks = stored_blocks(groups, read.groups.size());
   for_each_object(member_of(root, "questions"), [&](const std::string& name, const Json& asked) {
     StoredProtocol::Question& question = read.questions[name];
     question = {.prompt = text_in(asked, "prompt"),

@@ -11,6 +11,7 @@
 #include "protocols/answers/question.h"
 #include "protocols/design/analysis_declaration.h"
 #include "protocols/design/dimension.h"
+#include "protocols/plan/permuted_blocks.h"
 #include "protocols/procedures/procedure.h"
 
 namespace asperity {
@@ -97,7 +98,8 @@ struct StoredProtocol {
   /// Of a selection whose alternatives differ only in the level of one parameter: the parameter's name.
   std::optional<std::string> compared_parameter{};
   std::string group_factor{};  ///< whose levels are the groups of participants; empty: no groups
-  std::vector<std::string> groups{};  ///< those levels, as text
+  std::vector<std::string> groups{};                ///< those levels, as text
+  std::optional<PermutedBlocks> permuted_blocks{};  ///< in which the program assigns the groups
 };
 
 /// Accepts any text; for one that is not JSON, all parts are absent.

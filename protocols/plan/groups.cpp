@@ -2,13 +2,11 @@
 
 #include "protocols/plan/groups.h"
 
-#include <cstdint>
 #include <map>
-#include <span>
 #include <stdexcept>
 
-#include "analysis/numbers/random.h"
 #include "protocols/design/wording.h"
+#include "protocols/plan/permuted_blocks.h"
 
 namespace asperity {
 
@@ -39,27 +37,17 @@ FactorLevels group_factor(const Protocol& protocol, const std::string& group) {
 
 std::vector<int> block_sizes_of(const Protocol& protocol) {
   if (!protocol.groups->block_sizes.empty()) return protocol.groups->block_sizes;
-  const int groups = static_cast<int>(groups_of(protocol).size());
-  return {2 * groups, 3 * groups};
+  return default_block_sizes(groups_of(protocol).size());
 }
 
 std::string permuted_group(const Protocol& protocol, const std::string& mode,
                            std::size_t assigned) {
   const std::vector<std::string> groups = groups_of(protocol);
-  const std::vector<int> sizes = block_sizes_of(protocol);
-  const Random sequence = Random(protocol.groups->seed.value_or(0)).split("groups").split(mode);
-  for (std::uint64_t block = 0;; ++block) {
-    Random random = sequence.split(block);
-    const auto size = static_cast<std::size_t>(sizes[random.below(sizes.size())]);
-    if (assigned >= size) {
-      assigned -= size;
-      continue;
-    }
-    std::vector<std::size_t> order(size);
-    for (std::size_t i = 0; i < size; ++i) order[i] = i % groups.size();
-    random.shuffle(std::span<std::size_t>(order));
-    return groups[order[assigned]];
-  }
+  return groups[permuted_place({.groups = groups.size(),
+                                .sizes = block_sizes_of(protocol),
+                                .seed = protocol.groups->seed.value_or(0)},
+                               mode, assigned)
+                    .group];
 }
 
 Allocation allocation_in_turn(const Protocol& protocol, int n) {

@@ -23,12 +23,7 @@ FactorLevels group_factor(const Protocol& protocol, const std::string& group);
 /// Of permuted blocks: the sizes from which that of each block is drawn.
 std::vector<int> block_sizes_of(const Protocol& protocol);
 
-/// The group of the participant who is assigned after `assigned` others, by permuted blocks: the size of each block is drawn
-/// from the declared sizes, and its order is drawn, so that every block has each group equally often. Sequences of
-/// different modes are independent: pilot sessions do not reveal that of the study.
-///
-/// [Schulz 2002] K. F. Schulz, D. A. Grimes: Unequal group sizes in randomised trials: guarding against guessing. Lancet
-/// 359(9310), 966–970.
+/// The group of the participant who is assigned after `assigned` others, by permuted blocks (permuted_place).
 std::string permuted_group(const Protocol& protocol, const std::string& mode, std::size_t assigned);
 
 /// The allocation of the n-th simulated participant, from 0: groups in turn, and the rows of counterbalancing in turn

@@ -148,12 +148,5 @@ TEST(ProfileComparison, RefusesGroupsThatItCannotCompare) {
   EXPECT_THROW(compare_profiles(Group{{1}}, Group{{2}}), std::invalid_argument);
 }
 
-TEST(ProfileComparison, KnowsTheSmallestPOfTheSizes) {
-  EXPECT_NEAR(smallest_p_of_groups(4, 4), 2.0 / 70.0, 1e-15);
-  EXPECT_NEAR(smallest_p_of_groups(3, 4), 1.0 / 35.0, 1e-15);
-  EXPECT_NEAR(smallest_p_of_groups(13, 12), 1.0 / 10001.0, 1e-15);
-  EXPECT_EQ(smallest_p_of_groups(0, 4), 1.0);
-}
-
 }  // namespace
 }  // namespace asperity

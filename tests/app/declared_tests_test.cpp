@@ -30,14 +30,15 @@ TEST(StudyTests, AdjustTheFamilyThatTheProtocolDeclares) {
   EXPECT_EQ(finding_of(outcome, "tests", "p.holm", "test=target_pairs about=new|old").value,
             2.0 * pair);
   EXPECT_THAT(question_of(outcome, "pairs").answer.english(), HasSubstr(", Holm-corrected"));
-  EXPECT_THAT(question_of(outcome, "textures").question.english(), HasSubstr("for new"));
+  EXPECT_THAT(question_of(outcome, "textures").question.english(), HasSubstr("of new"));
 }
 
 TEST(StudyTests, SayThatAFamilyOfOneTestLeavesItsPAsItIs) {
   const AnalysisOutcome outcome =
       analyze_pairs(R"({"analysis": {"target": "new", "family": ["preference"]}})");
   const StoredTable& tests = table_of(outcome, "tests");
-  EXPECT_THAT(tests.note, says("The family that the protocol declares has one test (preference)"));
+  EXPECT_THAT(tests.note,
+              says("The family that the protocol declares has one test (choices of the items)"));
   EXPECT_DOUBLE_EQ(number(tests.table, {"preference"}, "p_holm"),
                    number(tests.table, {"preference"}, "p"));
   EXPECT_THAT(finding_of(outcome, "tests", "p.holm", "test=preference").method,

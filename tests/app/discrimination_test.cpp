@@ -351,6 +351,34 @@ TEST(Discrimination, AlwaysEstimatesTheEffectOfTheOrder) {
               HasSubstr("not significantly different"));
 }
 
+// Eleven participants choose the comparison by a tenth more often as surface A, and one always as surface B: by ranks p = .033,
+// and the mean difference is (11·0.1 − 1)/12 = 0.8 percentage points.
+TEST(Discrimination, EstablishesNoOrderEffectWhereRanksAndMeanDisagree) {
+  json declared = discrimination_protocol("performance");
+  declared["analysis"]["family"] = {"order"};
+  const AnalysisOutcome outcome = outcome_of_choices(declared, {.number = 12}, [](int person) {
+    std::vector<MadeUpChoice> choices{};
+    for (int i = 0; i < 20; ++i) {
+      const bool first = i % 2 == 0;
+      const bool chose = person == 11 ? !first : i < 10 || i == 10;
+      choices.push_back({.value_m = kAbove_m[static_cast<std::size_t>(i / 4)],
+                         .chose_comparison = chose,
+                         .comparison_first = first});
+    }
+    return trials_of(choices);
+  });
+  EXPECT_THAT(answer_to(outcome, "order"),
+              testing::StartsWith("Not established: the difference between the proportions of "
+                                  "choices of the comparison, presented first minus presented "
+                                  "second, was 0.8 percentage points (95 % CI ["));
+  EXPECT_THAT(answer_to(outcome, "order"),
+              HasSubstr("but the 95 % CI of the difference contains 0"));
+  EXPECT_THAT(
+      sentence_about(outcome, "order"),
+      testing::StartsWith("It was not established that the comparison was chosen more often "
+                          "as surface A than as surface B"));
+}
+
 // Of three participants the first chooses the comparison equally often in both positions. The p of the other two is at
 // least 2/2² = .5; of six it is 2/2⁶ = .031.
 TEST(Discrimination, StatesWhoIsLeftOutOfASignedRankTestAndHowManyItNeeds) {

@@ -18,6 +18,7 @@
 #include "analysis/psychometric/psychometric_function.h"
 #include "app/findings/outcome/found_numbers.h"
 #include "app/findings/study/analyze_study.h"
+#include "protocols/plan/permuted_blocks.h"
 #include "tests/app/analysed_study.h"
 #include "tests/app/made_up_choices.h"
 
@@ -111,6 +112,42 @@ TEST(GroupComparisons, TellLevelFromFormOfRatings) {
   EXPECT_EQ(table_of(outcome, kGroupMeans).table.rows.size(), 2U);
   EXPECT_EQ(table_of(outcome, kGroupProfiles).table.rows.size(), 2U);
   EXPECT_THAT(remarks_of(outcome), Not(HasSubstr("not compared")));
+}
+
+// Eight participants in two blocks of four, two of each group in a block, and the group haptic above the other: of 6·6 ways to
+// exchange labels within the blocks this one and its mirror image have such a difference. Of all labels there would be 70 ways.
+TEST(GroupComparisons, ExchangeLabelsWithinTheBlocksOfTheAssignment) {
+  json protocol = rating_protocol({"rough"});
+  protocol["groups"] = {
+      {"factor", "training"}, {"assigned", "permuted_blocks"}, {"seed", 8}, {"block_sizes", {4}}};
+  protocol["factors"]["training"]["levels"] = {"haptic", "visual"};
+  const PermutedBlocks blocks{.groups = 2, .sizes = {4}, .seed = 8};
+  for (const SessionMode mode : {SessionMode::run, SessionMode::simulate}) {
+    MadeUpStudy made{};
+    const std::int64_t stored = made.add_protocol("grouped", "rating", protocol.dump());
+    for (std::size_t place = 0; place < 8; ++place) {
+      const bool is_haptic = permuted_place(blocks, text_of(mode), place).group == 0;
+      const std::string label = "virtual000" + std::to_string(place + 1);
+      mode == SessionMode::run ? made.add_person(label, "") : made.add_virtual(label, "F");
+      made.set_group(is_haptic ? "haptic" : "visual");
+      const int level = static_cast<int>(place % 3) + (is_haptic ? 4 : 1);
+      std::vector<MadeUpTrial> trials{rated("wood", is_haptic ? 7 : level),
+                                      rated("metal", is_haptic ? level : 7)};
+      for (MadeUpTrial& trial : trials) {
+        json factors = json::parse(trial.factors_json);
+        factors["training"] = is_haptic ? "haptic" : "visual";
+        trial.factors_json = factors.dump();
+      }
+      made.add_session(label, stored, trials, mode);
+    }
+    const AnalysisOutcome outcome = analyze_study(made.study()).front();
+    EXPECT_NEAR(*finding_of(outcome, "groups", "values.perm.p.two").value, 2.0 / 36.0, 1e-12);
+    EXPECT_NEAR(*finding_of(outcome, "groups", "values.perm.smallest").value, 2.0 / 36.0, 1e-12);
+    EXPECT_NEAR(*finding_of(outcome, "group_profiles", "profile.perm.p").value, 2.0 / 36.0, 1e-12);
+    EXPECT_THAT(question_of(outcome, "groups").method.english(),
+                HasSubstr("Labels are exchanged only within the blocks in which the groups were "
+                          "assigned."));
+  }
 }
 
 // Every participant of one group is above those of the other, so that p = 2/70; Welch's CI is 5 − 1.75 ± 3.6.

@@ -8,11 +8,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/findings/gathering/group_blocks.h"
 #include "app/tasks/group_choice.h"
 #include "app/tasks/run_session.h"
 #include "app/tasks/simulation/simulation.h"
 #include "app/tasks/verify/verify_study.h"
 #include "protocols/file/protocol_reader.h"
+#include "protocols/file/stored_protocol.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/merge/study_merge.h"
@@ -263,6 +265,18 @@ TEST_F(GroupsOfASession, OfAMergedStudyFollowTheSequenceOfEachStation) {
   EXPECT_EQ(groups().at("p4/1"), permuted_group(protocol, "pilot", 0));
   EXPECT_EQ(groups().at("p0/1"), permuted_group(protocol, "pilot", 5));
   EXPECT_EQ(groups().at("p1/1"), groups().at("p4/1")) << "both are the first of their station";
+  // Blocks of two, of each station: p1 and p3, p5; p4 and p2; and that of the sixth place.
+  const Study study = Study::open(merged, Access::read_only);
+  const std::vector<SessionRow> sessions = study.sessions();
+  GroupBlocks blocks(study, sessions);
+  std::map<std::string, std::set<std::string>> members{};
+  for (const SessionRow& session : sessions) {
+    members[blocks.of(session, stored_protocol(text)).value_or("none")].insert(session.participant);
+  }
+  std::set<std::set<std::string>> of_blocks{};
+  for (const auto& [name, labels] : members) of_blocks.insert(labels);
+  EXPECT_EQ(of_blocks,
+            (std::set<std::set<std::string>>{{"p0"}, {"p1", "p3"}, {"p2", "p4"}, {"p5"}}));
 }
 
 }  // namespace

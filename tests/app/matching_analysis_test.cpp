@@ -137,7 +137,7 @@ TEST(Matching, NamesThePairsThatAreConfusedEquallyOften) {
       "stone; number of confusions of each, counted in both directions: 2.");
 }
 
-TEST(Matching, NamesChanceOnlyWhereAllGoesAreOfOneSize) {
+TEST(Matching, StatesTheMeanChanceOfTrialsOfDifferentSizes) {
   MadeUpStudy made;
   made.add_person("a", "F");
   made.add_person("b", "M");
@@ -147,9 +147,32 @@ TEST(Matching, NamesChanceOnlyWhereAllGoesAreOfOneSize) {
   three.right = three.options = three.answers;
   for (const char* label : {"a", "b"})
     made.add_session(label, protocol, {made_up_matching(kTextures), three});
-  EXPECT_THAT(question_of(analyze_study(made.study()).front(), "items").answer.english(),
-              HasSubstr("compared with a chance level of 1 divided by the number of items, which "
-                        "differs between trials"));
+  EXPECT_THAT(
+      question_of(analyze_study(made.study()).front(), "items").answer.english(),
+      HasSubstr("compared with a chance level of 29 % on average (1 divided by the number of "
+                "items, which differs between trials)"));
+}
+
+// As below, with a fourth trial of three items: of 15 items of a participant 4 are correct under guessing.
+TEST(Matching, ClaimsNothingWhereTheIntervalContainsTheMeanChanceOfTrialsOfDifferentSizes) {
+  MadeUpStudy made;
+  const std::int64_t protocol =
+      made.add_protocol("matching", "matching", R"({"analysis": {"family": ["items"]}})");
+  MadeUpTrial three = made_up_matching({"metal", "stone", "wood"});
+  three.surfaces.pop_back();
+  three.right = three.options = three.answers;
+  std::vector<MadeUpTrial> trials(3, made_up_matching(kTextures));
+  trials.push_back(three);
+  for (const char* const label : {"a", "b"}) {
+    made.add_person(label, "F");
+    made.add_session(label, protocol, trials);
+  }
+  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  EXPECT_THAT(question_of(outcome, "items").answer.english(),
+              testing::StartsWith("Not established: on average 100 %"));
+  EXPECT_THAT(sentence_about(outcome, "items"),
+              testing::StartsWith("It was not established that the proportion of correctly matched "
+                                  "items was above the chance level of 27 % on average: "));
 }
 
 // Two participants, of whom one matches everything and the other three of four on average: beyond chance by the test,

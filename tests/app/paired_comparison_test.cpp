@@ -11,8 +11,8 @@
 
 #include "analysis/tests/pooled_share.h"
 #include "app/findings/outcome/estimate_sentences.h"
-#include "app/findings/study/analyze_study.h"
 #include "app/findings/outcome/found_numbers.h"
+#include "app/findings/study/analyze_study.h"
 #include "tests/app/analysed_study.h"
 
 namespace asperity {
@@ -99,6 +99,31 @@ TEST_F(Pairs, AreStatedWithTheMeansOfTheirOwnComparisons) {
                                      [](const TestSentence& each) { return each.about == "a|b"; });
   ASSERT_NE(sentence, outcome.test_sentences.end());
   EXPECT_THAT(sentence->text, testing::ContainsRegex("means: 100 %.* for a and 0 %.* for b"));
+}
+
+// Each of six participants chooses a in 11 of 20 comparisons: all differences have one sign, so that p = 2/64, and 66 of 120 is not
+// more than half of the choices.
+TEST(PairedComparison, EstablishesNothingWhereTheIntervalOfAPairContainsChance) {
+  MadeUpStudy made{};
+  const std::int64_t protocol = made.add_protocol("rougher", "paired_comparison", kRougher);
+  for (int person = 0; person < 6; ++person) {
+    const std::string label = "p" + std::to_string(person + 1);
+    made.add_person(label, "");
+    std::vector<MadeUpTrial> trials{};
+    for (int i = 0; i < 20; ++i) {
+      trials.push_back(i % 2 == 0 ? compared("a", "b", i < 11 ? "a" : "b")
+                                  : compared("b", "a", i < 11 ? "a" : "b"));
+    }
+    made.add_session(label, protocol, trials);
+  }
+  const AnalysisOutcome outcome = outcome_of_pairs(made);
+  EXPECT_DOUBLE_EQ(*finding_of(outcome, "choice", "signflip.p.two", "a|b").value, 2.0 / 64.0);
+  EXPECT_THAT(answer_to(outcome, "pairs"),
+              testing::AllOf(testing::StartsWith("Not established: a over b (in 55 %"),
+                             HasSubstr("but the 95 % CI of the mean contains the chance level.")));
+  EXPECT_THAT(sentence_about(outcome, "pairs"),
+              testing::StartsWith("It was not established that the item a was chosen more often "
+                                  "than b: "));
 }
 
 TEST_F(Pairs, HaveCircularTriadsAndZetaForEveryParticipant) {
@@ -329,7 +354,7 @@ TEST_F(Pairs, CountWhoIsLeftOutOfATest) {
                               "the test of this pair: 1 of 7."));
   EXPECT_THAT(note,
               HasSubstr("did not compare every pair equally often are left out of the test of "
-                        "the preference: 1 of 7."));
+                        "the choices of the items: 1 of 7."));
 }
 
 // With two items the comparisons of everybody for one of them are all won: the interval ends at 1.

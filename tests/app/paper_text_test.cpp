@@ -205,9 +205,10 @@ TEST(PaperText, CountsAllExploratoryTestsOfOneKind) {
 
 TEST(PaperText, SeparatesExploratoryTestsFromDeclaredOnes) {
   const Report report = report_of_choices({6, 5, 6, 5, 4, 6, 5, 6}, {"pairs", "preference"});
-  EXPECT_THAT(paragraph(report, "Methods"),
-              HasSubstr(" The p values of the 2 confirmatory tests (pairs and preference) were "
-                        "Holm-corrected (Holm, 1979)."));
+  EXPECT_THAT(
+      paragraph(report, "Methods"),
+      HasSubstr(" The p values of the 2 confirmatory tests (pairs and choices of the items) were "
+                "Holm-corrected (Holm, 1979)."));
   EXPECT_THAT(paragraph(report, "Methods"), Not(HasSubstr("declared in advance")));
   EXPECT_THAT(paragraph(report, "Results"), HasSubstr(" The following tests are exploratory. "));
 }

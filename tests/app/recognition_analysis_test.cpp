@@ -66,6 +66,25 @@ TEST(Recognition, CountsCannotTellAsNotRight) {
   EXPECT_EQ(number(table_of(outcome, "confusion").table, {"stone"}, "cannot_tell"), 1);
 }
 
+// Two participants, of whom one never names a picture: their proportions are not the same.
+TEST(Recognition, StatesThatOnlyOneParticipantNamedAPicture) {
+  MadeUpStudy made;
+  const std::int64_t protocol =
+      made.add_protocol("recognition", "recognition", R"({"analysis": {"family": ["right"]}})");
+  for (const auto& [label, answer] : {std::pair("a", "stone"), std::pair("b", "cannot_tell")}) {
+    made.add_person(label, "F");
+    MadeUpTrial one = recognition("stone", answer);
+    one.options.push_back("cannot_tell");
+    made.add_session(label, protocol, std::vector<MadeUpTrial>(4, one));
+  }
+  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  EXPECT_THAT(question_of(outcome, "right").answer.english(),
+              testing::AllOf(testing::StartsWith("Only one participant named a picture: 100 % of "
+                                                 "these responses were correct"),
+                             HasSubstr("this cannot be tested with one participant.")));
+  EXPECT_THAT(sentence_about(outcome, "right"), HasSubstr("could not be computed"));
+}
+
 TEST(Recognition, MapsOnlyWhatWasFelt) {
   const AnalysisOutcome outcome = analyze_recognitions();
   // 9 of 12 among six pictures.

@@ -258,7 +258,7 @@ TEST(ReportResults, NamesWhatHasNoAnswerInWordsAndCountsTheStepsOfComputations) 
                       without("dprime.lower", "", "recognition", "every response is correct"),
                       without("replicates", "", "anova", "A has 2 rows")};
   const std::string words = words_of(results_section(outcome, {}));
-  EXPECT_THAT(words, HasSubstr("The order effect on the preference scale: "
+  EXPECT_THAT(words, HasSubstr("The order effect on the scale of the items: "
                                "nobody felt both orders.\n"));
   EXPECT_THAT(words, HasSubstr("Cochran’s Q of position 1: nobody differs.\n"));
   EXPECT_THAT(words, HasSubstr("The sensitivity d′ and the CI of the sensitivity d′: every "

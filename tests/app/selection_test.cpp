@@ -179,7 +179,7 @@ TEST(PairedSelection, LeavesOutTheChoiceOfAThirdModel) {
   EXPECT_EQ(differences.at("b|d"), -6.0);
 }
 
-TEST(ComparedLevels, ArePreferredAndNotRealistic) {
+TEST(ComparedLevels, AreChosenMoreOftenAndNotPreferred) {
   const AnalysisOutcome outcome =
       analysed_selection(3, R"({"kind": "selection",
       "stimuli": {"a": {"model": "m", "parameters": {"friction": 0.2}}, "b": {"model": "m"}},
@@ -188,10 +188,25 @@ TEST(ComparedLevels, ArePreferredAndNotRealistic) {
                            return std::vector<MadeUpTrial>{trial_of({"weak", "strong"}, "strong")};
                          });
   const std::string words = words_of(outcome);
-  EXPECT_THAT(words, HasSubstr("Which level of friction is preferred?"));
+  EXPECT_THAT(words, HasSubstr("Which level of friction is chosen most often?"));
   EXPECT_THAT(words, HasSubstr("do not show whether the levels can be discriminated"));
   EXPECT_THAT(words, Not(HasSubstr("realistic")));
+  EXPECT_THAT(words, Not(HasSubstr("preferred")));
   EXPECT_EQ(table_of(outcome, "table_1").title.english(), "Choices (counts)");
+}
+
+// What a selection asks is stated in its own words, and neither as realism nor as a preference.
+TEST(Selection, StatesTheQuestionThatWasAsked) {
+  const AnalysisOutcome outcome =
+      analysed_selection(3, R"({"kind": "selection", "blocks": {"only": {"phase": "main",
+      "question": {"name": "softest", "prompt": "Which surface was the softest?"}}}})",
+                         [](int) {
+                           return std::vector<MadeUpTrial>{trial_of({"a", "b", "c"}, "a")};
+                         });
+  EXPECT_EQ(question_of(outcome, "preference").question.english(),
+            "Which rendering is chosen most often? Participants were asked: “Which surface was the "
+            "softest?”");
+  EXPECT_THAT(words_of(outcome), Not(HasSubstr("realistic")));
 }
 
 TEST(SelectionTies, NameAllModelsThatWereChosenMostOften) {

@@ -157,7 +157,8 @@ class FigureTexts(html.parser.HTMLParser):
 
 
 def report_lines(text):
-    """The page line by line. A row of a table whose tags are those of the row before is the texts of its cells."""
+    """The page line by line. A row of a table whose tags are those of the row before is the texts of its cells. Errors: ValueError
+    for a cell with a bar, which joins the parts of stored names."""
     text = re.sub(r"<style>.*?</style>", "<style/>", text, flags=re.S)
     text = re.sub(r"<svg.*?</svg>", lambda found: "<svg>" + " | ".join(dict.fromkeys(FigureTexts(found[0]).texts)) + "</svg>",
                   text, flags=re.S)
@@ -165,7 +166,10 @@ def report_lines(text):
     for line in text.splitlines():
         tags = re.findall(r"<[^>]*>", line) if line.startswith("<tr>") else None
         if tags and tags == tags_before:
-            line = " | ".join(re.sub(r"<[^>]*>", "", cell) for cell in re.split(r"</t[hd]>", line)[:-1])
+            cells = [re.sub(r"<[^>]*>", "", cell) for cell in re.split(r"</t[hd]>", line)[:-1]]
+            if any("|" in cell for cell in cells):
+                raise ValueError(f"a stored name is displayed: {cells}")
+            line = " | ".join(cells)
         tags_before = tags
         if line:
             yield line

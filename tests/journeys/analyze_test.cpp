@@ -37,7 +37,7 @@ TEST_F(AnalyzeOnly, PrintsOneTableWithItsHeadingAndItsRemarks) {
   ASSERT_EQ(one.status, 0) << one.err;
   EXPECT_THAT(one.out, AllOf(HasSubstr("small_selection 1.0.0 (selection, improved): virtual\n"),
                              HasSubstr("\n! These participants are virtual"),
-                             HasSubstr("\nChoices of the most realistic rendering (counts)\n")));
+                             HasSubstr("\nChoices (counts)\n")));
   EXPECT_THAT(one.out, AllOf(Not(HasSubstr("small_recognition")), Not(HasSubstr("?\n"))))
       << "an analysis without this table, and questions";
   const std::size_t title = one.out.find("\n---");

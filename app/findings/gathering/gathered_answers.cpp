@@ -13,6 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/findings/gathering/group_blocks.h"
 #include "app/records/session_conditions.h"
 #include "protocols/design/protocol.h"
 #include "protocols/file/stored_protocol.h"
@@ -137,9 +138,10 @@ class Gathering {
 
   GatheredAnswers gathered{};
 
-  /// `questions`: those of this kind, by block.
+  /// `questions`: those of this kind, by block. `group_block`: AnsweringPerson::block.
   void add_session(const SessionRow& session, const ParticipantRow& participant,
-                   const SessionAnswers& answers, const QuestionsOfKind& questions) {
+                   const SessionAnswers& answers, const QuestionsOfKind& questions,
+                   const std::optional<std::string>& group_block) {
     ++gathered.count.sessions;
     if (session.state != SessionState::completed) ++gathered.count.unfinished_sessions;
     if (is_guessing(session, gathered.kind)) ++gathered.count.guessing_sessions;
@@ -195,6 +197,7 @@ class Gathering {
     if (session.group_level && !gathered.people.empty() &&
         gathered.people.back().label == session.participant) {
       gathered.people.back().group = session.group_level;
+      if (!gathered.people.back().block) gathered.people.back().block = group_block;
     }
   }
 
@@ -687,6 +690,8 @@ std::vector<GatheredAnswers> gather_answers(
   std::map<std::string, ParticipantRow> participants{};
   for (ParticipantRow& row : study.participants()) participants.emplace(row.label, std::move(row));
   std::vector<SessionRow> sessions = study.sessions();
+  const std::vector<SessionRow> all_sessions = sessions;
+  GroupBlocks blocks(study, all_sessions);
   std::erase_if(sessions, [&](const SessionRow& session) {
     return session.withdrawn || !is_included(participants.at(session.participant));
   });
@@ -709,9 +714,10 @@ std::vector<GatheredAnswers> gather_answers(
     }
     const std::vector<PresentedMatch> matches =
         counted_matches(study, session, given, found->second.specified);
+    const std::optional<std::string> block = blocks.of(session, found->second.specified);
     for (const auto& [kind, questions] : found->second.asked) {
       Gathering& gathering = gathering_of(groups, of, group, kind, found->second.specified);
-      gathering.add_session(session, participant, given, questions);
+      gathering.add_session(session, participant, given, questions, block);
       if (gathering.needs_felt_octaves()) {
         gathering.add_recordings(study, session, given, questions, stop);
       }
@@ -746,7 +752,8 @@ void SessionGathering::add(const ParticipantRow& participant, const SessionRow& 
   const AnswerGroup group = group_of(participant, session);
   for (const auto& [kind, questions] : protocol_.asked->by_kind) {
     gathering_of(groups_->by_key, protocol_.row, group, kind, protocol_.specified)
-        .add_session(session, participant, answers, questions);
+        .add_session(session, participant, answers, questions,
+                     block_of_simulated(participant.label, protocol_.specified));
   }
 }
 

@@ -115,6 +115,8 @@ struct AnsweringPerson {
   std::string label{};
   std::optional<std::string> sex{};
   std::optional<std::string> group{};  ///< to which the protocol assigns the participant
+  /// In which it did (GroupBlocks); nothing where it does not assign in permuted blocks, or the block is unknown.
+  std::optional<std::string> block{};
 };
 
 /// Texture force of the surfaces that one force model rendered.

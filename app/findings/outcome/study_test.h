@@ -45,6 +45,8 @@ struct StudyTest {
   /// The ε that corrects them; nothing where they are not corrected.
   std::optional<double> epsilon{};
   std::optional<std::size_t> random_permutations{};  ///< 0: all were counted; nothing: not permuted
+  /// Group labels are exchanged within the blocks in which the program assigned the groups.
+  bool permutes_within_blocks = false;
   struct Effect {
     double value = 0.0;
     std::optional<double> low{};
@@ -54,10 +56,11 @@ struct StudyTest {
   std::optional<Effect> effect{};
   std::optional<Effect> estimate{};  ///< the proportion that is tested
   std::optional<double> chance{};    ///< the chance level of that proportion
+  bool chance_varies = false;        ///< between trials; `chance` is its mean over the participants
   std::optional<Effect>
       in_units{};  ///< the effect in the unit of the responses, where it was stated
-  /// The value of a compared difference or ratio without an effect, 0 or 1, where its interval contains this value.
-  std::optional<double> none_in_interval{};
+  /// What a stated estimate holds against the effect, as a clause: "the 95 % CI of the ratio contains 1"; empty: nothing.
+  Phrase objection{};
   std::optional<double> adjusted{};  ///< within the family
   bool is_alone_in_family = false;   ///< the only test of its family, so that p is not corrected
   TestRole role = TestRole::exploratory;
@@ -72,12 +75,19 @@ struct StudyTest {
   bool shows() const noexcept { return role == TestRole::confirmatory && is_significant(); }
   /// For tests outside the family without correction.
   bool is_significant() const noexcept { return adjusted ? *adjusted < kLevel : p && *p < kLevel; }
-  /// Significant, although an interval, which comes from a different method, contains the value without an effect: that of
-  /// the tested proportion the chance level, or that of the compared difference 0. Nothing is established.
+  /// Negative where the second of two is the larger one, or the proportion is below the chance level.
+  double direction() const noexcept {
+    // A sum of ranks has no sign; its effect size has.
+    return made_by != nullptr && made_by->direction_is_of_effect && effect
+               ? effect->value
+               : statistic.value_or(0.0);
+  }
+  /// Significant, although an estimate that is stated with it, which comes from a different method, does not show the effect:
+  /// the interval of the tested proportion contains the chance level, or `objection`. Nothing is established.
   bool contradicts_interval() const noexcept {
     const bool has_chance_in_interval = chance && estimate && estimate->low && estimate->high &&
                                         *estimate->low <= *chance && *chance <= *estimate->high;
-    return is_significant() && (none_in_interval || has_chance_in_interval);
+    return is_significant() && (!objection.empty() || has_chance_in_interval);
   }
   /// The smallest attainable p, if it exceeds the level.
   std::optional<double> unattainable_p() const noexcept {

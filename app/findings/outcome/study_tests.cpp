@@ -184,7 +184,8 @@ void note_smallest_p(std::optional<double> smallest, std::size_t people, StudyTe
   constexpr double kRounding = 1e-9;  // of a sum over all permutations
   if (compares_groups(test.name) && *smallest > 1.0 - kRounding) {
     test.p.reset();
-    test.status = "one_in_each_group";
+    constexpr std::size_t kOneInEachGroup = 2;
+    test.status = test.n > kOneInEachGroup ? "no_block_of_both" : "one_in_each_group";
     return;
   }
   if (test.n > 1 || *smallest < 1.0 - kRounding) {
@@ -282,7 +283,10 @@ void StudyTests::add_untested(const std::string& name, const std::string& about,
   tests_.push_back(Test{.name = name, .about = about, .status = reason});
 }
 
-void StudyTests::state_chance(double chance) { tests_.back().chance = chance; }
+void StudyTests::state_chance(double chance, bool varies) {
+  tests_.back().chance = chance;
+  tests_.back().chance_varies = varies;
+}
 
 void StudyTests::state_effect(const Finding* effect) {
   if (effect == nullptr || !effect->value) return;
@@ -290,9 +294,27 @@ void StudyTests::state_effect(const Finding* effect) {
       Test::Effect{.value = *effect->value, .low = effect->low, .high = effect->high};
 }
 
-void StudyTests::state_compared(const Finding* compared, double none) {
+void StudyTests::state_compared(const Finding* compared, double none, const Phrase& contained) {
   if (compared == nullptr || !holds_in_interval(*compared, none)) return;
-  tests_.back().none_in_interval = none;
+  tests_.back().objection = contained;
+}
+
+void StudyTests::state_difference(const Finding* difference) {
+  state_compared(difference, 0.0, phrase("Analysis", "the 95 % CI of the difference contains 0"));
+}
+
+void StudyTests::state_ratio(const Finding* ratio) {
+  state_compared(ratio, 1.0, phrase("Analysis", "the 95 % CI of the ratio contains 1"));
+}
+
+void StudyTests::state_mean_share(const Finding* mean, double chance) {
+  state_compared(mean, chance, chance_in_interval());
+}
+
+void StudyTests::state_direction(std::optional<double> difference) {
+  Test& test = tests_.back();
+  if (!difference || *difference * test.direction() > 0.0) return;
+  test.objection = phrase("Analysis", "the means do not differ in the direction of the test");
 }
 
 void StudyTests::leave_out(std::size_t participants, const Phrase& why) {

@@ -51,12 +51,20 @@ class StudyTests final {
   void leave_out(std::size_t participants, const Phrase& why);
   /// Of the last test: participants that it drops because their two values are equal. The note below the table lists them.
   void drop_ties(std::size_t participants) { tests_.back().ties = participants; }
-  /// Sets the proportion expected under guessing for the same test.
-  void state_chance(double chance);
+  /// See StudyTest.
+  void permute_within_blocks() { tests_.back().permutes_within_blocks = true; }
+  /// Sets the proportion expected under guessing for the same test. `varies`: between trials; it is the mean over participants.
+  void state_chance(double chance, bool varies = false);
   /// Of the same test: the effect in the unit of the responses, with its interval. Null: there is none.
   void state_effect(const Finding* effect);
-  /// Of the same test: the difference or ratio that it compares, and its value without an effect, 0 or 1. Null: there is none.
-  void state_compared(const Finding* compared, double none);
+  /// Of the same test: the estimate that is stated with it, and its value without an effect; `contained`: the clause where
+  /// its interval contains this value. Null: there is none.
+  void state_compared(const Finding* compared, double none, const Phrase& contained);
+  void state_difference(const Finding* difference);  ///< as above; none: 0
+  void state_ratio(const Finding* ratio);            ///< none: 1
+  void state_mean_share(const Finding* mean, double chance);
+  /// Of the same test: the difference of two stated means, whose sign is to be that of the test. Nothing: there is none.
+  void state_direction(std::optional<double> difference);
   /// Adjusts, and appends the table `kTable` with its findings. A test that the protocol declares
   /// and that was not added is a row without a p. Without a test no table is appended.
   void finish(AnalysisOutcome& outcome);

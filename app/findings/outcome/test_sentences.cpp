@@ -45,12 +45,7 @@ std::string claim_of(const StudyTest& test, std::string_view kind) {
         return each.test == test.name && (each.method.empty() || each.method == test.made_by->code);
       });
   if (claim == analysis->claims.end()) return {};
-  // A sum of ranks has no sign; its effect size has.
-  const double direction =
-      test.made_by != nullptr && test.made_by->direction_is_of_effect && test.effect
-          ? test.effect->value
-          : test.statistic.value_or(0.0);
-  const bool is_negative = direction < 0.0 && !claim->lower.empty();
+  const bool is_negative = test.direction() < 0.0 && !claim->lower.empty();
   const std::string_view words = !test.is_significant() ? claim->nothing
                                  : is_negative          ? claim->lower
                                                         : claim->higher;
@@ -66,7 +61,9 @@ std::string claim_of(const StudyTest& test, std::string_view kind) {
   const std::size_t bar = about.find('|');
   const std::string first(about.substr(0, bar));
   const std::string second(bar == std::string_view::npos ? "" : about.substr(bar + 1));
-  const std::string chance = test.chance ? " of " + reading_percent(*test.chance) : "";
+  const std::string chance = !test.chance ? ""
+                                          : " of " + reading_percent(*test.chance) +
+                                                (test.chance_varies ? " on average" : "");
   const std::string chosen = qualified_claim(test, std::string(words));
   std::string named = test.name == "properties" ? words_of_property(first).english() : first;
   // The predictor: a parameter, or a property, whose unit follows a comma.
@@ -102,7 +99,8 @@ std::string estimate_text(const StudyTest& test) {
 }
 
 std::string method_text(const StudyTest& test) {
-  return words_of_method(std::string(test.made_by->code), permutations_text(test)).english();
+  return words_of_method(std::string(test.made_by->code), permutations_text(test)).english() +
+         (test.permutes_within_blocks ? ", within the blocks of the assignment" : "");
 }
 
 }  // namespace
@@ -237,13 +235,13 @@ Phrase with_zero_differences(const Phrase& answer, const StudyTest& test) {
       .with(answer, std::to_string(test.ties), compared);
 }
 
+Phrase chance_in_interval() {
+  return phrase("Analysis", "the 95 % CI of the mean contains the chance level");
+}
+
 Phrase contradiction_text(const StudyTest& test) {
   if (!test.contradicts_interval()) return {};
-  return !test.none_in_interval
-             ? phrase("Analysis", "the 95 % CI of the mean contains the chance level")
-         : *test.none_in_interval == 1.0
-             ? phrase("Analysis", "the 95 % CI of the ratio contains 1")
-             : phrase("Analysis", "the 95 % CI of the difference contains 0");
+  return test.objection.empty() ? chance_in_interval() : test.objection;
 }
 
 Phrase with_contradiction(const Phrase& answer, const StudyTest& test) {
@@ -255,15 +253,14 @@ Phrase with_contradiction(const Phrase& answer, const StudyTest& test) {
 
 Sayings sayings_of(const StudyTest& test, const StatedNumbers& stated) {
   const Phrase& numbers = stated.numbers;
-  const Phrase nothing = stated.not_significant.with(numbers);
+  const Phrase p = p_text(test);
+  const Phrase nothing = stated.not_significant.with(numbers, p);
   const Phrase told =
-      stated.exploratory.empty() ? numbers.as_sentence() : stated.exploratory.with(numbers);
-  return {test.contradicts_interval()
-              ? phrase("Analysis",
-                       "Not established: %1 The test is significant, but %2; more participants are "
-                       "needed.")
-                    .with(numbers, contradiction_text(test))
-              : stated.significant.with(numbers),
+      stated.exploratory.empty() ? numbers.as_sentence() : stated.exploratory.with(numbers, p);
+  return {!stated.claim.empty() ? stated.claim
+          : test.contradicts_interval()
+              ? stated.not_established.with(numbers, p, contradiction_text(test))
+              : stated.significant.with(numbers, p),
           stated.compares
               ? phrase("Analysis", "%1 This does not show that they are equal.").with(nothing)
               : nothing,

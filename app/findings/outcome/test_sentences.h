@@ -48,7 +48,9 @@ Phrase p_text(const StudyTest& test);
 /// An answer, and after it the participants with a difference of zero: a signed-rank test leaves them out, so that its n is
 /// smaller than the number of participants; they do not affect the p of a sign-flip test.
 Phrase with_zero_differences(const Phrase& answer, const StudyTest& test);
-/// The interval that a significant test contradicts, as a clause: "the 95 % CI of the difference contains 0"; empty where there
+/// "the 95 % CI of the mean contains the chance level"
+Phrase chance_in_interval();
+/// The estimate that a significant test contradicts, as a clause: "the 95 % CI of the difference contains 0"; empty where there
 /// is none.
 Phrase contradiction_text(const StudyTest& test);
 /// An answer, and after it that nothing is established, where the test contradicts an interval.
@@ -68,17 +70,21 @@ struct Sayings {
     return {added(claim), added(nothing), added(told)};
   }
 };
-/// The numbers of a test, stated in each of its answers, and how these begin.
+/// The numbers of a test, stated in each of its answers, and how these begin: %1 is the numbers, %2 p.
 struct StatedNumbers {
   /// A sentence without its beginning: "the mean rating is highest for wood. Friedman test: p = .020."
   Phrase numbers{};
   Phrase significant = phrase("Analysis", "Yes: %1");
   Phrase not_significant = phrase("Analysis", "Not significantly: %1");
+  /// Where the test contradicts an estimate; %3 is `contradiction_text`.
+  Phrase not_established = phrase("Analysis",
+                                  "Not established: %1 The test is significant, but %3; more "
+                                  "participants are needed.");
   Phrase exploratory =
       phrase("Analysis", "For these participants, %1");  ///< empty: the numbers alone
   bool compares = false;  ///< a result that is not significant could be taken for equality
+  Phrase claim{};  ///< in place of the significant answer; states itself what is not established
 };
-/// Where the test contradicts an interval, nothing is established.
 Sayings sayings_of(const StudyTest& test, const StatedNumbers& stated);
 Phrase said_of(const StudyTest& test, const Sayings& sayings);
 

@@ -256,18 +256,13 @@ Phrase AccompanyingScales::answer_text(const Scale& scale, const StudyTests& tes
   if (difference == nullptr || test == nullptr || !test->p) {
     return phrase("Analysis", "%1 The difference could not be tested.").with(means_text);
   }
-  const auto with_numbers = [&](const Phrase& words) {
-    return words.with(means_text, rating_text(*difference), reading_count(test->n), p_text(*test));
-  };
-  const Sayings sayings{
-      with_numbers(phrase("Analysis",
-                          "%1 They differ significantly: mean difference %2, N = %3, paired t "
-                          "test: %4.")),
-      with_numbers(phrase("Analysis",
-                          "%1 They do not differ significantly: mean difference %2, N = %3, "
-                          "paired t test: %4.")),
-      with_numbers(phrase("Analysis", "%1 Mean difference: %2, N = %3, paired t test: %4."))};
-  return said_of(*test, sayings);
+  const Sayings sayings = sayings_of(
+      *test, {.numbers = phrase("Analysis", "mean difference %1, N = %2, paired t test: %3.")
+                             .with(rating_text(*difference), reading_count(test->n), p_text(*test)),
+              .significant = phrase("Analysis", "They differ significantly: %1"),
+              .not_significant = phrase("Analysis", "They do not differ significantly: %1"),
+              .exploratory = {}});
+  return phrase("Analysis", "%1 %2").with(means_text, said_of(*test, sayings));
 }
 
 void AccompanyingScales::report(const StudyTests& tests, AnalysisOutcome& outcome) const {

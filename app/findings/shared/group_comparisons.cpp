@@ -169,6 +169,7 @@ void GroupComparisons::add_tests(StudyTests& tests, AnalysisOutcome& outcome) co
       continue;
     }
     tests.add(one.test(), one.about(), found, p);
+    if (!one.pair.blocks.empty()) tests.permute_within_blocks();
     if (one.is_profile) {
       tests.leave_out(static_cast<std::size_t>(found.value("profile.incomplete").value_or(0.0)),
                       phrase("Analysis",
@@ -180,7 +181,7 @@ void GroupComparisons::add_tests(StudyTests& tests, AnalysisOutcome& outcome) co
     const Finding* const ratio = found.find("values.ratio");
     const Finding* const effect = ratio != nullptr ? ratio : found.find("values.shift");
     tests.state_effect(effect);
-    tests.state_compared(effect, ratio != nullptr ? 1.0 : 0.0);
+    ratio != nullptr ? tests.state_ratio(ratio) : tests.state_difference(effect);
     tests.leave_out(missing_in(found, one.pair),
                     phrase("Analysis",
                            "Participants for whom this number is missing are left out of the test "
@@ -220,7 +221,7 @@ void GroupComparisons::ask_measure(const Compared& one, const StudyTests& tests,
                                  .with(means, difference, p_text(*test)),
                   .compares = true})
           .with(with_left_out);
-  const Phrase splits = method_of_splits(effect.n);
+  const Phrase splits = method_of_splits(*test);
   const Phrase method = effect.low
                             ? phrase("Analysis",
                                      "%1 The CIs of the means are t-based; that of the %2 is "
@@ -270,7 +271,7 @@ void GroupComparisons::ask_profile(const Compared& one, const StudyTests& tests,
              "From each participant's numbers the participant's mean is subtracted, so that what "
              "is compared is how they differ between items. Whole participants are permuted. %1 "
              "Where the groups are equal, R² is %2 on average.")
-          .with(method_of_splits(r2.n),
+          .with(method_of_splits(*test),
                 reading_bounded(1.0 / static_cast<double>(std::max<std::size_t>(r2.n, 2) - 1))),
       kGroupProfiles, &r2);
 }

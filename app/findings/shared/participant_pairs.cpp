@@ -2,9 +2,9 @@
 
 #include "app/findings/shared/participant_pairs.h"
 
+#include <algorithm>
 #include <utility>
 
-#include "analysis/tests/two_samples.h"
 #include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/test_sentences.h"
@@ -46,7 +46,7 @@ Phrase interval_of_difference(const Finding& finding, int digits) {
   return phrase("Analysis", "without a CI");
 }
 
-Phrase method_of_pair(const PairMeans& means) {
+Phrase method_of_pair(const PairMeans& means, const StudyTest& test) {
   const Phrase own = phrase("Analysis", "Means of the participants' own results.");
   const Phrase intervals =
       means.difference->low
@@ -57,8 +57,7 @@ Phrase method_of_pair(const PairMeans& means) {
                 "borderline cases p may be below .05 although the CI contains 0, or the reverse.")
                 .with(own)
           : own;
-  return phrase("Analysis", "%1 %2")
-      .with(intervals, method_of_splits(means.first->n + means.second->n));
+  return phrase("Analysis", "%1 %2").with(intervals, method_of_splits(test));
 }
 
 Phrase means_text(const ParticipantPair& pair, const PairMeans& means, const Phrase& first,
@@ -91,6 +90,7 @@ bool PairRows::add(std::size_t person) {
   has_[level == pair_.first ? 0 : 1] = true;
   subjects_.add(gathered_.people[person].label);
   levels_.add(level);
+  if (!pair_.blocks.empty()) blocks_.add(pair_.blocks[person]);
   return true;
 }
 
@@ -98,6 +98,7 @@ std::optional<TidyInput> PairRows::take(std::vector<TidyTable::Column> further) 
   if (!has_[0] || !has_[1]) return std::nullopt;
   std::vector<TidyTable::Column> columns{{"subject", std::move(subjects_).take()},
                                          {"group", std::move(levels_).take()}};
+  if (!pair_.blocks.empty()) columns.push_back({"block", std::move(blocks_).take()});
   for (TidyTable::Column& column : further) columns.push_back(std::move(column));
   TidyInput input{};
   input.tables.emplace_back(std::move(columns), "the participants");
@@ -105,13 +106,19 @@ std::optional<TidyInput> PairRows::take(std::vector<TidyTable::Column> further) 
   return input;
 }
 
-Phrase method_of_splits(std::size_t n) {
-  return n <= kMostPermuted
-             ? phrase("Analysis", "The permutation test uses all permutations of the group labels.")
-             : phrase("Analysis",
-                      "The permutation test uses %1 permutations of the group labels drawn at "
-                      "random, because there are too many to enumerate.")
-                   .with(std::to_string(kRandomSplits));
+Phrase method_of_splits(const StudyTest& test) {
+  const std::size_t drawn = test.random_permutations.value_or(0);
+  const Phrase splits =
+      drawn == 0
+          ? phrase("Analysis", "The permutation test uses all permutations of the group labels.")
+          : phrase("Analysis",
+                   "The permutation test uses %1 permutations of the group labels drawn at "
+                   "random, because there are too many to enumerate.")
+                .with(std::to_string(drawn));
+  if (!test.permutes_within_blocks) return splits;
+  return phrase("Analysis",
+                "%1 Labels are exchanged only within the blocks in which the groups were assigned.")
+      .with(splits);
 }
 
 ParticipantPair women_and_men(const GatheredAnswers& gathered) {
@@ -134,6 +141,9 @@ ParticipantPair women_and_men(const GatheredAnswers& gathered) {
 std::vector<ParticipantPair> pairs_of_groups(const GatheredAnswers& gathered) {
   std::vector<ParticipantPair> pairs{};
   const std::vector<std::string>& groups = gathered.groups;
+  const bool has_blocks =
+      std::any_of(gathered.people.begin(), gathered.people.end(),
+                  [](const AnsweringPerson& person) { return person.block.has_value(); });
   for (std::size_t i = 0; i < groups.size(); ++i) {
     for (std::size_t j = i + 1; j < groups.size(); ++j) {
       ParticipantPair pair{
@@ -154,6 +164,7 @@ std::vector<ParticipantPair> pairs_of_groups(const GatheredAnswers& gathered) {
       for (const AnsweringPerson& person : gathered.people) {
         const std::string group = person.group.value_or("");
         pair.levels.push_back(group == pair.first || group == pair.second ? group : "");
+        if (has_blocks) pair.blocks.push_back(person.block.value_or(""));
       }
       pairs.push_back(std::move(pair));
     }
@@ -194,7 +205,7 @@ void ask_pair(const ParticipantPair& pair, const PairMeans& means, const StudyTe
                .with(of_both, difference, p_text(*test), pair.first_name, pair.second_name),
        .compares = true});
   add_question(outcome, pair.analysis.c_str(), pair.question, said_of(*test, sayings),
-               method_of_pair(means), "tests", &*means.difference);
+               method_of_pair(means, *test), "tests", &*means.difference);
 }
 
 PairComparisons::PairComparisons(const GatheredAnswers& gathered,
@@ -216,7 +227,8 @@ void PairComparisons::add_tests(StudyTests& tests, AnalysisOutcome& outcome) con
     keep_findings(one.findings, outcome);
     const FoundNumbers found(one.findings);
     tests.add(one.pair.test, one.pair.about(), found, "perm.p.two");
-    tests.state_compared(found.find("subj.diff"), 0.0);
+    tests.state_difference(found.find("subj.diff"));
+    if (!one.pair.blocks.empty()) tests.permute_within_blocks();
   }
 }
 

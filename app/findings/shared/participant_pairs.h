@@ -30,6 +30,8 @@ struct ParticipantPair {
   Phrase equivalence_question{};
   /// Of the gathered people, in their order; empty for participants with neither level.
   std::vector<std::string> levels{};
+  /// Likewise AnsweringPerson::block; empty where labels are exchanged between all.
+  std::vector<std::string> blocks{};
 
   std::string about() const { return first + '|' + second; }
 };
@@ -50,11 +52,12 @@ class PairRows final {
   const ParticipantPair& pair_;
   LabelRows subjects_{};
   LabelRows levels_{};
+  LabelRows blocks_{};
   std::array<bool, 2> has_{};
 };
 
-/// Which permutations of the group labels a test of `n` participants uses.
-Phrase method_of_splits(std::size_t n);
+/// Which permutations of the group labels a test uses.
+Phrase method_of_splits(const StudyTest& test);
 
 ParticipantPair women_and_men(const GatheredAnswers& gathered);
 /// Every pair of the groups that the protocol declares, in its order; none without groups.

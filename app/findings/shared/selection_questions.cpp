@@ -35,6 +35,9 @@ bool is_of_one_participant(const StudyTests::Test& test) {
   return test.status == StudyTests::kOneParticipantAlone;
 }
 
+/// The chance level of either of two.
+constexpr double kShareOfPair = 0.5;
+
 /// The greatest of the participants' mean proportions: several names where means are equal.
 struct GreatestMean {
   std::vector<std::string> names{};
@@ -79,6 +82,16 @@ Phrase most_often(const GreatestMean& most, std::size_t items) {
                 "%1 was chosen most often: in %2 of a participant's choices on average (%3), "
                 "compared with a chance level of %4")
       .with(most.names.front(), share, interval_text(*most.mean), chance);
+}
+
+/// With the question that the participants were asked, where it was the same in every trial.
+Phrase with_prompt(const Phrase& question, const GatheredAnswers& gathered) {
+  std::set<std::string> prompts{};
+  for (const StoredProtocol::TrialQuestion& asked : gathered.questions) {
+    prompts.insert(asked.prompt);
+  }
+  if (prompts.size() != 1 || prompts.begin()->empty()) return question;
+  return phrase("Analysis", "%1 Participants were asked: “%2”").with(question, *prompts.begin());
 }
 
 std::string log_worth(double value) { return reading_signed(value, 2); }
@@ -198,6 +211,13 @@ Phrase preference_in(const StudyTests::Test& test, const FoundNumbers& found) {
       .with(more, less, percent(*mean->value), interval_text(*mean), p_text(test));
 }
 
+/// Where the numbers do not contain p.
+Phrase not_established() {
+  return phrase("Analysis",
+                "Not established: %1 (%2). The test is significant, but %3; more participants are "
+                "needed.");
+}
+
 /// The proportions of choices by position: "what was felt first was chosen in 33 % of …".
 Phrase positions_text(const GreatestMean& most, std::size_t positions, const Finding& first) {
   const Phrase share = percent(*most.mean->value);
@@ -256,6 +276,15 @@ TargetChoosers target_choosers(const Selection& selection) {
 
 }  // namespace
 
+void state_share_of_pair(const FoundNumbers& found, const std::string& of_first,
+                         StudyTests& tests) {
+  const Finding* const mean = found.find("subj.mean", of_first);
+  const TestMethod* const method = tests.tests().back().made_by;
+  if (mean == nullptr || !mean->value || method == nullptr) return;
+  if (method->sides == TestSides::two_sided) tests.state_direction(*mean->value - kShareOfPair);
+  tests.state_mean_share(mean, kShareOfPair);
+}
+
 QuantityName scale_quantity(const Selection& selection) {
   return selection.two_offered ? QuantityName("bt.ability.sumzero.cluster")
                                : "pl.logworth.sumzero.cluster";
@@ -264,9 +293,11 @@ QuantityName scale_quantity(const Selection& selection) {
 void ask_preference(const Selection& selection, const FoundNumbers& choice,
                     const FoundNumbers& scale, const StudyTests& tests, AnalysisOutcome& outcome) {
   const std::optional<std::string>& parameter = selection.gathered.compared_parameter;
-  const Phrase question = parameter ? phrase("Analysis", "Which level of %1 is preferred?")
-                                          .with(words_of_parameter(*parameter))
-                                    : phrase("Analysis", "Which rendering is the most realistic?");
+  const Phrase question =
+      with_prompt(parameter ? phrase("Analysis", "Which level of %1 is chosen most often?")
+                                  .with(words_of_parameter(*parameter))
+                            : phrase("Analysis", "Which rendering is chosen most often?"),
+                  selection.gathered);
   if (!selection.all_offered) {
     ask_scale(selection, scale, question, outcome);
     return;
@@ -288,26 +319,34 @@ void ask_preference(const Selection& selection, const FoundNumbers& choice,
     return;
   }
   const Phrase shares = most_often(most, selection.items.size());
-  const Phrase tested =
+  const Phrase answer =
       is_of_one_participant(*test)
-          ? phrase("Analysis", "%1. This cannot be tested with one participant.")
-      : !test->p ? phrase("Analysis", "%1.")
-      : test->role != TestRole::confirmatory
-          ? phrase("Analysis", "%1. Exploratory test of equal proportions: %2.")
-      : test->shows()
-          ? phrase("Analysis", "%1. The choices differ significantly from equal proportions (%2).")
-          : phrase("Analysis",
-                   "%1. The choices do not differ significantly from equal proportions (%2).");
-  add_question(outcome, "preference", question,
-               test->p ? tested.with(shares, p_text(*test)) : tested.with(shares),
-               test->p ? method : proportion, kPersonMeans, most.mean);
+          ? phrase("Analysis", "%1. This cannot be tested with one participant.").with(shares)
+      : !test->p
+          ? phrase("Analysis", "%1.").with(shares)
+          : said_of(*test,
+                    sayings_of(
+                        *test,
+                        {.numbers = shares,
+                         .significant = phrase(
+                             "Analysis",
+                             "%1. The choices differ significantly from equal proportions (%2)."),
+                         .not_significant = phrase(
+                             "Analysis",
+                             "%1. The choices do not differ significantly from equal proportions "
+                             "(%2)."),
+                         .not_established = not_established(),
+                         .exploratory = phrase("Analysis", "%1. Test of equal proportions: %2.")}));
+  add_question(outcome, "preference", question, answer, test->p ? method : proportion, kPersonMeans,
+               most.mean);
 }
 
 PairWords words_of_pairs(const Selection& selection, const std::string& test) {
   const std::optional<std::string>& parameter = selection.gathered.compared_parameter;
-  const Phrase question = parameter ? phrase("Analysis", "Is one level of %1 preferred to another?")
-                                          .with(words_of_parameter(*parameter))
-                                    : phrase("Analysis", "Is one rendering preferred to another?");
+  const Phrase question =
+      parameter ? phrase("Analysis", "Is one level of %1 chosen more often than another?")
+                      .with(words_of_parameter(*parameter))
+                : phrase("Analysis", "Is one rendering chosen more often than another?");
   const Phrase method =
       selection.all_offered
           ? phrase("Analysis",
@@ -325,11 +364,19 @@ PairWords words_of_pairs(const Selection& selection, const std::string& test) {
           .test = test};
 }
 
+/// "Chosen more often: a over b (…). Not established: …", or empty.
+Phrase with_unestablished(const Phrase& answer, const Phrase& unestablished) {
+  if (unestablished.empty()) return answer;
+  const Phrase text = phrase("Analysis", "Not established: %1.").with(unestablished);
+  return answer.empty() ? text : phrase("Analysis", "%1 %2").with(answer, text);
+}
+
 /// Which item of each significant pair was chosen more often; of many pairs, how many they are, and the others.
 Phrase preferences_text(const std::string& name, const StudyTests& tests,
                         const FoundNumbers& found) {
   constexpr std::size_t kMostNamed = 6;
   Phrase differ{};
+  Phrase unestablished{};
   std::size_t differing = 0;
   double largest_p = 0.0;
   std::vector<std::string> others{};
@@ -341,19 +388,30 @@ Phrase preferences_text(const std::string& name, const StudyTests& tests,
     }
     ++differing;
     largest_p = std::max(largest_p, *test.adjusted);
-    const Phrase one = preference_in(test, found);
-    differ = differ.empty() ? one : phrase("Analysis", "%1, %2").with(differ, one);
+    const bool is_established = !test.contradicts_interval();
+    const Phrase preference = preference_in(test, found);
+    const Phrase one =
+        is_established
+            ? preference
+            : phrase("Analysis", "%1, but %2").with(preference, contradiction_text(test));
+    Phrase& all = is_established ? differ : unestablished;
+    all = all.empty() ? one : phrase("Analysis", "%1, %2").with(all, one);
   }
-  if (differing <= kMostNamed) return phrase("Analysis", "Chosen more often: %1.").with(differ);
+  if (differing <= kMostNamed) {
+    return with_unestablished(
+        differ.empty() ? differ : phrase("Analysis", "Chosen more often: %1.").with(differ),
+        unestablished);
+  }
   const Phrase counted =
       phrase("Analysis",
              "%1 of the %2 pairs differ significantly (largest of these p values, Holm-corrected: "
              "%3); the table of tests contains them.")
           .with(std::to_string(differing), std::to_string(differing + others.size()),
                 reading_p_cell(largest_p));
-  if (others.empty() || others.size() > kMostNamed) return counted;
+  const Phrase established = with_unestablished(counted, unestablished);
+  if (others.empty() || others.size() > kMostNamed) return established;
   return phrase("Analysis", "%1 Not significantly different: %2.")
-      .with(counted, listed_names(others));
+      .with(established, listed_names(others));
 }
 
 void ask_pairs(const PairWords& words, const StudyTests& tests, const FoundNumbers& found,
@@ -380,21 +438,19 @@ void ask_pairs(const PairWords& words, const StudyTests& tests, const FoundNumbe
       std::any_of(tests.tests().begin(), tests.tests().end(), [&](const StudyTests::Test& test) {
         return is_of_pairs(test) && test.p && !test.unattainable_p();
       });
-  const Phrase chosen_more = preferences_text(name, tests, found);
-  const Sayings sayings =
-      is_only_pair
-          ? Sayings{chosen_more,
-                    phrase("Analysis", "%1 do not differ significantly (%2).")
-                        .with(pair_text(least), p_text(least)),
-                    phrase("Analysis", "%1: %2.").with(pair_text(least), p_text(least))}
-          : Sayings{chosen_more,
-                    (is_any_attainable ? phrase("Analysis", "No pair differs significantly: %1.")
-                                       : phrase("Analysis",
-                                                "No pair could differ significantly in these data: "
-                                                "%1."))
-                        .with(of_smallest),
-                    phrase("Analysis", "Among all pairs, %1.").with(of_smallest)};
-  const Phrase answer = said_of(least, sayings);
+  StatedNumbers stated{.numbers = of_smallest, .claim = preferences_text(name, tests, found)};
+  if (is_only_pair) {
+    stated.numbers = pair_text(least);
+    stated.not_significant = phrase("Analysis", "%1 do not differ significantly (%2).");
+    stated.exploratory = phrase("Analysis", "%1: %2.");
+  } else {
+    stated.not_significant =
+        is_any_attainable
+            ? phrase("Analysis", "No pair differs significantly: %1.")
+            : phrase("Analysis", "No pair could differ significantly in these data: %1.");
+    stated.exploratory = phrase("Analysis", "Among all pairs, %1.");
+  }
+  const Phrase answer = said_of(least, sayings_of(least, stated));
   add_question(outcome, "pairs", words.question,
                is_only_pair ? with_zero_differences(answer, least) : answer, words.method, "pairs",
                found.find("signflip.p.two", least.about));
@@ -415,13 +471,13 @@ void ask_position(std::size_t positions, const Phrase& method, const FoundNumber
                  {}, kPositions, most.mean);
   }
   if (!test->p) return;
-  const auto with_numbers = [&](const Phrase& words) {
-    return words.with(p_text(*test), positions_text(most, positions, *first));
-  };
-  const Sayings sayings{
-      with_numbers(phrase("Analysis", "The position has a significant effect (%1): %2.")),
-      with_numbers(phrase("Analysis", "The position has no significant effect (%1): %2.")),
-      with_numbers(phrase("Analysis", "Test of equal proportions: %1; %2."))};
+  const Sayings sayings = sayings_of(
+      *test,
+      {.numbers = positions_text(most, positions, *first),
+       .significant = phrase("Analysis", "The position has a significant effect (%2): %1."),
+       .not_significant = phrase("Analysis", "The position has no significant effect (%2): %1."),
+       .not_established = not_established(),
+       .exploratory = phrase("Analysis", "Test of equal proportions: %2; %1.")});
   add_question(outcome, "position", question, said_of(*test, sayings), method, kPositions,
                most.mean);
 }
@@ -435,7 +491,8 @@ void ask_textures(const Selection& selection, const StudyTests& tests, AnalysisO
   const std::string& target = selection.target();
   const StudyTests::Test* test = tests.find("textures");
   const Phrase question =
-      phrase("Analysis", "Does the preference for %1 depend on the texture?").with(target);
+      phrase("Analysis", "Does the proportion of choices of %1 depend on the texture?")
+          .with(target);
   const Phrase method = phrase(
       "Analysis",
       "Permutation test of each participant's number of choices of the target with each texture: "
@@ -464,13 +521,13 @@ void ask_textures(const Selection& selection, const StudyTests& tests, AnalysisO
   finding.method = test->method;
   finding.unit = "1";
   finding.analysis = "tests";
-  Sayings sayings = sayings_of(
+  Phrase answer = said_of(
       *test,
-      {.numbers = phrase("Analysis", "test of equal proportions of %1 with every texture, %2.")
-                      .with(target, p_text(*test))});
-  sayings.told = phrase("Analysis", "Test of equal proportions of %1 with every texture: %2.")
-                     .with(target, p_text(*test));
-  Phrase answer = said_of(*test, sayings);
+      sayings_of(
+          *test,
+          {.numbers = phrase("Analysis", "test of equal proportions of %1 with every texture: %2.")
+                          .with(target, p_text(*test)),
+           .exploratory = {}}));
   if (who.choosers < who.participants) {
     answer = phrase("Analysis", "%1 Participants who never chose %2 do not contribute: %3 of %4.")
                  .with(answer, target, std::to_string(who.participants - who.choosers),

@@ -17,10 +17,14 @@ inline constexpr TestClaim kClaimOfChosenItems{
     "The proportions of choices of the items were not significantly different in the groups %1 and "
     "%2"};
 
+/// Of the last test, which compares how often two are chosen: holds the participants' mean proportion of choices of the first
+/// against it. `of_first`: the key of this proportion, which `found` need not have.
+void state_share_of_pair(const FoundNumbers& found, const std::string& of_first, StudyTests& tests);
+
 /// The log worths of the items: of the Bradley–Terry model where trials offer two of them, otherwise of the Plackett–Luce model.
 QuantityName scale_quantity(const Selection& selection);
 
-/// Which rendering is the most realistic: by the participants' proportions where every trial offers
+/// Which rendering is chosen most often, in the words of the protocol: by the participants' proportions where every trial offers
 /// every item, otherwise by the scale.
 void ask_preference(const Selection& selection, const FoundNumbers& choice,
                     const FoundNumbers& scale, const StudyTests& tests, AnalysisOutcome& outcome);
@@ -32,7 +36,7 @@ struct PairWords {
   Phrase nothing_chosen{};  ///< the answer without any choice between two items
   std::string test{};
 };
-/// Of a selection: whether one rendering is preferred to another.
+/// Of a selection: whether one rendering is chosen more often than another.
 PairWords words_of_pairs(const Selection& selection, const std::string& test);
 /// Which item of a pair is chosen more often; `found` has the differences, and the proportions of
 /// single pairs where trials offer different items.
@@ -43,7 +47,7 @@ void ask_pairs(const PairWords& words, const StudyTests& tests, const FoundNumbe
 void ask_position(std::size_t positions, const Phrase& method, const FoundNumbers& found,
                   const StudyTests& tests, AnalysisOutcome& outcome);
 
-/// Whether the preference for the target depends on the texture.
+/// Whether the proportion of choices of the target depends on the texture.
 void ask_textures(const Selection& selection, const StudyTests& tests, AnalysisOutcome& outcome);
 /// Whether that question applies: there is a target, offered in every trial, and several textures.
 bool asks_about_textures(const Selection& selection);

@@ -44,13 +44,13 @@ ScaleChoice bradley_terry() {
   return {.quantity = "bt.ability.sumzero.cluster",
           .otherwise = "bt.firth.ability",
           .status = "bt.status",
-          .title = phrase("Figures", "Preference scale (Bradley–Terry)")};
+          .title = phrase("Figures", "Scale of the items (Bradley–Terry)")};
 }
 
 ScaleChoice plackett_luce() {
   return {.quantity = "pl.logworth.sumzero.cluster",
           .status = "pl.status",
-          .title = phrase("Figures", "Preference scale (Plackett–Luce)")};
+          .title = phrase("Figures", "Scale of the items (Plackett–Luce)")};
 }
 
 /// The findings of one of several analyses.

@@ -29,6 +29,7 @@ struct Groups {
   TwoByTwo pooled{};
   std::vector<double> first{};  // proportion of each participant
   std::vector<double> second{};
+  std::vector<std::size_t> blocks{};  // of each of `first`, then of `second`; empty without blocks
 };
 
 Groups read_groups(const TidyInput& input) {
@@ -39,6 +40,8 @@ Groups read_groups(const TidyInput& input) {
   const LabelColumn subjects = table.labels("subject");
   const std::vector<std::uint64_t> hits = table.counts("correct");
   const std::vector<std::uint64_t> trials = table.counts("trials");
+  const std::vector<std::size_t> blocks = blocks_in(table);
+  std::vector<std::size_t> of_second{};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (trials[row] == 0 || hits[row] > trials[row]) {
       table.refuse(row, "correct",
@@ -56,7 +59,9 @@ Groups read_groups(const TidyInput& input) {
     pooled.hits += count.hits;
     pooled.trials += count.trials;
     (is_second ? groups.second : groups.first).push_back(proportion(count));
+    if (!blocks.empty()) (is_second ? of_second : groups.blocks).push_back(blocks[row]);
   }
+  groups.blocks = joined(std::move(groups.blocks), of_second);
   return groups;
 }
 
@@ -206,10 +211,10 @@ class GroupComparison final {
           "proportion, so that t is undefined: add participants, or use perm.p.two",
           basis("Welch's t over participants"));
     }
-    const SplitTest splits = permutation_test(samples);
+    const SplitTest splits = permutation_test(samples, groups_.blocks);
     number("perm.p.two", splits.p,
            "permutation test of the group labels, difference of means, " +
-               way_of_counting(splits.exact ? 0 : kRandomSplits));
+               way_of_splits(splits, groups_.blocks));
     add_splits("perm", "", splits, groups_.participants.size(), list_);
     const MannWhitney ranks = mann_whitney(samples);
     number("mannwhitney.U", groups_.names[0], ranks.U,

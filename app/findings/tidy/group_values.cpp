@@ -37,6 +37,7 @@ bool compares_ratio(const FamilyOptions& options) {
 struct GroupOfValues {
   std::string name{};
   std::vector<double> values{};
+  std::vector<std::size_t> blocks{};  ///< of each of `values`; empty without blocks
   std::size_t missing = 0;
 };
 
@@ -155,14 +156,16 @@ class ValueComparison final {
           "number, so that t is undefined: add participants",
           basis("Welch's t over participants"));
     }
-    const SplitTest splits = permutation_test(samples);
+    const std::vector<std::size_t> blocks = joined(groups_[0].blocks, groups_[1].blocks);
+    const SplitTest splits = permutation_test(samples, blocks);
     list_.number(is_ratio_ ? "values.log.perm.p.two" : "values.perm.p.two", "", splits.p,
                  basis(std::string("permutation test of the group labels, difference of the mean") +
-                       (is_ratio_ ? " logarithms, " : "s, ") +
-                       way_of_counting(splits.exact ? 0 : kRandomSplits)));
+                       (is_ratio_ ? " logarithms, " : "s, ") + way_of_splits(splits, blocks)));
     add_splits("values.perm", "", splits, n(), list_);
-    list_.number("values.perm.smallest", "", smallest_p_of_groups(first.size(), second.size()),
-                 basis("smallest p of groups of these sizes"));
+    list_.number(
+        "values.perm.smallest", "",
+        smallest_p_of_groups({.first = first.size(), .second = second.size(), .blocks = blocks}),
+        basis("smallest p of groups of these sizes"));
   }
 
   std::array<GroupOfValues, 2> groups_{};
@@ -176,6 +179,7 @@ std::vector<Finding> values_compared(const TidyInput& input) {
   const LabelColumn groups = two_groups(input);
   refuse_repeated(table, "subject", "one row per participant, with one group");
   const bool is_ratio = compares_ratio(input.options);
+  const std::vector<std::size_t> blocks = blocks_in(table);
   const std::vector<std::optional<double>> values = table.numbers("value");
   std::array<GroupOfValues, 2> read{GroupOfValues{.name = groups.names[0]},
                                     GroupOfValues{.name = groups.names[1]}};
@@ -191,6 +195,7 @@ std::vector<Finding> values_compared(const TidyInput& input) {
                    "cell empty, or set the option \"scale\" to \"difference\"");
     }
     group.values.push_back(*values[row]);
+    if (!blocks.empty()) group.blocks.push_back(blocks[row]);
   }
   return ValueComparison(std::move(read[0]), std::move(read[1]), is_ratio,
                          input.options.confidence())
@@ -202,6 +207,7 @@ std::vector<Finding> values_compared(const TidyInput& input) {
 struct GroupOfProfiles {
   std::string name{};
   std::vector<std::vector<double>> profiles{};  ///< centred
+  std::vector<std::size_t> blocks{};            ///< of each of `profiles`; empty without blocks
 
   std::vector<double> of_item(std::size_t item) const {
     std::vector<double> numbers{};
@@ -239,19 +245,24 @@ std::vector<Finding> profiles_of(const std::array<GroupOfProfiles, 2>& groups,
     add_difference_of_means("profile.diff", items[item], {.first = first, .second = second}, scale,
                             list);
   }
-  const ProfileComparison compared = compare_profiles(groups[0].profiles, groups[1].profiles);
+  const std::vector<std::size_t> blocks = joined(groups[0].blocks, groups[1].blocks);
+  const ProfileComparison compared =
+      compare_profiles(groups[0].profiles, groups[1].profiles, blocks);
   Basis basis{.n = n,
               .method =
                   "proportion of the sum of squares of the profiles, without each "
                   "participant's own mean, that is between the groups",
               .undefined = "all participants have the same profile: add participants"};
   list.number("profile.r2", "", compared.r2, basis);
-  basis.method = "permutation test of the group labels of whole profiles, " +
-                 way_of_counting(compared.exact ? 0 : kRandomSplits);
+  const SplitTest splits{.p = compared.p, .exact = compared.exact};
+  basis.method =
+      "permutation test of the group labels of whole profiles, " + way_of_splits(splits, blocks);
   list.number("profile.perm.p", "", std::isnan(compared.r2) ? kUndefined : compared.p, basis);
-  add_splits("profile.perm", "", {.p = compared.p, .exact = compared.exact}, n, list);
+  add_splits("profile.perm", "", splits, n, list);
   list.number("profile.perm.smallest", "",
-              smallest_p_of_groups(groups[0].profiles.size(), groups[1].profiles.size()),
+              smallest_p_of_groups({.first = groups[0].profiles.size(),
+                                    .second = groups[1].profiles.size(),
+                                    .blocks = blocks}),
               {.n = n, .method = "smallest p of groups of these sizes"});
   std::vector<Finding> findings = list.take();
   // As with single numbers: the others are not all.
@@ -270,9 +281,11 @@ std::vector<Finding> profiles_compared(const TidyInput& input) {
   const LabelColumn subjects = table.all_labels("subject");
   const LabelColumn items = table.all_labels("item");
   const std::vector<std::optional<double>> values = table.numbers("value");
+  const std::vector<std::size_t> blocks = blocks_in(table);
   struct Participant {
     bool is_second = false;
     std::vector<std::optional<double>> numbers{};
+    std::size_t block = 0;
   };
   std::map<std::size_t, Participant> participants{};
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -288,6 +301,7 @@ std::vector<Finding> profiles_compared(const TidyInput& input) {
       table.refuse(row, "item", "the participant has two rows of this item; enter their mean");
     }
     own.numbers[items.codes[row]] = values[row];
+    if (!blocks.empty()) own.block = blocks[row];
   }
   std::array<GroupOfProfiles, 2> read{GroupOfProfiles{.name = groups.names[0]},
                                       GroupOfProfiles{.name = groups.names[1]}};
@@ -300,7 +314,9 @@ std::vector<Finding> profiles_compared(const TidyInput& input) {
     if (profile.size() < own.numbers.size()) {
       ++incomplete;
     } else {
-      read[own.is_second ? 1 : 0].profiles.push_back(centred(std::move(profile)));
+      GroupOfProfiles& group = read[own.is_second ? 1 : 0];
+      group.profiles.push_back(centred(std::move(profile)));
+      if (!blocks.empty()) group.blocks.push_back(own.block);
     }
   }
   return profiles_of(read, items.names, incomplete, input.options.confidence());

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/findings/tidy/finding_list.h"
+
 namespace asperity {
 
 LabelColumn two_groups(const TidyInput& input) {
@@ -23,6 +25,21 @@ LabelColumn two_groups(const TidyInput& input) {
     }
   }
   return groups;
+}
+
+std::vector<std::size_t> blocks_in(const TidyTable& table) {
+  return table.has("block") ? table.labels("block").codes : std::vector<std::size_t>{};
+}
+
+std::vector<std::size_t> joined(std::vector<std::size_t> first,
+                                const std::vector<std::size_t>& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+std::string way_of_splits(const SplitTest& splits, const std::vector<std::size_t>& blocks) {
+  return (blocks.empty() ? "" : "exchanged within the blocks of the assignment, ") +
+         way_of_counting(splits.exact ? 0 : kRandomSplits);
 }
 
 }  // namespace asperity

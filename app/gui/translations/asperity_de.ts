@@ -124,10 +124,6 @@
         <translation>Anteil jedes Modells an den Wahlen, nach Textur</translation>
     </message>
     <message>
-        <source>Choices of the most realistic rendering (counts)</source>
-        <translation>Wahlen der realistischsten Wiedergabe (Anzahlen)</translation>
-    </message>
-    <message>
         <source>Chance level: 1/%1 of the choices for each model.</source>
         <translation>Zufallsniveau: 1/%1 der Wahlen für jedes Modell.</translation>
     </message>
@@ -284,20 +280,12 @@
         <translation>Die Modelle auf einer Skala</translation>
     </message>
     <message>
-        <source>Which rendering is the most realistic?</source>
-        <translation>Welche Wiedergabe ist die realistischste?</translation>
-    </message>
-    <message>
         <source>There are no choices yet; run a session first.</source>
         <translation>Es gibt noch keine Wahlen; erst eine Sitzung durchführen.</translation>
     </message>
     <message>
         <source>%1 over %2 (%3)</source>
         <translation>%1 vor %2 (%3)</translation>
-    </message>
-    <message>
-        <source>Is one rendering preferred to another?</source>
-        <translation>Wird eine Wiedergabe einer anderen vorgezogen?</translation>
     </message>
     <message>
         <source>For each pair, exact sign-flip (randomisation) test of each participant&apos;s difference between the two counts (both labels exchanged within a participant). Choices of a third model are not counted.</source>
@@ -310,14 +298,6 @@
     <message>
         <source>Does the position in the trial matter?</source>
         <translation>Spielt die Position im Durchgang eine Rolle?</translation>
-    </message>
-    <message>
-        <source>The same test as for the preference, with positions instead of models.</source>
-        <translation>Derselbe Test wie bei der Präferenz, mit Positionen anstelle der Modelle.</translation>
-    </message>
-    <message>
-        <source>Does the preference for %1 depend on the texture?</source>
-        <translation>Hängt die Präferenz für %1 von der Textur ab?</translation>
     </message>
     <message>
         <source>Permutation test of each participant&apos;s number of choices of the target with each texture: the textures are exchanged at random within each participant. Where each texture was judged once, this is the exact form of Cochran&apos;s Q test.</source>
@@ -358,10 +338,6 @@
     <message>
         <source>%1 pairs of textures are confused equally often, and none more often: one texture with the other in %2 of the responses to the two textures of each pair.</source>
         <translation>%1 Paare von Texturen wurden gleich häufig verwechselt, keines häufiger: die eine Textur mit der anderen in %2 der Antworten auf die beiden Texturen jedes Paars.</translation>
-    </message>
-    <message>
-        <source>Test of equal proportions of %1 with every texture: %2.</source>
-        <translation>Test auf gleiche Anteile von %1 bei jeder Textur: %2.</translation>
     </message>
     <message>
         <source>The file study.sqlite is larger than 1 GiB, so its checksum was not compared. Run &quot;asperity verify&quot; to check the study.</source>
@@ -660,40 +636,12 @@
         <translation>Vergleich aller Paare: %1.</translation>
     </message>
     <message>
-        <source>The position has a significant effect (%1): %2.</source>
-        <translation>Die Position hat einen signifikanten Einfluss (%1): %2.</translation>
-    </message>
-    <message>
-        <source>The position has no significant effect (%1): %2.</source>
-        <translation>Die Position hat keinen signifikanten Einfluss (%1): %2.</translation>
-    </message>
-    <message>
-        <source>Test of equal proportions: %1; %2.</source>
-        <translation>Test auf gleiche Anteile: %1; %2.</translation>
-    </message>
-    <message>
         <source>Choices (counts)</source>
         <translation>Wahlen (Anzahlen)</translation>
     </message>
     <message>
-        <source>The alternatives differ in %1 alone: these results are preferences and do not show whether the levels can be discriminated.</source>
-        <translation>Die Alternativen unterscheiden sich nur in %1: Diese Ergebnisse sind Präferenzen und zeigen nicht, ob sich die Stufen unterscheiden lassen.</translation>
-    </message>
-    <message>
-        <source>Which level of %1 is preferred?</source>
-        <translation>Welche Stufe von %1 wird bevorzugt?</translation>
-    </message>
-    <message>
-        <source>Is one level of %1 preferred to another?</source>
-        <translation>Wird eine Stufe von %1 einer anderen vorgezogen?</translation>
-    </message>
-    <message>
         <source>The chance level is 1/m. p: exact permutation test, one-sided, uncorrected for the number of rows: the pictures are relabelled at random once per participant, in all of the participant&apos;s trials alike. The interval contains 95 % of the permutation distribution.</source>
         <translation>Das Zufallsniveau ist 1/m. p: exakter Permutationstest, einseitig, nicht für die Anzahl der Zeilen korrigiert: Die Bilder werden je Versuchsperson einmal zufällig umbenannt, in allen ihren Durchgängen gleich. Das Intervall enthält 95 % der Permutationsverteilung.</translation>
-    </message>
-    <message>
-        <source>1 divided by the number of items, which differs between trials</source>
-        <translation>1 geteilt durch die Anzahl der Zuordnungen, die sich zwischen den Durchgängen unterscheidet</translation>
     </message>
     <message>
         <source>Trials with all items correct: %1 of %2, on average %3 of a participant&apos;s trials (%4); permutation test over participants, %5.</source>
@@ -1392,10 +1340,6 @@
         <translation>Die Enden jeder Skala als Zahlen und mit den Beschriftungen, die die Versuchspersonen sehen; eine Skala ohne Stufen ist eine durchgehende Linie.</translation>
     </message>
     <message>
-        <source>Participants who did not compare every pair equally often are left out of the test of the preference</source>
-        <translation>Versuchspersonen, die nicht jedes Paar gleich häufig verglichen haben, bleiben im Test der Präferenz unberücksichtigt</translation>
-    </message>
-    <message>
         <source>Participants who never chose the target cannot contribute to the test of textures and are not counted in its n</source>
         <translation>Versuchspersonen, die das Ziel nie gewählt haben, können zum Test der Texturen nichts beitragen und sind in seinem n nicht enthalten</translation>
     </message>
@@ -1484,18 +1428,6 @@
         <translation>%1 Der Unterschied konnte nicht getestet werden.</translation>
     </message>
     <message>
-        <source>%1 They differ significantly: mean difference %2, N = %3, paired t test: %4.</source>
-        <translation>%1 Sie unterscheiden sich signifikant: mittlere Differenz %2, N = %3, t-Test für gepaarte Stichproben: %4.</translation>
-    </message>
-    <message>
-        <source>%1 They do not differ significantly: mean difference %2, N = %3, paired t test: %4.</source>
-        <translation>%1 Sie unterscheiden sich nicht signifikant: mittlere Differenz %2, N = %3, t-Test für gepaarte Stichproben: %4.</translation>
-    </message>
-    <message>
-        <source>%1 Mean difference: %2, N = %3, paired t test: %4.</source>
-        <translation>%1 Mittlere Differenz: %2, N = %3, t-Test für gepaarte Stichproben: %4.</translation>
-    </message>
-    <message>
         <source>Ratings that accompany another question</source>
         <translation>Urteile, die eine andere Frage begleiten</translation>
     </message>
@@ -1562,14 +1494,6 @@
     <message>
         <source>Mean point of subjective equality: %1; standard: %2.</source>
         <translation>Mittlerer Punkt der subjektiven Gleichheit: %1; Standardreiz: %2.</translation>
-    </message>
-    <message>
-        <source>%1 Significantly different from the standard, %2: %3.</source>
-        <translation>%1 Signifikant vom Standardreiz verschieden, %2: %3.</translation>
-    </message>
-    <message>
-        <source>%1 Not significantly different from the standard, %2: %3.</source>
-        <translation>%1 Nicht signifikant vom Standardreiz verschieden, %2: %3.</translation>
     </message>
     <message>
         <source>Do the thresholds differ between the conditions?</source>
@@ -2372,10 +2296,6 @@
         <translation>Verschiedene Builds des Plug-ins des Kraftmodells %1 haben die Version %2, und die Antworten dazu sind zusammengefasst. Ihre SHA-256: %3. Die Version eines Plug-ins erhöhen, dessen Kräfte sich geändert haben; Versuche mit einem Build ausschließen, der nicht zusammengefasst werden darf.</translation>
     </message>
     <message>
-        <source>%1 Exploratory test of the difference from the standard, %2: %3.</source>
-        <translation>%1 Explorativer Test des Unterschieds zum Standardreiz, %2: %3.</translation>
-    </message>
-    <message>
         <source>Same–different: there is no CI of d′ where it would contain negative values, which d′ cannot have by these rules.</source>
         <translation>Gleich–verschieden: d′ hat kein KI, wo dieses negative Werte enthielte, die d′ nach diesen Regeln nicht haben kann.</translation>
     </message>
@@ -2582,10 +2502,6 @@
     <message>
         <source>Each participant&apos;s own intraclass correlation (consistency) of the logarithms of the estimates, with the surfaces in each condition as targets and the repetitions as raters; mean over the participants with a t-based CI. In simulations with 2 to 20 participants and seven surfaces, the coverage of the CI was at least 90 %.</source>
         <translation>Intraklassenkorrelation (Konsistenz) der Logarithmen der Schätzungen, für jede Versuchsperson einzeln, mit den Oberflächen in jeder Bedingung als Urteilsobjekten und den Wiederholungen als Beurteilern; Mittelwert über die Versuchspersonen mit einem t-basierten KI. In Simulationen mit 2 bis 20 Versuchspersonen und sieben Oberflächen enthielt es den wahren Mittelwert in mindestens 90 % der Studien.</translation>
-    </message>
-    <message>
-        <source>%1. Exploratory test of equal proportions: %2.</source>
-        <translation>%1. Explorativer Test auf gleiche Anteile: %2.</translation>
     </message>
     <message>
         <source>Dissimilarity: the distance of the rating from the end of the scale for identical surfaces, mean over participants with a t-based 95 % CI; both orders together. Distance: in the configuration. Disparity: the regression of the distances on the mean dissimilarities, isotonic for non-metric and proportional for metric scaling.</source>
@@ -2844,10 +2760,6 @@
         <translation>%1 Belegt ist nichts: p liegt unter 0,05, aber %2; es sind mehr Versuchspersonen nötig.</translation>
     </message>
     <message>
-        <source>Not established: %1 The test is significant, but %2; more participants are needed.</source>
-        <translation>Nicht gesichert: %1 Der Test ist signifikant, doch %2; es werden mehr Versuchspersonen benötigt.</translation>
-    </message>
-    <message>
         <source>%1 This does not show that they are equal.</source>
         <translation>%1 Das zeigt nicht, dass sie gleich sind.</translation>
     </message>
@@ -2872,8 +2784,128 @@
         <translation>%1; Differenz (%4 − %5) %2. Permutationstest der Gruppenzugehörigkeit: %3.</translation>
     </message>
     <message>
-        <source>test of equal proportions of %1 with every texture, %2.</source>
-        <translation>Test auf gleiche Anteile von %1 bei jeder Textur, %2.</translation>
+        <source>test of equal proportions of %1 with every texture: %2.</source>
+        <translation>Test auf gleiche Anteile von %1 bei jeder Textur: %2.</translation>
+    </message>
+    <message>
+        <source>the 95 % CI of the mean contains the standard</source>
+        <translation>das 95-%-Konfidenzintervall des Mittelwerts enthält den Standardreiz</translation>
+    </message>
+    <message>
+        <source>difference from the standard, %1: %2.</source>
+        <translation>Unterschied zum Standardreiz, %1: %2.</translation>
+    </message>
+    <message>
+        <source>Significant %1</source>
+        <translation>Signifikanter %1</translation>
+    </message>
+    <message>
+        <source>No significant %1</source>
+        <translation>Kein signifikanter %1</translation>
+    </message>
+    <message>
+        <source>Test of the %1</source>
+        <translation>Test auf %1</translation>
+    </message>
+    <message>
+        <source>%1 on average (1 divided by the number of items, which differs between trials)</source>
+        <translation>im Mittel %1 (1 geteilt durch die Anzahl der Zuordnungen, die sich zwischen den Durchgängen unterscheidet)</translation>
+    </message>
+    <message>
+        <source>Only one participant named a picture: %1 of these responses were correct (%2), compared with a chance level of %3; this cannot be tested with one participant.</source>
+        <translation>Nur eine Versuchsperson gab ein Bild an: %1 dieser Antworten waren richtig (%2), bei einem Zufallsniveau von %3; mit einer Versuchsperson ist kein Test möglich.</translation>
+    </message>
+    <message>
+        <source>%1 “Cannot tell” responses name no picture and are left out here; in the table of proportions they count as incorrect.</source>
+        <translation>%1 Antworten „kann es nicht sagen“ geben kein Bild an und sind hier weggelassen; in der Tabelle der Anteile zählen sie als falsch.</translation>
+    </message>
+    <message>
+        <source>the means do not differ in the direction of the test</source>
+        <translation>die Mittelwerte unterscheiden sich nicht in der Richtung des Tests</translation>
+    </message>
+    <message>
+        <source>Not established: %1 The test is significant, but %3; more participants are needed.</source>
+        <translation>Nicht gesichert: %1 Der Test ist signifikant, doch %3; es werden mehr Versuchspersonen benötigt.</translation>
+    </message>
+    <message>
+        <source>mean difference %1, N = %2, paired t test: %3.</source>
+        <translation>mittlere Differenz %1, N = %2, t-Test für gepaarte Stichproben: %3.</translation>
+    </message>
+    <message>
+        <source>They differ significantly: %1</source>
+        <translation>Sie unterscheiden sich signifikant: %1</translation>
+    </message>
+    <message>
+        <source>They do not differ significantly: %1</source>
+        <translation>Sie unterscheiden sich nicht signifikant: %1</translation>
+    </message>
+    <message>
+        <source>%1 Labels are exchanged only within the blocks in which the groups were assigned.</source>
+        <translation>%1 Die Gruppen werden nur innerhalb der Blöcke vertauscht, in denen sie zugeteilt wurden.</translation>
+    </message>
+    <message>
+        <source>Not established: %1 (%2). The test is significant, but %3; more participants are needed.</source>
+        <translation>Nicht gesichert: %1 (%2). Der Test ist signifikant, doch %3; es werden mehr Versuchspersonen benötigt.</translation>
+    </message>
+    <message>
+        <source>%1. Test of equal proportions: %2.</source>
+        <translation>%1. Test auf gleiche Anteile: %2.</translation>
+    </message>
+    <message>
+        <source>Not established: %1.</source>
+        <translation>Nicht gesichert: %1.</translation>
+    </message>
+    <message>
+        <source>%1, but %2</source>
+        <translation>%1, doch %2</translation>
+    </message>
+    <message>
+        <source>The position has a significant effect (%2): %1.</source>
+        <translation>Die Position hat einen signifikanten Einfluss (%2): %1.</translation>
+    </message>
+    <message>
+        <source>The position has no significant effect (%2): %1.</source>
+        <translation>Die Position hat keinen signifikanten Einfluss (%2): %1.</translation>
+    </message>
+    <message>
+        <source>Test of equal proportions: %2; %1.</source>
+        <translation>Test auf gleiche Anteile: %2; %1.</translation>
+    </message>
+    <message>
+        <source>The alternatives differ in %1 alone: these results are choices and do not show whether the levels can be discriminated.</source>
+        <translation>Die Alternativen unterscheiden sich nur in %1: Diese Ergebnisse sind Wahlen und zeigen nicht, ob sich die Stufen unterscheiden lassen.</translation>
+    </message>
+    <message>
+        <source>%1 Participants were asked: “%2”</source>
+        <translation>%1 Die Versuchspersonen wurden gefragt: „%2“</translation>
+    </message>
+    <message>
+        <source>Which level of %1 is chosen most often?</source>
+        <translation>Welche Stufe von %1 wird am häufigsten gewählt?</translation>
+    </message>
+    <message>
+        <source>Which rendering is chosen most often?</source>
+        <translation>Welche Wiedergabe wird am häufigsten gewählt?</translation>
+    </message>
+    <message>
+        <source>Is one level of %1 chosen more often than another?</source>
+        <translation>Wird eine Stufe von %1 häufiger gewählt als eine andere?</translation>
+    </message>
+    <message>
+        <source>Is one rendering chosen more often than another?</source>
+        <translation>Wird eine Wiedergabe häufiger gewählt als eine andere?</translation>
+    </message>
+    <message>
+        <source>Does the proportion of choices of %1 depend on the texture?</source>
+        <translation>Hängt der Anteil der Wahlen von %1 von der Textur ab?</translation>
+    </message>
+    <message>
+        <source>Participants who did not compare every pair equally often are left out of the test of the choices of the items</source>
+        <translation>Versuchspersonen, die nicht jedes Paar gleich häufig verglichen haben, bleiben im Test der Wahlen der Items unberücksichtigt</translation>
+    </message>
+    <message>
+        <source>The same test as for the models, with positions in their place.</source>
+        <translation>Derselbe Test wie bei den Modellen, mit Positionen an deren Stelle.</translation>
     </message>
 </context>
 <context>
@@ -3804,10 +3836,6 @@
         <translation>Position</translation>
     </message>
     <message>
-        <source>preference</source>
-        <translation>Präferenz</translation>
-    </message>
-    <message>
         <source>women and men</source>
         <translation>Frauen und Männer</translation>
     </message>
@@ -4595,6 +4623,14 @@
         <source>each of the groups has one participant</source>
         <translation>jede der Gruppen hat eine Versuchsperson</translation>
     </message>
+    <message>
+        <source>no block of the assignment has participants of both groups</source>
+        <translation>in keinem Block der Zuteilung sind Versuchspersonen beider Gruppen</translation>
+    </message>
+    <message>
+        <source>choices of the items</source>
+        <translation>Wahlen der Items</translation>
+    </message>
 </context>
 <context>
     <name>Columns</name>
@@ -5017,14 +5053,6 @@
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Preference scale (Bradley–Terry)</source>
-        <translation>Präferenzskala (Bradley-Terry)</translation>
-    </message>
-    <message>
-        <source>Preference scale (Plackett–Luce)</source>
-        <translation>Präferenzskala (Plackett-Luce)</translation>
-    </message>
-    <message>
         <source>%1 (%2 of %3)</source>
         <translation>%1 (%2 von %3)</translation>
     </message>
@@ -5071,10 +5099,6 @@
     <message>
         <source>Proportion correct for each stimulus</source>
         <translation>Anteil richtiger Antworten zu jedem Reiz</translation>
-    </message>
-    <message>
-        <source>Choices of the most realistic rendering</source>
-        <translation>Wahlen der realistischsten Wiedergabe</translation>
     </message>
     <message>
         <source>Textures matched to their pictures</source>
@@ -6267,6 +6291,18 @@
     <message>
         <source>geometric mean of the participants with its %1 % CI</source>
         <translation>geometrisches Mittel der Versuchspersonen mit seinem %1-%-KI</translation>
+    </message>
+    <message>
+        <source>Choices</source>
+        <translation>Wahlen</translation>
+    </message>
+    <message>
+        <source>Scale of the items (Bradley–Terry)</source>
+        <translation>Skala der Items (Bradley-Terry)</translation>
+    </message>
+    <message>
+        <source>Scale of the items (Plackett–Luce)</source>
+        <translation>Skala der Items (Plackett-Luce)</translation>
     </message>
 </context>
 <context>

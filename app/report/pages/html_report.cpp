@@ -1,3 +1,5 @@
+// Writes sections, tables and figures (as SVG) with one style sheet into a file without external references.
+
 #include "app/report/pages/html_report.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Draws the pages of the layout with a PDF writer of Qt.
+
 #include "app/report/pages/pdf_report.h"
 
 #include <stdexcept>

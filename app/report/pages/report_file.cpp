@@ -1,3 +1,5 @@
+// Chooses the form by the extension of the file, and replaces the file at once.
+
 #include "app/report/pages/report_file.h"
 
 #include <stdexcept>

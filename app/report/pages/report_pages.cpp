@@ -1,3 +1,5 @@
+// Fills pages from top to bottom: headings stay with what follows, and rows of tables are not divided.
+
 #include "app/report/pages/report_pages.h"
 
 #include <algorithm>

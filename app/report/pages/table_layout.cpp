@@ -1,3 +1,5 @@
+// Gives columns of numbers their width, and divides the rest among columns of text.
+
 #include "app/report/pages/table_layout.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Divides the rows evenly, and repeats the axis in every part.
+
 #include "app/report/text/figure_parts.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Describes each arrangement of surfaces, and names the blocks where they differ.
+
 #include "app/report/text/report_arrangement.h"
 
 #include <cctype>

@@ -1,3 +1,5 @@
+// The section on senses, devices and noise: what the protocol requests, next to what the sessions store.
+
 #include <algorithm>
 #include <map>
 #include <set>

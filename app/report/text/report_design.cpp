@@ -1,3 +1,5 @@
+// The section on the design: tasks, factors, blocks, exploration, questionnaires and what was rendered.
+
 #include <algorithm>
 #include <map>
 #include <set>

@@ -1,3 +1,5 @@
+// Takes the means of the participants, and their effects, from the findings on exploration and response times.
+
 #include "app/report/text/report_exploration.h"
 
 #include <algorithm>

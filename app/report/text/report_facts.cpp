@@ -1,3 +1,5 @@
+// Reads the sessions of a chapter once, and counts attempts, events and presentations.
+
 #include "app/report/text/report_facts.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The sections on how the data were made, for reference: programs, seeds and settings, and a row for each session.
+
 #include <algorithm>
 #include <functional>
 #include <map>

@@ -1,3 +1,5 @@
+// The section with the notes and decisions of the experimenter, by session and time.
+
 #include <algorithm>
 #include <cstdio>
 #include <string>

@@ -1,3 +1,5 @@
+// Prints the findings whose quantity has words and that no table or answer contains.
+
 #include "app/report/text/report_numbers.h"
 
 #include <algorithm>
@@ -47,8 +49,8 @@ const std::map<QuantityName, NumberWords, std::less<>>& known_numbers() {
       {"hedges.g", {"Hedges’ g of the participants’ proportions", number}},
       {"agreement.mean",
        {"correlation of a participant with the mean of the others, mean", number}},
-      {"cv.chosen", {"dimensions chosen by cross-validation", count}},
-      {"dimensions", {"dimensions of the configuration", count}},
+      {"cv.chosen", {"number of dimensions chosen by cross-validation", count}},
+      {"dimensions", {"number of dimensions of the configuration", count}},
       {"hclust.average.cophcor", {"cophenetic correlation of the dendrogram", number}},
       {"identical.difference", {"dissimilarity of different minus identical surfaces", number}},
       {"identical.mean", {"mean dissimilarity of identical surfaces", number}},

@@ -1,3 +1,5 @@
+// Describes runs, breaks, criteria and feedback in the order of the flow.
+
 #include "app/report/text/report_order.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Chooses the tests that a paper reports, and joins methods, statistics, results and references.
+
 #include "app/report/text/report_paper.h"
 
 #include <algorithm>

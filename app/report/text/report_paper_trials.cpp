@@ -1,3 +1,5 @@
+// States practice, feedback, arrangement and order of the trials in the past tense.
+
 #include "app/report/text/report_paper_trials.h"
 
 #include <algorithm>

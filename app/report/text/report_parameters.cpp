@@ -1,3 +1,5 @@
+// Compares the parameters of all presented surfaces: shared ones once, others by surface.
+
 #include "app/report/text/report_parameters.h"
 
 #include <algorithm>

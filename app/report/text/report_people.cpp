@@ -1,3 +1,5 @@
+// The sections on participants and on exclusions: counts of sessions and attempts, with the reasons of those that do not count.
+
 #include <algorithm>
 #include <map>
 #include <optional>

@@ -1,3 +1,5 @@
+// The sections on presentation and exploration: missed deadlines, losses, and quantiles over the attempts.
+
 #include <algorithm>
 #include <set>
 #include <utility>

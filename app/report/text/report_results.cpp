@@ -1,3 +1,5 @@
+// The sections with the results: answers, tables with their figures, and the numbers that could not be computed.
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -151,15 +153,14 @@ std::string words_of_unanswered(const std::string& quantity) {
   };
   static constexpr Words kWords[]{
       {"auc", "the area under the ROC"},
-      {"bt.cluster.status", "the CIs of the preference scale"},
-      {"bt.firth.status", "the preference scale with Firth’s correction"},
-      {"bt.order.status", "the order effect on the preference scale"},
-      {"bt.se.cluster", "the cluster-robust standard errors of the preference scale"},
-      {"bt.se.sumzero.cluster", "the cluster-robust standard errors of the preference scale"},
-      {"bt.status", "the preference scale (Bradley–Terry)"},
+      {"bt.cluster.status", "the CIs of the scale of the items"},
+      {"bt.firth.status", "the scale of the items with Firth’s correction"},
+      {"bt.order.status", "the order effect on the scale of the items"},
+      {"bt.se.cluster", "the cluster-robust standard errors of the scale of the items"},
+      {"bt.se.sumzero.cluster", "the cluster-robust standard errors of the scale of the items"},
+      {"bt.status", "the scale of the items (Bradley–Terry)"},
       {"cochran.Q", "Cochran’s Q"},
       {"dprime", "the sensitivity d′"},
-      {"dprime.se", "the standard error of d′"},
       {"ev.mu", "the normal model of the ROC with equal variances"},
       {"exponent.t", "the test of the exponent"},
       {"friedman.chisq", "Friedman’s test"},
@@ -176,9 +177,7 @@ std::string words_of_unanswered(const std::string& quantity) {
       {"half.ratio.status", "the CI of the change of response times over the trials"},
       {"icc", "the reliability over repetitions"},
       {"icc.mean", "the reliability over repetitions"},
-      {"cv.chosen", "the number of dimensions"},
       {"hclust.average.height", "the dendrogram"},
-      {"indscal.fit.mean", "the weights of the participants (INDSCAL)"},
       {"property.r2", "the relation to the configuration"},
       {"region.major", "the ellipses of the positions"},
       {"stress.ordinal", "the configuration"},
@@ -190,15 +189,11 @@ std::string words_of_unanswered(const std::string& quantity) {
       {"mallows.theta", "Mallows’ θ"},
       {"mauchly.W", "Mauchly’s test of sphericity"},
       {"mixed.status", "the logistic regression with random intercepts"},
-      {"model.fit.p", "the goodness of fit of the preference scale"},
+      {"model.fit.p", "the goodness of fit of the scale of the items"},
       {"p", "the test"},
-      {"pc.se.cluster", "the cluster-robust standard error of the proportion correct"},
       {"peak.status", "the peak of the curve"},
-      {"pl.cluster.status", "the CIs of the preference scale"},
-      {"pl.status", "the preference scale (Plackett–Luce)"},
-      {"pooled.deff", "the design effect of pooling"},
-      {"pooled.se.cluster", "the cluster-robust standard error of the pooled proportion"},
-      {"precision", "the precision (positive predictive value)"},
+      {"pl.cluster.status", "the CIs of the scale of the items"},
+      {"pl.status", "the scale of the items (Plackett–Luce)"},
       {"pse", "the point of subjective equality"},
       {"quad.c.t", "the test of the curvature"},
       {"recall", "the recall"},
@@ -224,7 +219,10 @@ std::string words_of_unanswered(const std::string& quantity) {
     if (name == quantity) return words;
   }
   if (const TestMethod* method = test_method(quantity)) return "the " + method->name.english();
-  return words_of_number(quantity);
+  const std::string words = words_of_number(quantity);
+  const bool is_noun =
+      !words.empty() && words.front() >= 'a' && words.front() <= 'z' && words[1] >= 'a';
+  return (is_noun ? "the " : "") + words;
 }
 
 /// The subject of other findings; the two limits of an interval count as one.

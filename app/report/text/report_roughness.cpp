@@ -1,3 +1,5 @@
+// States how the amplitudes of surfaces were made equal in force or in roughness.
+
 #include "app/report/text/report_roughness.h"
 
 #include <vector>

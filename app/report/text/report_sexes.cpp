@@ -1,3 +1,5 @@
+// Removes tests, questions, rows and findings whose analysis or test is that of women and men.
+
 #include "app/report/text/report_sexes.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Groups findings by analysis and key: a p with its statistic, degrees of freedom and estimates.
+
 #include "app/report/text/report_tests.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Makes a chapter for each protocol, version and group, from its facts and its analysis.
+
 #include "app/report/text/study_report.h"
 
 #include <algorithm>

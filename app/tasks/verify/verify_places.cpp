@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "app/study_files/dealt_places.h"
-#include "app/tasks/session_origins.h"
+#include "app/study_files/session_origins.h"
 #include "app/words/text_parts.h"
 #include "protocols/plan/groups.h"
 

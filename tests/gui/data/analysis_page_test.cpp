@@ -341,7 +341,7 @@ TEST(AnalysisPage, SaysFixedWordsInTheLanguageOfTheWindowsAndLeavesNamesAlone) {
   AnalysisPage& page = opened.page;
   QStringList words{};
   for (const QLabel* label : page.findChildren<QLabel*>()) words << label->text();
-  EXPECT_TRUE(words.contains("<Choices of the most realistic rendering (counts)>"));
+  EXPECT_TRUE(words.contains("<Choices (counts)>"));
   EXPECT_TRUE(words.contains("<Chance level: 1/2 of the choices for each model.>"));
   for (const QTableView* table : page.findChildren<QTableView*>()) {
     for (int i = 0; i < table->model()->columnCount(); ++i) {

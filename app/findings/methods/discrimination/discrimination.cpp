@@ -110,7 +110,10 @@ void test_order_of_two(const GatheredAnswers& gathered, const DiscriminationResu
   if (findings.empty()) return;
   const FoundNumbers found(findings);
   tests.add("order", results.name, found, kWilcoxonP, both(kFirst, kSecond));
-  tests.state_effect(FoundNumbers(results.order).find("order.difference", results.name));
+  const FoundNumbers order(results.order);
+  const Finding* const difference = order.find("order.difference", results.name);
+  tests.state_effect(difference);
+  tests.state_difference(difference);
   drop_ties(with_both, both(kFirst, kSecond), found, tests);
 }
 
@@ -174,9 +177,13 @@ void test_conditions(const GatheredAnswers& gathered, const DiscriminationResult
     if (is_pair) {
       tests.add("conditions", about, found, kWilcoxonP,
                 both(results.conditions[0], results.conditions[1]));
-      tests.state_effect(FoundNumbers(results.compared)
-                             .find(results.ratio_of_threshold(),
-                                   both(results.conditions[1], results.conditions[0])));
+      if (quantity == results.quantity_of_threshold()) {
+        const FoundNumbers compared(results.compared);
+        const Finding* const ratio = compared.find(
+            results.ratio_of_threshold(), both(results.conditions[1], results.conditions[0]));
+        tests.state_effect(ratio);
+        tests.state_ratio(ratio);
+      }
     } else {
       tests.add("conditions", about, found, "friedman.p");
     }
@@ -194,6 +201,7 @@ void test_conditions(const GatheredAnswers& gathered, const DiscriminationResult
 void test_equality(const GatheredAnswers& gathered, const DiscriminationResults& results,
                    StudyTests& tests, AnalysisOutcome& outcome) {
   const FoundNumbers found(results.fit.thresholds);
+  const FoundNumbers means(results.means);
   for (std::size_t condition = 0; condition < results.conditions.size(); ++condition) {
     const std::string about = results.about_equality(condition);
     ScoreRows scores(gathered);
@@ -219,6 +227,13 @@ void test_equality(const GatheredAnswers& gathered, const DiscriminationResults&
     keep_tests(findings, true, outcome);
     const FoundNumbers tested(findings);
     tests.add("point_of_subjective_equality", about, tested, kWilcoxonP, both("pse", "standard"));
+    const Finding* const mean = means.find("mean.pse", results.conditions[condition]);
+    if (mean != nullptr && mean->value) {
+      const double standard = results.study.task.standard();
+      tests.state_direction(*mean->value - standard);
+      tests.state_compared(mean, standard,
+                           phrase("Analysis", "the 95 % CI of the mean contains the standard"));
+    }
     tests.leave_out(
         of_condition - estimated,
         phrase("Analysis",

@@ -241,15 +241,14 @@ void ask_equality(const DiscriminationResults& results, const StudyTests& tests,
                    .with(answer, about, words_of_status(test->status));
     }
     if (!test->p) continue;
-    // An exploratory test is stated without a conclusion.
-    answer = (test->role != TestRole::confirmatory
-                  ? phrase("Analysis",
-                           "%1 Exploratory test of the difference from the standard, %2: %3.")
-              : test->shows()
-                  ? phrase("Analysis", "%1 Significantly different from the standard, %2: %3.")
-                  : phrase("Analysis", "%1 Not significantly different from the standard, %2: %3."))
-                 .with(answer, about, p_text(*test));
-    answer = with_zero_differences(answer, *test);
+    const Sayings sayings = sayings_of(
+        *test,
+        {.numbers =
+             phrase("Analysis", "difference from the standard, %1: %2.").with(about, p_text(*test)),
+         .significant = phrase("Analysis", "Significant %1"),
+         .not_significant = phrase("Analysis", "No significant %1"),
+         .exploratory = phrase("Analysis", "Test of the %1")});
+    answer = phrase("Analysis", "%1 %2").with(answer, said_of(*test, sayings));
   }
   add_question(outcome, name.c_str(), question, answer, method, kMeanThresholds,
                first_mean(results, "mean.pse", found));

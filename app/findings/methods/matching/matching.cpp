@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -54,22 +56,49 @@ std::vector<HitCount> items_of_people(const GatheredAnswers& gathered,
   return own;
 }
 
+/// The proportion expected under guessing, the mean over the participants: of a participant's items one of each trial, which is
+/// correct on average, and of the trials those in which all are.
+struct ChanceOfMatching {
+  double of_items = 0.0;
+  double of_trials = 0.0;
+};
+
+ChanceOfMatching chance_of_matching(const std::vector<MatchedTrial>& assignments) {
+  struct Own {
+    double trials = 0.0;
+    double items = 0.0;
+    double whole = 0.0;
+  };
+  std::map<std::uint32_t, Own> people{};
+  for (const MatchedTrial& one : assignments) {
+    const auto times = static_cast<double>(one.times);
+    Own& own = people[one.person];
+    own.trials += times;
+    own.items += times * static_cast<double>(one.items());
+    own.whole += times / static_cast<double>(permutations(one.items()));
+  }
+  ChanceOfMatching chance{};
+  for (const auto& [person, own] : people) {
+    chance.of_items += own.trials / own.items / static_cast<double>(people.size());
+    chance.of_trials += own.whole / own.trials / static_cast<double>(people.size());
+  }
+  return chance;
+}
+
 /// The tests of all items, of whole trials and, of the textures of `felt`, of single ones. `found`: of the family `matching`.
 void add_matching_tests(const std::vector<MatchedTrial>& assignments,
                         const std::set<std::string>& felt, const FoundNumbers& found,
                         StudyTests& tests) {
-  const std::size_t items = assignments.front().items();
-  const auto is_against = [&](double chance) {
-    if (are_of_equal_size(assignments)) tests.state_chance(chance);
-  };
-  const double chance_of_item = 1.0 / static_cast<double>(items);
+  const bool varies = !are_of_equal_size(assignments);
+  const ChanceOfMatching chance = chance_of_matching(assignments);
   tests.add("items", "", found, "relabel.p.greater");
-  is_against(chance_of_item);
+  tests.state_chance(chance.of_items, varies);
   tests.add("whole", "", found, "perfect.relabel.p.greater");
-  is_against(1.0 / static_cast<double>(permutations(items)));
+  tests.state_chance(chance.of_trials, varies);
   for (const std::string& texture : felt) {
     tests.add("textures", texture, found, "texture.relabel.p.greater", texture);
-    is_against(chance_of_item);
+    // Its interval is over trials, and is not stated with the test.
+    if (!varies) tests.state_chance(chance.of_items);
   }
 }
 
@@ -105,7 +134,7 @@ std::vector<StudyTest> test_matching(const GatheredAnswers& gathered) {
   add_matching_tests(assignments, felt_in(findings), found, tests);
   if (found.find("group.perm.p.two", "F-M") != nullptr) {
     tests.add("sexes", "F|M", found, "group.perm.p.two", "F-M");
-    tests.state_compared(found.find("group.diff", "F-M"), 0.0);
+    tests.state_difference(found.find("group.diff", "F-M"));
   }
   if (tests.is_in_family(kGroupsTest)) {
     PairComparisons(gathered, pairs_of_groups(gathered), items_of_people(gathered, assignments))
@@ -130,11 +159,6 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   const FoundNumbers found(findings);
   keep_findings(findings, outcome);
   const std::size_t items = assignments.front().items();
-  const std::size_t fewest = std::min_element(assignments.begin(), assignments.end(),
-                                              [](const MatchedTrial& a, const MatchedTrial& b) {
-                                                return a.items() < b.items();
-                                              })
-                                 ->items();
   const bool equal_size = are_of_equal_size(assignments);
   const std::set<std::string> felt = felt_in(findings);
   add_confused_pairs({felt.begin(), felt.end()}, found, outcome);
@@ -153,13 +177,13 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   add_matching_tests(assignments, felt, found, tests);
   if (found.find("group.perm.p.two", "F-M") != nullptr) {
     tests.add("sexes", "F|M", found, "group.perm.p.two", "F-M");
-    tests.state_compared(found.find("group.diff", "F-M"), 0.0);
+    tests.state_difference(found.find("group.diff", "F-M"));
   }
   const PairComparisons groups(gathered, pairs_of_groups(gathered),
                                items_of_people(gathered, assignments));
   groups.add_tests(tests, outcome);
   tests.finish(outcome);
-  ask_items(fewest, equal_size, found, tests, outcome);
+  ask_items(found, tests, outcome);
   ask_whole(found, tests, outcome);
   ask_confused_pairs(outcome, gathered.people.size(), outcome);
   const auto in_shares = [&](QuantityName quantity, const char* key) {

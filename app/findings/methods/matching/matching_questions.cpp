@@ -16,18 +16,20 @@
 
 namespace asperity {
 
-void ask_items(std::size_t fewest, bool equal_size, const FoundNumbers& found,
-               const StudyTests& tests, AnalysisOutcome& outcome) {
+void ask_items(const FoundNumbers& found, const StudyTests& tests, AnalysisOutcome& outcome) {
   const Finding* mean = found.find("subj.mean");
   const StudyTests::Test* test = tests.find("items");
   if (mean == nullptr || !mean->value || test == nullptr || !test->p) return;
-  const double chance = 1.0 / static_cast<double>(fewest);
+  const Phrase chance = percent(*test->chance);
   const auto with_numbers = [&](const Phrase& words) {
     return words.with(
         percent(*mean->value), interval_text(*mean),
-        equal_size
-            ? percent(chance)
-            : phrase("Analysis", "1 divided by the number of items, which differs between trials"),
+        test->chance_varies
+            ? phrase("Analysis",
+                     "%1 on average (1 divided by the number of items, which differs between "
+                     "trials)")
+                  .with(chance)
+            : chance,
         p_text(*test));
   };
   const Phrase of_one = with_numbers(phrase(

@@ -9,10 +9,8 @@
 
 namespace asperity {
 
-/// Whether textures are matched to their pictures above chance. `fewest`: items of a trial; `equal_size`: the same
-/// number in every trial, and therefore one chance level.
-void ask_items(std::size_t fewest, bool equal_size, const FoundNumbers& found,
-               const StudyTests& tests, AnalysisOutcome& outcome);
+/// Whether textures are matched to their pictures above chance.
+void ask_items(const FoundNumbers& found, const StudyTests& tests, AnalysisOutcome& outcome);
 
 /// How often all items of a trial are correct.
 void ask_whole(const FoundNumbers& found, const StudyTests& tests, AnalysisOutcome& outcome);

@@ -508,6 +508,7 @@ void add_tests_of_pairs(const PairedStudy& study, const FoundNumbers& found, Stu
       continue;
     }
     tests.add("pairs", about, found, "signflip.p.two", about);
+    state_share_of_pair(found, about, tests);
     const std::size_t compared = study.people_who_compared({pair.first, pair.second});
     tests.leave_out(
         compared - std::min(compared, tests.tests().back().n),
@@ -533,7 +534,7 @@ bool add_preference_test(const PairedStudy& study, const PairScores& scores,
       scores.left_out,
       phrase("Analysis",
              "Participants who did not compare every pair equally often are left out of "
-             "the test of the preference"));
+             "the test of the choices of the items"));
   return is_testable;
 }
 
@@ -574,7 +575,9 @@ std::vector<StudyTest> test_paired_comparison(const GatheredAnswers& gathered) {
   }
   if (tests.is_in_family("position")) {
     const std::vector<Finding> findings = findings_of_positions(choices);
-    tests.add("position", "", FoundNumbers(findings), "relabel.exact.p");
+    const FoundNumbers found(findings);
+    tests.add("position", "", found, "relabel.exact.p");
+    state_share_of_pair(found, "1", tests);
   }
   if (tests.is_in_family(kGroupProfilesTest)) {
     AnalysisOutcome unused{};
@@ -619,6 +622,7 @@ void analyze_paired_comparison(const GatheredAnswers& gathered, AnalysisOutcome&
     return finding.key.empty() || finding.quantity.starts_with("subj.");
   });
   tests.add("position", "", found_positions, "relabel.exact.p");
+  state_share_of_pair(found_positions, "1", tests);
 
   std::vector<Finding> of_scale = analysis_of(kScale, "paired", comparisons_of(choices));
   const bool has_scale = FoundNumbers(of_scale).find(kLogWorth, choices.items.front()) != nullptr;

@@ -136,6 +136,9 @@ void add_tests(const RatedScale& scale, bool is_only_scale, const FoundNumbers& 
                 "wilcoxon.exact.p.two", key);
       const double tested = found.value("wilcoxon.n", key).value_or(0.0);
       const double complete = found.value("n.complete", scale.name).value_or(tested);
+      const auto first = found.value("mean.score", scale.name + '|' + scale.items[a]);
+      const auto second = found.value("mean.score", scale.name + '|' + scale.items[b]);
+      if (first && second) tests.state_direction(*first - *second);
       tests.drop_ties(static_cast<std::size_t>(complete - tested));
     }
   }

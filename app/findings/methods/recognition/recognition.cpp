@@ -102,6 +102,20 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
                             "of proportions they count as incorrect."))
           .with(proportion);
   const Phrase chance = percent(1.0 / static_cast<double>(pictures));
+  if (!test->p && mean->n == 1) {
+    add_question(outcome, "right", question,
+                 phrase("Analysis",
+                        "Only one participant named a picture: %1 of these responses were correct "
+                        "(%2), compared with a chance level of %3; this cannot be tested with one "
+                        "participant.")
+                     .with(percent(*mean->value), interval_text(*mean), chance),
+                 phrase("Analysis",
+                        "%1 “Cannot tell” responses name no picture and are left out here; in the "
+                        "table of proportions they count as incorrect.")
+                     .with(proportion),
+                 kAllShares, mean);
+    return;
+  }
   if (!test->p) {
     add_question(
         outcome, "right", question,

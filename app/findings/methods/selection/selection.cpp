@@ -267,9 +267,21 @@ void add_choice_tests(const Selection& selection, const FoundNumbers& found, Stu
     const std::string& first = selection.items[pair.first];
     const std::string& second = selection.items[pair.second];
     const bool of_target = first == selection.target() || second == selection.target();
-    tests.add(only_target && of_target ? "target_pairs" : "pairs", first + '|' + second, found,
-              "signflip.p.two", first + '|' + second);
+    const std::string about = both(first, second);
+    tests.add(only_target && of_target ? "target_pairs" : "pairs", about, found, "signflip.p.two",
+              about);
+    state_share_of_pair(found, about, tests);
   }
+}
+
+void add_preference_test(const Selection& selection, const FoundNumbers& found, StudyTests& tests) {
+  tests.add("preference", "", found, "relabel.exact.p");
+  if (selection.items.size() == 2) state_share_of_pair(found, selection.items.front(), tests);
+}
+
+void add_position_test(const Selection& selection, const FoundNumbers& found, StudyTests& tests) {
+  tests.add("position", "", found, "relabel.exact.p");
+  if (selection.positions == 2) state_share_of_pair(found, "1", tests);
 }
 
 std::vector<Finding> position_findings(const Selection& selection) {
@@ -331,10 +343,10 @@ std::vector<StudyTest> test_selection(const GatheredAnswers& gathered) {
   const FoundNumbers found(choice);
   add_choice_tests(selection, found, tests);
   if (!selection.all_offered) add_untestable(tests);
-  if (needs_all && !choice.empty()) tests.add("preference", "", found, "relabel.exact.p");
+  if (needs_all && !choice.empty()) add_preference_test(selection, found, tests);
   if (tests.is_in_family("position") && present_equally_many(selection)) {
     const std::vector<Finding> position = position_findings(selection);
-    tests.add("position", "", FoundNumbers(position), "relabel.exact.p");
+    add_position_test(selection, FoundNumbers(position), tests);
   }
   if (tests.is_in_family("textures")) test_textures(selection, tests, unused);
   if (tests.is_in_family(kGroupsTest)) comparisons_of_groups(selection).add_tests(tests, unused);
@@ -355,15 +367,12 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   const ChapterCells cells(gathered);
   SelectionCounts counts(selection, cells);
   counts.table_1.name = "table_1";
-  counts.table_1.title =
-      gathered.compared_parameter
-          ? phrase("Analysis", "Choices (counts)")
-          : phrase("Analysis", "Choices of the most realistic rendering (counts)");
+  counts.table_1.title = phrase("Analysis", "Choices (counts)");
   counts.table_1.label_column = columns::kItem;
   if (gathered.compared_parameter) {
     outcome.remarks.push_back(
         phrase("Analysis",
-               "The alternatives differ in %1 alone: these results are preferences and do not show "
+               "The alternatives differ in %1 alone: these results are choices and do not show "
                "whether the levels can be discriminated.")
             .with(words_of_parameter(*gathered.compared_parameter)));
   }
@@ -391,7 +400,7 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
 
   add_choice_tests(selection, found, tests);
   if (selection.all_offered) {
-    if (!choice.empty()) tests.add("preference", "", found, "relabel.exact.p");
+    if (!choice.empty()) add_preference_test(selection, found, tests);
   } else {
     add_untestable(tests);
   }
@@ -403,7 +412,7 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
     keep_findings(position, outcome);
   }
   const FoundNumbers found_position(position);
-  if (same_size) tests.add("position", "", found_position, "relabel.exact.p");
+  if (same_size) add_position_test(selection, found_position, tests);
   test_textures(selection, tests, outcome);
   const PairComparisons groups = comparisons_of_groups(selection);
   groups.add_tests(tests, outcome);
@@ -442,7 +451,7 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   if (!selection.all_offered) ask_preference(selection, found, found_scale, tests, outcome);
   ask_position(
       selection.positions,
-      phrase("Analysis", "The same test as for the preference, with positions instead of models."),
+      phrase("Analysis", "The same test as for the models, with positions in their place."),
       found_position, tests, outcome);
   ask_textures(selection, tests, outcome);
   ask_target_choices(selection, outcome);

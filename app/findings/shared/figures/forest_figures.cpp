@@ -482,7 +482,7 @@ std::vector<Figure> seedpaper_forests(const FoundNumbers& found) {
                              "Proportions with Wilson 95 % CIs, one choice per participant and "
                              "experiment; choices in all experiments are treated as independent.");
   figures.push_back({.name = "table_1",
-                     .title = phrase("Figures", "Choices of the most realistic rendering"),
+                     .title = phrase("Figures", "Choices"),
                      .note = note});
   std::vector<ForestRow> choices = rows_of(found, "t1.prop");
   std::set<std::string> renderers{};

@@ -1,3 +1,5 @@
+// Draws the RMS of both forces and of their difference in nine bands of frequency.
+
 #include "app/findings/shared/figures/replay_figure.h"
 
 #include <algorithm>

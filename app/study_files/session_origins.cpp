@@ -1,4 +1,4 @@
-#include "app/tasks/session_origins.h"
+#include "app/study_files/session_origins.h"
 
 #include <nlohmann/json.hpp>
 
