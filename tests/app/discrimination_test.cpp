@@ -379,6 +379,34 @@ TEST(Discrimination, EstablishesNoOrderEffectWhereRanksAndMeanDisagree) {
                           "as surface A than as surface B"));
 }
 
+// Eleven points of subjective equality half a micrometre above the standard and one 10 µm below it: by ranks p = .033, and the
+// mean is below the standard, with a CI that contains it.
+TEST(Discrimination, EstablishesNoPointOfSubjectiveEqualityWhereRanksAndMeanDisagree) {
+  json declared = discrimination_protocol("comparison");
+  declared["analysis"]["family"] = {"point_of_subjective_equality"};
+  const AnalysisOutcome outcome = outcome_of_choices(declared, {.number = 12}, [](int person) {
+    PsychometricFunction observer = kComparer;
+    observer.alpha = person == 11 ? 40e-6 : 50.5e-6;
+    std::vector<MadeUpChoice> choices{};
+    constexpr int kPerLevel = 40;
+    for (const double value_m : kAround_m) {
+      for (int i = 0; i < kPerLevel; ++i) {
+        choices.push_back({.value_m = value_m,
+                           .chose_comparison = i < std::lround(kPerLevel * observer.value(value_m)),
+                           .comparison_first = i % 2 == 0,
+                           .is_performance = false});
+      }
+    }
+    return trials_of(choices);
+  });
+  EXPECT_THAT(answer_to(outcome, "point_of_subjective_equality"),
+              HasSubstr("Not established: difference from the standard, "));
+  EXPECT_THAT(answer_to(outcome, "point_of_subjective_equality"),
+              HasSubstr("but the 95 % CI of the mean contains the standard"));
+  EXPECT_THAT(sentence_about(outcome, "point_of_subjective_equality"),
+              testing::StartsWith("It was not established that "));
+}
+
 // Of three participants the first chooses the comparison equally often in both positions. The p of the other two is at
 // least 2/2² = .5; of six it is 2/2⁶ = .031.
 TEST(Discrimination, StatesWhoIsLeftOutOfASignedRankTestAndHowManyItNeeds) {

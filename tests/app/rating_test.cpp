@@ -106,6 +106,30 @@ TEST_F(Ratings, HaveTablesAndAQuestionForEachScale) {
   EXPECT_THAT(ratings.questions[1].answer.english(), HasSubstr("lowest for stone, 2.00"));
 }
 
+// Eleven participants rate a one point above b, and one 50 points below it: by ranks p = .033 for a, and the mean of b is higher.
+TEST(RatedPairs, EstablishNothingWhereRanksAndMeansDisagree) {
+  const AnalysisOutcome outcome =
+      analysed("rating", R"({"kind": "rating", "blocks": {"only": {"question": {"name": "rough",
+      "prompt": "How rough?", "scale": {"minimum": 0, "maximum": 100}}}},
+      "analysis": {"family": ["rated_pairs"]}})",
+               {.number = 12}, [](int person) {
+                 std::vector<MadeUpTrial> trials{};
+                 for (const auto& [item, rating] :
+                      {std::pair("a", person == 11 ? "0" : "51"), std::pair("b", "50")}) {
+                   MadeUpTrial trial{};
+                   trial.surfaces = {surface_of(item, "height_map", item)};
+                   trial.questions = {"rough"};
+                   trial.answers = {rating};
+                   trials.push_back(trial);
+                 }
+                 return trials;
+               });
+  EXPECT_THAT(sentence_about(outcome, "rated_pairs"),
+              testing::AllOf(testing::StartsWith("It was not established that the item a was rated "
+                                                 "higher than b"),
+                             HasSubstr("the means do not differ in the direction of the test")));
+}
+
 /// Four participants rate one grating at two amplitudes and two wavelengths, whose levels the protocol crosses.
 AnalysisOutcome rated_levels(const std::string& stimulus) {
   MadeUpStudy made{};
