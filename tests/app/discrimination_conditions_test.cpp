@@ -14,8 +14,10 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/psychometric/psychometric_function.h"
+#include "app/findings/gathering/gathered_answers.h"
 #include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/study_analysis.h"
+#include "app/findings/outcome/study_test.h"
 #include "app/findings/study/analyze_study.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/made_up_study.h"
@@ -151,6 +153,31 @@ TEST(Discrimination, ComparesConditionsOverTheParticipantsWhoHaveAll) {
   EXPECT_THAT(answer, HasSubstr("The ratio therefore has no CI"));
   EXPECT_THAT(find_analysis("discrimination")->estimates(outcome).text,
               HasSubstr("The ratio of the JNDs (wood / metal) was "));
+}
+
+// The ratio is that of the JNDs: it is no effect of the test of the points of subjective equality.
+TEST(Discrimination, StatesTheRatioOfThresholdsOfTheirTestAlone) {
+  json protocol = discrimination_protocol("comparison");
+  protocol["analysis"]["family"] = {"conditions"};
+  MadeUpStudy made;
+  add_participants(made, made.add_protocol("compared", "discrimination", protocol.dump()),
+                   {.number = 6}, [](int person) {
+                     std::vector<MadeUpTrial> trials{};
+                     for (const char* const texture : {"metal", "wood"}) {
+                       MadeUpObserver observer(kComparer, static_cast<unsigned>(20 + person));
+                       for (MadeUpChoice& choice : observer.choices(kAround_m, 40, false)) {
+                         choice.texture = texture;
+                         trials.push_back(discriminated(choice));
+                       }
+                     }
+                     return trials;
+                   });
+  std::map<std::string, bool> states_effect{};
+  for (const StudyTest& test :
+       find_analysis("discrimination")->test_family(gather_answers(made.study(), {}, {}).front())) {
+    states_effect[test.about] = test.in_units.has_value();
+  }
+  EXPECT_EQ(states_effect, (std::map<std::string, bool>{{"JND", true}, {"PSE", false}}));
 }
 
 // As strings "0.01" comes before "9e-04".
