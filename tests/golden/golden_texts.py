@@ -20,6 +20,7 @@ NO_VALUE = ("", "n/a")
 def mask(text, study):
     """The text without what names the program, the machine, the folder and the time."""
     text = re.sub(r"(?i)(asperity) \d+\.\d+\.\d+(?: \(commit [^)]*\))?", r"\1 VERSION", text)
+    text = re.sub(r'"Version": "\d+\.\d+\.\d+"', '"Version": "VERSION"', text)
     text = text.replace(str(study), "STUDY").replace(str(study.parent), "FOLDER")
     # Everything that the study itself dates is from 2001.
     return re.sub(r"\b20(?!01)\d\d-\d\d-\d\d(?:T\d\d:\d\d:\d\d(?:\.\d+)?Z)?", "TIME", text)
