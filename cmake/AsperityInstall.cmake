@@ -12,8 +12,7 @@ install(DIRECTORY "${CMAKE_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DOCDI
 install(FILES "${CMAKE_SOURCE_DIR}/app/desktop/copyright" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(DIRECTORY "${CMAKE_SOURCE_DIR}/protocols/library/" DESTINATION "${CMAKE_INSTALL_DATADIR}/asperity/protocols"
   FILES_MATCHING PATTERN "*.json")
-install(FILES "${CMAKE_SOURCE_DIR}/protocols/schema/protocol-1.schema.json"
-  DESTINATION "${CMAKE_INSTALL_DATADIR}/asperity")
+install(FILES "${CMAKE_BINARY_DIR}/protocol-1.schema.json" DESTINATION "${CMAKE_INSTALL_DATADIR}/asperity")
 if(ASPERITY_BUILD_GUI)
   install(FILES "${CMAKE_SOURCE_DIR}/app/desktop/asperity.desktop" DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
   install(FILES "${CMAKE_SOURCE_DIR}/app/desktop/asperity.svg"

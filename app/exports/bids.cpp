@@ -186,15 +186,15 @@ Json BidsDataset::session_sidecar(const ExportPlace& at,
   if (audience_ != ExportAudience::relabelled) {
     presentation["SoftwareVersion"] = at.session->program_version;
   }
-  if (senses_) {
+  if (senses_.vision && senses_.noise) {
     // An object: BIDS takes every other member of the sidecar of events for a column.
     Json& environment = sidecar["Environment"];
     environment["Description"] =
         "what the participant was to see and hear, as the protocol requests; what was recorded is "
         "in eye_mask_confirmed and masking_noise_source of _beh.tsv";
-    environment["Vision"] = senses_->vision;
-    environment["MaskingNoise"] = senses_->noise;
-    if (senses_->noise_dBA) environment["MaskingNoiseLevel_dBA"] = *senses_->noise_dBA;
+    environment["Vision"] = text_of(*senses_.vision);
+    environment["MaskingNoise"] = text_of(senses_.noise->kind);
+    if (const auto level = senses_.noise->level_dBA) environment["MaskingNoiseLevel_dBA"] = *level;
   }
   for (const ExportColumn& column : columns) sidecar[column.name] = sidecar_of(column);
   return sidecar;

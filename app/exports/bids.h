@@ -104,7 +104,7 @@ class BidsDataset final {
   std::map<std::string, std::set<std::string>> files_{};     ///< by participant
   std::map<std::string, std::set<std::string>> sessions_{};  ///< by participant
   std::string task_name_{};
-  std::optional<StoredProtocol::Senses> senses_{};  ///< of the session's protocol
+  StoredProtocol::Senses senses_{};  ///< of the session's protocol
   std::optional<TableFile> beh_{};
   std::int64_t run_ = 0;
   bool attempt_is_recorded_ = false;

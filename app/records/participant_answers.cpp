@@ -113,7 +113,7 @@ ParticipantRow person_of(const std::string& label, const Protocol& protocol,
   person.label = label;
   person.created_utc = created_utc;
   nlohmann::ordered_json others = nlohmann::ordered_json::object();
-  for (const Question& question : protocol.participant_questions) {
+  for (const Question& question : questions_about_participant(protocol)) {
     const auto found = answers.find(question.name);
     if (found == answers.end() || found->second.empty()) continue;
     const std::string& answer = found->second;

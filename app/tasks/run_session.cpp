@@ -66,7 +66,7 @@ ParticipantRow ask_person(const Protocol& protocol, const std::string& label,
                           Respondent& respondent, const std::string& created_utc,
                           SessionMonitor* monitor, const Wait& wait) {
   ParticipantAnswers answers{};
-  for (const Question& question : protocol.participant_questions) {
+  for (const Question& question : questions_about_participant(protocol)) {
     if (monitor != nullptr) monitor->show(scene_of_form(question));
     const FormAnswer answer = respondent.answer(question, wait);
     answers[question.name] = answer.empty() ? std::string() : answer.front();

@@ -90,6 +90,15 @@ const char* text_of(ObserverDeclaration::MagnitudeOf what) noexcept {
   return "";
 }
 
+std::vector<Question> questions_about_participant(const Protocol& protocol) {
+  std::vector<Question> questions{};
+  for (const std::string& name : protocol.participant_questions) {
+    const auto found = protocol.questions.find(name);
+    if (found != protocol.questions.end()) questions.push_back(found->second);
+  }
+  return questions;
+}
+
 const char* text_of(Protocol::Groups::Assignment assigned) noexcept {
   switch (assigned) {
     case Protocol::Groups::Assignment::balanced:
@@ -98,6 +107,18 @@ const char* text_of(Protocol::Groups::Assignment assigned) noexcept {
       return "permuted_blocks";
     case Protocol::Groups::Assignment::by_experimenter:
       return "by_experimenter";
+  }
+  return "";
+}
+
+const char* text_of(Protocol::Noise::Kind kind) noexcept {
+  switch (kind) {
+    case Protocol::Noise::Kind::none:
+      return "none";
+    case Protocol::Noise::Kind::white:
+      return "white";
+    case Protocol::Noise::Kind::pink:
+      return "pink";
   }
   return "";
 }

@@ -183,6 +183,7 @@ struct Factor {
   std::string meaning{};
   std::string unit{};
   std::vector<Level> levels{};
+  std::map<std::string, std::string> hed{};  ///< level → its HED tags
 };
 
 /// The judgement model of a virtual participant; see virtual_observer.h.
@@ -243,7 +244,7 @@ struct Protocol {
   std::string consent_statement{};
   int planned_participants = 0;
   int sessions = 1;                                   ///< per participant
-  std::vector<Question> participant_questions{};      ///< asked once, before the first session
+  std::vector<std::string> participant_questions{};   ///< asked once, before the first session
   std::optional<RealismStandard> realism_standard{};  ///< of a selection
   std::optional<EstimationDeclaration> estimation{};  ///< of a magnitude
 
@@ -493,7 +494,11 @@ struct Protocol {
   std::string source{};  ///< the file, byte for byte
 };
 
+/// Those that are asked once, before the first session.
+std::vector<Question> questions_about_participant(const Protocol& protocol);
+
 /// The text in a protocol file.
 const char* text_of(Protocol::Groups::Assignment assigned) noexcept;
+const char* text_of(Protocol::Noise::Kind kind) noexcept;
 
 }  // namespace asperity

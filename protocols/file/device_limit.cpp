@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/design/wording.h"
-#include "protocols/keys/device_keys.h"
+#include "protocols/keys/tables.h"
 #include "protocols/keys/valid_part.h"
 
 namespace asperity {
@@ -22,7 +22,7 @@ std::optional<std::string> complaint_about(const DeviceLimit& limit, double rate
     number = static_cast<std::int64_t>(limit.limit);
   }
   const ValidPart part =
-      valid_part(nlohmann::json{{limit.item, number}}, device_limit_keys(), "/device/limits");
+      valid_part(nlohmann::json{{limit.item, number}}, kDeviceLimitsTable, "/device/limits");
   if (!part.problems.empty()) return part.problems.front().message;
   if (limit.item != "rate_Hz") return {};
   return complaint_about_rate_limit(limit.limit, rate_Hz);

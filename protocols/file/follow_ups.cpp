@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "protocols/design/wording.h"
+#include "protocols/file/form_check.h"
 #include "protocols/file/meaning.h"
 #include "protocols/file/protocol_from_json.h"
-#include "protocols/file/schema_check.h"
-#include "protocols/keys/shape.h"
+#include "protocols/keys/key.h"
 
 namespace asperity {
 
@@ -101,7 +101,7 @@ class Corrections final {
                                                        const json& value) const {
     json root = document_.root();
     root.at(json::json_pointer(pointer)) = value;
-    if (!follows_schema(root)) return {};
+    if (!has_form_of_protocol(root)) return {};
     const JsonDocument corrected = document_.with_root(root);
     return check_meaning(protocol_from_json(root, models_), corrected, models_);
   }

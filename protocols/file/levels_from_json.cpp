@@ -5,7 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "protocols/file/json_reading.h"
+#include "protocols/keys/reading.h"
+#include "protocols/keys/tables.h"
 
 namespace asperity {
 
@@ -26,155 +27,69 @@ const Parameter* parameter_of(const std::vector<ModelDeclaration>& models, const
   return nullptr;
 }
 
-LevelGrid grid_of(const json& object) {
-  LevelGrid grid{};
-  read(object, "lowest", grid.lowest);
-  read(object, "highest", grid.highest);
-  read(object, "step", grid.step);
-  read_choice(object, "scale", grid.scale,
-              {{"linear", LevelScale::linear},
-               {"log10", LevelScale::log10},
-               {"db", LevelScale::decibel},
-               {"ratio", LevelScale::ratio}});
-  return grid;
-}
+using Declaration = ProcedureDeclaration;
 
-void read_range(const json& object, const char* key, ValueRange& range) {
-  const auto found = object.find(key);
-  if (found == object.end()) return;
-  read(*found, "lowest", range.lowest);
-  read(*found, "highest", range.highest);
-  read(*found, "count", range.count);
-}
-
-PosteriorTrack posterior_track_in(const json& object, const Dimension& dimension,
-                                  const DiscriminationDesign& design) {
+PosteriorTrack track_stated(const Declaration& stated, const Dimension& dimension,
+                            const DiscriminationDesign& design) {
   PosteriorTrack track{.grid = dimension.grid.value_or(LevelGrid{}),
                        .origin = dimension.level_of_standard()};
-  track.prior.thresholds = thresholds_within(track.grid, track.origin);
+  const auto& prior = stated.prior;
+  track.prior.thresholds = prior.threshold.value_or(thresholds_within(track.grid, track.origin));
+  track.prior.slopes = prior.slope.value_or(track.prior.slopes);
+  track.prior.lapses = prior.lapse.value_or(track.prior.lapses);
   track.prior.guess_rate = design.guess_rate();
-  track.prior.performance = 0.5 * (1.0 + track.prior.guess_rate);
-  read(object, "target", track.prior.performance);
-  if (const auto prior = object.find("prior"); prior != object.end()) {
-    read_range(*prior, "threshold", track.prior.thresholds);
-    read_range(*prior, "slope", track.prior.slopes);
-    read_range(*prior, "lapse", track.prior.lapses);
-  }
-  const auto stop = object.find("stop");
-  if (stop == object.end()) return track;
-  read(*stop, "trials", track.stop.trials);
-  if (const auto interval = stop->find("interval"); interval != stop->end()) {
-    IntervalRule& rule = track.stop.interval.emplace();
-    read(*interval, "ratio", rule.ratio);
-    read(*interval, "minimum_trials", rule.minimum_trials);
-    read(*interval, "minimum_of_each", rule.minimum_of_each);
-  }
+  track.prior.performance = stated.target.value_or(0.5 * (1.0 + track.prior.guess_rate));
+  track.stop = {.trials = stated.stop.trials, .interval = stated.stop.interval};
   return track;
 }
 
-std::vector<NuisanceParameter> marginalised_in(const json& object) {
-  const auto found = object.find("marginalise");
-  if (found == object.end()) return Psi{}.marginalised;
-  std::vector<NuisanceParameter> nuisances{};
-  for (const json& name : *found) {
-    nuisances.push_back(name == "slope" ? NuisanceParameter::slope : NuisanceParameter::lapse);
-  }
-  return nuisances;
+/// The levels of a dimension, if they are stated.
+std::vector<double> levels_stated(const Dimension& dimension) {
+  return has_levels(dimension) ? dimension.levels() : std::vector<double>{};
 }
 
-StopRules stop_rules_of(const json& object) {
-  StopRules stop{};
-  const auto found = object.find("stop");
-  if (found == object.end()) return stop;
-  read(*found, "trials", stop.trials);
-  read(*found, "reversals", stop.reversals);
-  read(*found, "clipped_moves", stop.clipped_moves);
-  return stop;
-}
-
-External external_in(const json& object, const Dimension& dimension) {
-  External settings{};
-  if (has_levels(dimension)) settings.levels = dimension.levels();
-  if (const auto stop = object.find("stop"); stop != object.end()) {
-    read(*stop, "trials", settings.trials);
-  }
-  if (const auto stated = object.find("settings"); stated != object.end()) {
-    settings.settings_json = stated->dump();
-  }
-  read(object, "answer_within_s", settings.answer_within_s);
-  return settings;
-}
-
-/// The steps of one direction: those of this direction, or those of both.
-StepList steps_of(const json& object, const char* direction) {
-  StepList steps{};
-  read(object, "steps", steps);
-  read(object, direction, steps);
-  return steps;
-}
-
-ProcedureSettings settings_of(const json& object, const json& track, const Dimension& dimension,
-                              const DiscriminationDesign& design) {
+ProcedureSettings settings_of(const Declaration& stated, const Declaration::Track& track,
+                              const Dimension& dimension, const DiscriminationDesign& design) {
   const LevelGrid grid = dimension.grid.value_or(LevelGrid{});
-  double start = 0.0;
-  read(object, "start", start);
-  read(track, "start", start);
-  const auto method = object.at("method").get<std::string>();
-  if (method == transformed_up_down().id) {
-    UpDownTrack settings{.grid = grid,
-                         .start = start,
-                         .steps_up = steps_of(object, "steps_up"),
-                         .steps_down = steps_of(object, "steps_down"),
-                         .stop = stop_rules_of(object)};
-    read(object, "down", settings.rule.down);
-    read(object, "up", settings.rule.up);
-    return TransformedUpDown{std::move(settings)};
+  const double start = track.start.value_or(stated.start);
+  const StopRules stop{.trials = stated.stop.trials,
+                       .reversals = stated.stop.reversals,
+                       .clipped_moves = stated.stop.clipped_moves};
+  // The steps of one direction: those of this direction, or those of both.
+  const StepList& steps_up = stated.steps_up.empty() ? stated.steps : stated.steps_up;
+  const StepList& steps_down = stated.steps_down.empty() ? stated.steps : stated.steps_down;
+  if (stated.method == transformed_up_down().id) {
+    return TransformedUpDown{{.grid = grid,
+                              .start = start,
+                              .rule = {.up = stated.up, .down = stated.down},
+                              .steps_up = steps_up,
+                              .steps_down = steps_down,
+                              .stop = stop}};
   }
-  if (method == weighted_up_down().id) {
-    WeightedUpDown settings{.grid = grid,
-                            .start = start,
-                            .steps_down = steps_of(object, "steps_down"),
-                            .stop = stop_rules_of(object)};
-    read(object, "target", settings.target);
-    return settings;
+  if (stated.method == weighted_up_down().id) {
+    return WeightedUpDown{.grid = grid,
+                          .start = start,
+                          .target = stated.target.value_or(WeightedUpDown{}.target),
+                          .steps_down = steps_down,
+                          .stop = stop};
   }
-  if (method == psi().id) {
-    return Psi{.track = posterior_track_in(object, dimension, design),
-               .marginalised = marginalised_in(object)};
+  if (stated.method == psi().id) {
+    return Psi{.track = track_stated(stated, dimension, design),
+               .marginalised = stated.marginalised};
   }
-  if (method == external().id) return external_in(object, dimension);
-  if (method == quest_plus().id) {
-    return QuestPlus{.track = posterior_track_in(object, dimension, design)};
+  if (stated.method == external().id) {
+    return External{.levels = levels_stated(dimension),
+                    .trials = stated.stop.trials,
+                    .settings_json = stated.settings_json,
+                    .answer_within_s = stated.answer_within_s};
   }
-  ConstantStimuli settings{};
-  if (has_levels(dimension)) settings.levels = dimension.levels();
-  read(object, "repetitions", settings.repetitions);
-  return settings;
+  if (stated.method == quest_plus().id) {
+    return QuestPlus{.track = track_stated(stated, dimension, design)};
+  }
+  return ConstantStimuli{.levels = levels_stated(dimension), .repetitions = stated.repetitions};
 }
 
 }  // namespace
-
-Dimension dimension_in(const json& object) {
-  Dimension dimension{};
-  read(object, "parameter", dimension.parameter);
-  dimension.factor = dimension.parameter;
-  read(object, "factor", dimension.factor);
-  read(object, "of", dimension.role);
-  read(object, "relative_to", dimension.standard_role);
-  for (const LevelMeasure measure :
-       {LevelMeasure::value, LevelMeasure::difference, LevelMeasure::percent, LevelMeasure::ratio,
-        LevelMeasure::decibels}) {
-    const auto found = object.find(key_of(measure));
-    if (found == object.end()) continue;
-    dimension.measure = measure;
-    if (found->is_object()) {
-      dimension.grid = grid_of(*found);
-    } else {
-      dimension.list = found->get<std::vector<double>>();
-    }
-  }
-  return dimension;
-}
 
 void complete_dimension(Block& block, const Protocol& protocol,
                         const std::vector<ModelDeclaration>& models) {
@@ -245,27 +160,19 @@ void declare_unforced(std::size_t alternatives, std::vector<ProcedureSettings>& 
 
 Block::LevelProcedure procedure_in(const json& object, const Dimension& dimension,
                                    const DiscriminationDesign& design) {
-  Block::LevelProcedure procedure{};
-  if (const auto tracks = object.find("tracks"); tracks != object.end()) {
-    for (const json& track : *tracks) {
-      procedure.tracks.push_back(settings_of(object, track, dimension, design));
-    }
-  } else {
-    procedure.tracks.push_back(settings_of(object, json::object(), dimension, design));
+  Declaration stated{};
+  read_keys(kProcedureTable, object, "", stated);
+  if (stated.tracks.empty()) stated.tracks.emplace_back();
+  Block::LevelProcedure procedure{.timeouts_are_incorrect = stated.timeouts_are_incorrect};
+  for (const Declaration::Track& track : stated.tracks) {
+    procedure.tracks.push_back(settings_of(stated, track, dimension, design));
   }
-  read_choice(object, "timed_out", procedure.timeouts_are_incorrect,
-              {{"same_level", false}, {"incorrect", true}});
-  if (const auto found = object.find("catch_trials"); found != object.end()) {
-    procedure.catch_trials.emplace();
-    read_choice(*found, "type", procedure.catch_trials->type,
-                {{"easy", CatchType::easy},
-                 {"no_signal", CatchType::no_signal},
-                 {"identical_pair", CatchType::identical_pair}});
-    if (procedure.catch_trials->type != CatchType::easy && dimension.standard) {
-      procedure.catch_trials->level = dimension.level_of_standard();
-    }
-    read(*found, "level", procedure.catch_trials->level);
-    read(*found, "every", procedure.catch_trials->every);
+  if (const auto& trials = stated.catch_trials) {
+    const bool is_of_standard = trials->type != CatchType::easy && dimension.standard;
+    procedure.catch_trials = {
+        .type = trials->type,
+        .level = trials->level.value_or(is_of_standard ? dimension.level_of_standard() : 0.0),
+        .every = trials->every};
   }
   return procedure;
 }

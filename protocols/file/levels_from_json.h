@@ -1,4 +1,4 @@
-// Declares the conversion of the keys "vary" and "procedure" of a block.
+// Declares the completion of the keys "vary" and "procedure" of a block.
 
 #pragma once
 
@@ -11,9 +11,6 @@
 #include "protocols/design/protocol.h"
 
 namespace asperity {
-
-/// The key "vary", as it is stated.
-Dimension dimension_in(const nlohmann::json& object);
 
 /// Completes the dimension of a block by what the presented stimuli state: the value of the standard, and the unit.
 void complete_dimension(Protocol::Block& block, const Protocol& protocol,

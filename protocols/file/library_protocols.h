@@ -5,6 +5,8 @@
 #include <span>
 #include <string_view>
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace asperity {
 
 /// A file of protocols/library/: NAME.json in English, NAME.de.json in German. Both have the same name and give the
@@ -17,7 +19,8 @@ struct LibraryProtocol {
 /// All library protocols by name, in English ("en") or German ("de"); empty for another language.
 std::span<const LibraryProtocol> library_protocols(std::string_view language = "en") noexcept;
 
-/// protocols/schema/protocol-1.schema.json (JSON Schema, draft-07), for the reader and for editors.
-std::string_view protocol_schema() noexcept;
+/// The schema of protocols (JSON Schema, draft-07), for the reader and for editors: that of the tables of keys
+/// (protocols/keys/tables.h).
+const nlohmann::json& protocol_schema();
 
 }  // namespace asperity

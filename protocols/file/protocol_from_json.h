@@ -2,7 +2,6 @@
 
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
@@ -15,10 +14,5 @@ namespace asperity {
 /// parameters.
 Protocol protocol_from_json(const nlohmann::json& root,
                             const std::vector<ModelDeclaration>& models);
-
-/// The key `analysis` of any JSON; parts in another form count as absent.
-AnalysisDeclaration analysis_declared_in(const nlohmann::json& root);
-/// The key `estimation` of any JSON; parts in another form count as absent.
-std::optional<EstimationDeclaration> estimation_declared_in(const nlohmann::json& root);
 
 }  // namespace asperity

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "protocols/file/follow_ups.h"
+#include "protocols/file/form_check.h"
 #include "protocols/file/json_document.h"
 #include "protocols/file/meaning.h"
 #include "protocols/file/protocol_from_json.h"
-#include "protocols/file/schema_check.h"
 
 namespace asperity {
 
@@ -59,7 +59,7 @@ ProtocolReading read_protocol_with_problems(std::string_view text, const std::st
   try {
     const JsonDocument document(text, file_name, &reading.problems);
     const bool has_unusable_texts = !reading.problems.empty();
-    const std::vector<Diagnostic> of_form = check_schema(document);
+    const std::vector<Diagnostic> of_form = check_form(document);
     append(reading.problems, of_form);
     reading.has_form = of_form.empty();
     if (reading.has_form) {

@@ -15,7 +15,7 @@ namespace asperity {
 
 /// Reads and checks a protocol.
 ///
-/// The check has three layers: JSON (syntax, duplicate keys), schema (protocols/schema/protocol-1.schema.json,
+/// The check has three layers: JSON (syntax, duplicate keys), schema (protocol_schema() of library_protocols.h,
 /// draft-07), meaning (references, models and their parameters against `models`, order constraints that cannot be met,
 /// bands against the force limit, criteria, blocks never run, …). All problems of all layers are reported at once
 /// (protocol_problems.h).

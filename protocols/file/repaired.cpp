@@ -12,8 +12,8 @@
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"
 #include "protocols/file/follow_ups.h"
-#include "protocols/file/schema_check.h"
-#include "protocols/file/schema_nodes.h"
+#include "protocols/file/form_check.h"
+#include "protocols/file/library_protocols.h"
 #include "protocols/keys/key.h"
 
 namespace asperity {
@@ -50,6 +50,16 @@ bool has_right_letters(const json& schema, const std::string& text) {
   return pattern == schema.end() ||
          (text.size() <= kLongestName &&
           std::regex_search(text, std::regex(pattern->get<std::string>())));
+}
+
+/// The schema of a member; null if the schema does not describe it.
+const json* member_schema(const json& schema, const std::string& key) {
+  if (is_comment(key)) return nullptr;
+  if (const auto properties = schema.find("properties"); properties != schema.end()) {
+    if (const auto found = properties->find(key); found != properties->end()) return &*found;
+  }
+  const auto additional = schema.find("additionalProperties");
+  return additional != schema.end() && additional->is_object() ? &*additional : nullptr;
 }
 
 /// One way of repairing a document. `variant` determines arbitrary choices, such as the value of an enumeration.
@@ -100,9 +110,8 @@ class Repairer final {
     json made = json::array();
     const auto items = schema.find("items");
     for (std::size_t i = 0; i < list.size(); ++i) {
-      const auto item = items == schema.end()
-                            ? std::optional(list[i])
-                            : fitted(list[i], resolved_node(root_, *items), pointer_to(pointer, i));
+      const auto item = items == schema.end() ? std::optional(list[i])
+                                              : fitted(list[i], *items, pointer_to(pointer, i));
       if (item) made.push_back(*item);
     }
     const std::size_t most = schema.value("maxItems", made.size());
@@ -119,7 +128,7 @@ class Repairer final {
     for (const auto& [key, member] : object.items()) {
       const std::string at = pointer_to(pointer, key);
       std::string meant = key;
-      const json* inner = member_schema(root_, schema, key);
+      const json* inner = member_schema(schema, key);
       if (inner == nullptr && closed && !is_comment(key)) {
         places_.insert(at);
         std::vector<std::string> known{};
@@ -129,7 +138,7 @@ class Repairer final {
         const auto nearest = nearest_name(key, known);
         if (!nearest) continue;
         meant = *nearest;
-        inner = member_schema(root_, schema, meant);
+        inner = member_schema(schema, meant);
       }
       if (inner == nullptr) {
         made[meant] = member;
@@ -160,7 +169,7 @@ class Repairer final {
   bool complete(json& object, const json& schema, const std::string& key,
                 const std::string& pointer) {
     if (object.contains(key)) return true;
-    const json* const inner = member_schema(root_, schema, key);
+    const json* const inner = member_schema(schema, key);
     const auto value = inner == nullptr ? std::nullopt : replaced(*inner, pointer_to(pointer, key));
     if (!value) return false;
     object[key] = *value;
@@ -213,7 +222,7 @@ class Repairer final {
     if (type == "array") {
       json made = json::array();
       for (std::size_t i = 0; i < schema.value("minItems", std::size_t{0}); ++i) {
-        const auto item = any(resolved_node(root_, schema.at("items")));
+        const auto item = any(schema.at("items"));
         if (!item) return {};
         made.push_back(*item);
       }
@@ -222,7 +231,7 @@ class Repairer final {
     json made = json::object();
     if (schema.contains("minProperties") || schema.contains("oneOf")) return {};
     for (const json& key : schema.value("required", json::array())) {
-      const json* const inner = member_schema(root_, schema, key.get<std::string>());
+      const json* const inner = member_schema(schema, key.get<std::string>());
       const auto value = inner == nullptr ? std::nullopt : any(*inner);
       if (!value) return {};
       made[key.get<std::string>()] = *value;
@@ -254,7 +263,7 @@ class Repairer final {
 
 Repair repaired(const JsonDocument& document) {
   constexpr std::size_t kMostVariants = 24;
-  const json& schema = schema_root();
+  const json& schema = protocol_schema();
   const std::vector<std::string> names =
       document.root().is_object() ? declared_names(document.root()) : std::vector<std::string>{};
   Repair repair{};
@@ -262,7 +271,7 @@ Repair repaired(const JsonDocument& document) {
   for (std::size_t variant = 0; variant < std::min(variants, kMostVariants); ++variant) {
     Repairer repairer(schema, names, variant);
     auto root = repairer.whole(document.root());
-    if (!root || !follows_schema(*root)) return {};
+    if (!root || !has_form_of_protocol(*root)) return {};
     variants = std::max(variants, repairer.choices());
     repair.roots.push_back(std::move(*root));
     repair.places.assign(repairer.places().begin(), repairer.places().end());

@@ -15,10 +15,13 @@
 #include "analysis/numbers/number_text.h"
 #include "protocols/answers/scale_form.h"
 #include "protocols/design/discrimination_design.h"
+#include "protocols/design/json_pointer.h"
 #include "protocols/design/protocol.h"
+#include "protocols/file/declared_estimation.h"
 #include "protocols/file/levels_from_json.h"
-#include "protocols/file/protocol_from_json.h"
-#include "protocols/file/question_from_json.h"
+#include "protocols/keys/reading.h"
+#include "protocols/keys/tables.h"
+#include "protocols/plan/groups.h"
 
 namespace asperity {
 
@@ -52,22 +55,6 @@ std::vector<std::string> texts_in(const Json& object, const std::string& key) {
     if (one.is_string()) texts.push_back(one.get<std::string>());
   }
   return texts;
-}
-
-/// Levels as text, together with their value if they are numbers.
-std::vector<std::pair<std::string, std::optional<double>>> levels_in(const Json& protocol,
-                                                                     const std::string& factor) {
-  std::vector<std::pair<std::string, std::optional<double>>> levels{};
-  const Json& list = member_of(member_of(member_of(protocol, "factors"), factor), "levels");
-  if (!list.is_array()) return levels;
-  for (const Json& level : list) {
-    if (level.is_number()) {
-      levels.emplace_back(number_text(level.get<double>()), level.get<double>());
-    } else if (level.is_string()) {
-      levels.emplace_back(level.get<std::string>(), std::nullopt);
-    }
-  }
-  return levels;
 }
 
 /// Calls `use(name, value)` for the members of an object that are objects.
@@ -249,14 +236,6 @@ StoredProtocol::TrialQuestion trial_question_in(const Json& asked) {
           .confidence_of = text_in(asked, "confidence_of")};
 }
 
-std::optional<AnswerCondition> stored_condition(const Json& asked) {
-  try {
-    return condition_in(asked);
-  } catch (const Json::exception&) {
-    return {};  // of another form
-  }
-}
-
 /// The number that the surface with this role has for a parameter.
 std::optional<double> stored_standard(const Json& protocol, const Json& block,
                                       const std::string& role, const std::string& parameter) {
@@ -303,43 +282,44 @@ std::size_t unforced_alternatives(const Json& block) {
   return is_any && design != nullptr ? design->alternatives() : 0;
 }
 
-std::optional<StoredProtocol::Senses> stored_senses(const Json& protocol) {
-  if (!protocol.is_object()) return {};
-  const Json& environment = member_of(protocol, "environment");
-  const Json& noise = member_of(environment, "masking_noise");
-  StoredProtocol::Senses senses{.vision = text_in(environment, "vision"),
-                                .noise = text_in(noise, "kind"),
-                                .noise_dBA = number_at(noise, "level_dBA")};
-  if (senses.vision.empty()) senses.vision = text_of(Vision::free);
-  if (senses.noise.empty()) senses.noise = "none";
-  return senses;
-}
-
-std::optional<PermutedBlocks> stored_blocks(const Json& groups, std::size_t count) {
-  if (text_in(groups, "assigned") != "permuted_blocks" || count == 0) return {};
-  PermutedBlocks blocks{.groups = count, .sizes = default_block_sizes(count)};
-  const Json& seed = member_of(groups, "seed");
-  if (seed.is_number_unsigned()) blocks.seed = seed.get<std::uint64_t>();
-  const Json& sizes = member_of(groups, "block_sizes");
-  if (!sizes.is_array() || sizes.empty()) return blocks;
-  blocks.sizes.clear();
-  for (const Json& size : sizes) {
-    if (!size.is_number_unsigned() || size.get<int>() < 1) return {};
-    blocks.sizes.push_back(size.get<int>());
+/// What the tables of keys declare.
+void read_declared(const Json& root, StoredProtocol& read) {
+  Protocol protocol{};
+  const std::vector<FormProblem> unread = read_keys(kProtocolTable, root, "", protocol);
+  if (has_form(unread, "/environment/vision")) read.senses.vision = protocol.vision;
+  if (has_form(unread, "/environment/masking_noise/kind")) {
+    read.senses.noise = protocol.masking_noise;
   }
-  return blocks;
+  read.title = std::move(protocol.title);
+  read.analysis = std::move(protocol.analysis);
+  complete_estimation(protocol);
+  read.estimation = std::move(protocol.estimation);
+  read.questions = std::move(protocol.questions);
+  for (auto& [name, question] : read.questions) {
+    const std::string condition = pointer_to("/questions", name) + "/if";
+    if (!has_form(unread, condition)) question.condition.reset();
+  }
+  if (protocol.groups) {
+    read.group_factor = protocol.groups->factor;
+    read.groups = level_texts(protocol.factors[read.group_factor]);
+    if (has_form(unread, "/groups") && !read.groups.empty()) {
+      read.permuted_blocks = permuted_blocks_of(protocol);
+    }
+  }
+  read.factors = std::move(protocol.factors);
 }
 
 std::vector<ProcedureSettings> stored_tracks(const Json& protocol, const Json& block) {
   try {
-    Dimension dimension = dimension_in(member_of(block, "vary"));
+    const Json& stated = member_of(block, "procedure");
+    if (!valid_part(stated, kProcedureTable, "").problems.empty()) return {};  // of another version
+    Dimension dimension{};
+    read_keys(kDimensionTable, member_of(block, "vary"), "", dimension);
     dimension.standard =
         stored_standard(protocol, block, dimension.standard_role, dimension.parameter);
     const DiscriminationDesign* const design = find_design(text_in(block, "design"));
     std::vector<ProcedureSettings> tracks =
-        procedure_in(member_of(block, "procedure"), dimension,
-                     design == nullptr ? two_alternatives() : *design)
-            .tracks;
+        procedure_in(stated, dimension, design == nullptr ? two_alternatives() : *design).tracks;
     if (const std::size_t alternatives = unforced_alternatives(block); alternatives > 0) {
       declare_unforced(alternatives, tracks);
     }
@@ -364,99 +344,6 @@ std::vector<std::string> StoredProtocol::kinds() const {
   return kinds;
 }
 
-AnalysisDeclaration analysis_declared_in(const Json& protocol) {
-  const Json& analysis = member_of(protocol, "analysis");
-  AnalysisDeclaration declared{.family = texts_in(analysis, "family")};
-  if (member_of(analysis, "target").is_string()) declared.target = text_in(analysis, "target");
-  const Json& margin = member_of(analysis, "equivalence_margin");
-  if (margin.is_number() && margin.get<double>() > 0.0 && margin.get<double>() < 1.0) {
-    declared.equivalence_margin = margin.get<double>();
-  }
-  const Json& exclude = member_of(analysis, "exclude");
-  const std::optional<double> errors = number_at(exclude, "more_catch_errors_than");
-  const std::optional<double> rate = number_at(exclude, "catch_error_rate_above");
-  if (errors && *errors >= 0.0) {
-    declared.exclude = {.more_errors_than = static_cast<int>(*errors)};
-  } else if (rate && *rate >= 0.0) {
-    declared.exclude = {.error_rate_above = rate};
-  }
-  for_each_object(member_of(analysis, "constructs"), [&declared](const std::string& name,
-                                                                 const Json& construct) {
-    declared.constructs[name] = {.scales = texts_in(construct, "scales"),
-                                 .reverse_keyed = texts_in(construct, "reverse_keyed")};
-  });
-  return declared;
-}
-
-namespace {
-
-/// "5e-05" for "0.00005" and "5.0e-5"; other texts are unchanged.
-std::string with_usual_digits(const std::string& text) {
-  const Json number = Json::parse(text, nullptr, false);
-  return number.is_number() ? number_text(number.get<double>()) : text;
-}
-
-/// The keys of stimuli that are not compared by a spacing.
-void read_estimated_items(const Json& protocol, const Json& estimation,
-                          EstimationDeclaration& declared) {
-  declared.items = text_in(estimation, "factor");
-  declared.predictor = text_in(estimation, "predictor");
-  declared.predictor_unit = text_in(estimation, "unit");
-  if (declared.predictor_unit.empty() && declared.predictor == kLevelPredictor) {
-    declared.predictor_unit =
-        text_in(member_of(member_of(protocol, "factors"), declared.items), "unit");
-  }
-  for (const auto& [level, number] : levels_in(protocol, declared.items)) {
-    declared.item_levels.push_back(level);
-    if (declared.predictor == kLevelPredictor && number) {
-      declared.predictor_values.emplace(level, *number);
-    }
-  }
-  const Json& values = member_of(estimation, "values");
-  if (declared.predictor != kValuePredictor || !values.is_object()) return;
-  const std::vector<std::string>& levels = declared.item_levels;
-  for (const auto& [key, value] : values.items()) {
-    if (!value.is_number()) continue;
-    const bool is_level = std::find(levels.begin(), levels.end(), key) != levels.end();
-    declared.predictor_values.emplace(is_level ? key : with_usual_digits(key), value.get<double>());
-  }
-}
-
-}  // namespace
-
-std::optional<EstimationDeclaration> estimation_declared_in(const Json& protocol) {
-  const Json& estimation = member_of(protocol, "estimation");
-  if (!estimation.is_object()) return {};
-  EstimationDeclaration declared{.spacing = text_in(estimation, "spacing"),
-                                 .condition = text_in(estimation, "condition")};
-  for (const auto& [level, number] : levels_in(protocol, declared.condition)) {
-    declared.conditions.push_back(level);
-  }
-  const Json& textures = member_of(protocol, "textures");
-  for (const auto& [level, number] : levels_in(protocol, declared.spacing)) {
-    const std::optional<double> spacing_m =
-        number ? number : number_at(member_of(textures, level), "spacing_m");
-    if (spacing_m) declared.spacing_m.emplace(level, *spacing_m);
-  }
-  read_estimated_items(protocol, estimation, declared);
-  const Json& modulus = member_of(estimation, "modulus");
-  const Json& standard = member_of(modulus, "standard");
-  const std::optional<double> value = number_at(modulus, "value");
-  if (value && (standard.is_number() || standard.is_string())) {
-    declared.modulus = {.standard = standard.is_number() ? number_text(standard.get<double>())
-                                                         : standard.get<std::string>(),
-                        .value = *value};
-  }
-  const std::string normalisation = text_in(estimation, "normalisation");
-  for (const auto& [name, meaning] :
-       {std::pair{"geometric_mean", EstimateNormalisation::geometric_mean},
-        std::pair{"standard", EstimateNormalisation::standard},
-        std::pair{"none", EstimateNormalisation::none}}) {
-    if (normalisation == name) declared.stated_normalisation = meaning;
-  }
-  return declared;
-}
-
 std::string without_texts(const std::string& source) {
   Json protocol = Json::parse(source, nullptr, false);
   if (protocol.is_discarded()) return source;
@@ -472,52 +359,8 @@ std::string language_of(const std::string& source) {
 
 StoredProtocol stored_protocol(const std::string& source) {
   const Json root = Json::parse(source, nullptr, false);
-  StoredProtocol read{.title = text_in(root, "title"),
-                      .senses = stored_senses(root),
-                      .analysis = analysis_declared_in(root),
-                      .estimation = estimation_declared_in(root),
-                      .compared_parameter = parameter_compared_in(root)};
-  for_each_object(member_of(root, "factors"), [&](const std::string& name, const Json& factor) {
-    StoredProtocol::Factor& declared = read.factors[name];
-    declared = {.meaning = text_in(factor, "meaning"), .unit = text_in(factor, "unit")};
-    const Json& hed = member_of(factor, "hed");
-    if (!hed.is_object()) return;
-    for (const auto& [level, tags] : hed.items()) {
-      if (tags.is_string()) declared.hed[level] = tags.get<std::string>();
-    }
-  });
-  const Json& groups = member_of(root, "groups");
-  read.group_factor = text_in(groups, "factor");
-  for (const auto& [level, number] : levels_in(root, read.group_factor)) {
-    read.groups.push_back(level);
-  }
-  read.permuted_blocks = stored_blocks(groups, read.groups.size());
-  for_each_object(member_of(root, "questions"), [&](const std::string& name, const Json& asked) {
-    StoredProtocol::Question& question = read.questions[name];
-    question = {.prompt = text_in(asked, "prompt"),
-                .form = text_in(asked, "form"),
-                .minimum = number_at(asked, "minimum"),
-                .maximum = number_at(asked, "maximum"),
-                .unit = text_in(asked, "unit"),
-                .condition = stored_condition(asked)};
-    if (member_of(asked, "scale").is_object()) {
-      const StoredProtocol::TrialQuestion on_scale = trial_question_in(asked);
-      question.minimum = on_scale.minimum;
-      question.maximum = on_scale.maximum;
-      question.low_label = on_scale.low_label;
-      question.high_label = on_scale.high_label;
-    }
-    const Json& options = member_of(asked, "options");
-    if (!options.is_array()) return;
-    for (const Json& option : options) {
-      if (option.is_string()) {
-        question.options.push_back(option.get<std::string>());
-      } else if (const std::string value = text_in(option, "value"); !value.empty()) {
-        question.options.push_back(value);
-        question.option_texts[value] = text_in(option, "text");
-      }
-    }
-  });
+  StoredProtocol read{.compared_parameter = parameter_compared_in(root)};
+  read_declared(root, read);
   for_each_object(member_of(root, "blocks"), [&](const std::string& name, const Json& block) {
     StoredProtocol::Block made{};
     made.kind = text_in(block, "kind").empty() ? text_in(root, "kind") : text_in(block, "kind");
@@ -563,7 +406,7 @@ StoredProtocol stored_protocol(const std::string& source) {
     if (!made.questions.empty()) read.blocks[name] = std::move(made);
   });
   for (const auto& [name, factor] : read.factors) {
-    for (auto& [level, number] : levels_in(root, name)) read.pictures.push_back(std::move(level));
+    for (std::string& level : level_texts(factor)) read.pictures.push_back(std::move(level));
   }
   return read;
 }

@@ -11,6 +11,7 @@
 #include "protocols/answers/question.h"
 #include "protocols/design/analysis_declaration.h"
 #include "protocols/design/dimension.h"
+#include "protocols/design/protocol.h"
 #include "protocols/plan/permuted_blocks.h"
 #include "protocols/procedures/procedure.h"
 
@@ -20,26 +21,6 @@ namespace asperity {
 /// other versions of the program, which `read_protocol` may reject. Parts that do not have the expected form are
 /// absent.
 struct StoredProtocol {
-  struct Factor {
-    std::string meaning{};
-    std::string unit{};
-    std::map<std::string, std::string> hed{};  ///< level → its HED tags
-  };
-  /// Of a questionnaire.
-  struct Question {
-    std::string prompt{};
-    std::string form{};  ///< "choice", "multiple_choice", "number", "scale", "text"
-    /// Of a number or a scale.
-    std::optional<double> minimum{};
-    std::optional<double> maximum{};
-    std::string unit{};
-    /// Of a scale: the labels of its ends; empty without labels.
-    std::string low_label{};
-    std::string high_label{};
-    std::optional<AnswerCondition> condition{};
-    std::vector<std::string> options{};
-    std::map<std::string, std::string> option_texts{};  ///< by option, where another text was shown
-  };
   struct TrialQuestion {
     std::string name{};
     std::string prompt{};
@@ -76,17 +57,17 @@ struct StoredProtocol {
     std::vector<std::string> surface_factors{};
   };
 
-  /// What the participant is to see and hear, as stated under `environment` or as the default.
+  /// What the participant is to see and hear, as stated under `environment` or as the default; absent where another
+  /// version states what this one does not know.
   struct Senses {
-    std::string vision{};               ///< "free", "hand_occluded", "blindfold"
-    std::string noise{};                ///< that masks the device: "none", "white", "pink"
-    std::optional<double> noise_dBA{};  ///< its level at the ear
+    std::optional<Vision> vision{};
+    std::optional<Protocol::Noise> noise{};  ///< that masks the device
   };
 
   std::string title{};
-  std::optional<Senses> senses{};  ///< absent for a text that is not a JSON object
-  std::map<std::string, Factor> factors{};
-  std::map<std::string, Question> questions{};
+  Senses senses{};
+  std::map<std::string, Factor, std::less<>> factors{};
+  std::map<std::string, Question, std::less<>> questions{};
   std::map<std::string, Block> blocks{};  ///< those with a question
   AnalysisDeclaration analysis{};
   std::optional<EstimationDeclaration> estimation{};

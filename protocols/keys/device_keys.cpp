@@ -1,8 +1,7 @@
 // Defines the keys of "device" and of its limits.
 
-#include "protocols/keys/device_keys.h"
-
 #include "protocols/keys/keys_of.h"
+#include "protocols/keys/tables.h"
 
 namespace asperity {
 
@@ -63,11 +62,6 @@ constexpr auto kDeviceLimitKeys = keys_of(
                           NumberShape{.minimum = 0.0, .maximum = 1.0}),
         "`0.8`"));
 
-constexpr auto kDeviceLimits = table_of(
-    "Limits that device-test and sessions apply to the device. An item without a limit here has "
-    "the default limit, if there is one.",
-    kDeviceLimitKeys);
-
 constexpr auto kPlacesOfContacts = words_of<bool>(
     {{"cpu", false, "on the processor"}, {"gpu", true, "on the first OpenCL device"}});
 
@@ -112,14 +106,16 @@ constexpr auto kDeviceKeys = keys_of(
         "true: the study needs only the hand's movement, and Run accepts a device that exerts no "
         "force. Otherwise sessions on such a device are pilots, unless the participant is virtual.",
         TruthShape{}),
-    member_key<&Protocol::device_limits>("limits", "Limits on the device", kDeviceLimits));
-
-constexpr auto kDeviceTable = table_of("Requirements of the haptic device.", kDeviceKeys);
+    member_key<&Protocol::device_limits>("limits", "Limits on the device", kDeviceLimitsTable));
 
 }  // namespace
 
-const KeyTableOf<Protocol>& device_keys() { return kDeviceTable; }
+constexpr KeyTableOf<Protocol> kDeviceTable =
+    table_of("Requirements of the haptic device.", kDeviceKeys);
 
-const KeyTableOf<std::map<std::string, double>>& device_limit_keys() { return kDeviceLimits; }
+constexpr KeyTableOf<Limits> kDeviceLimitsTable = table_of(
+    "Limits that device-test and sessions apply to the device. An item without a limit here has "
+    "the default limit, if there is one.",
+    kDeviceLimitKeys);
 
 }  // namespace asperity

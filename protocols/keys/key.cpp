@@ -31,6 +31,13 @@ const ProtocolKey* KeyTable::find(std::string_view name) const {
   return found == keys.end() ? nullptr : &*found;
 }
 
+std::string_view meaning_of(const ValueShape& shape, std::string_view own) {
+  const auto* const object = std::get_if<ObjectShape>(&shape);
+  return own.empty() && object != nullptr ? object->table->meaning : own;
+}
+
+std::string_view meaning_of(const ProtocolKey& key) { return meaning_of(key.shape, key.meaning); }
+
 nlohmann::json default_of(const ProtocolKey& key) {
   if (key.is_required || !key.computed_default.empty()) return nullptr;
   return key.standard(key);
@@ -76,7 +83,8 @@ std::vector<std::string> types_of(const ValueShape& shape) {
 void read_keys(const KeyTable& table, const nlohmann::json& valid, void* owner) {
   for (const ProtocolKey& key : table.keys) {
     const auto found = valid.find(key.name);
-    if (found != valid.end()) key.store(key, *found, owner);
+    if (found == valid.end()) continue;
+    key.store(key, *found, key.part == nullptr ? owner : key.part(owner));
   }
 }
 

@@ -17,7 +17,7 @@ namespace asperity {
 struct ProtocolKey {
   std::string_view name{};
   std::string_view label{};    ///< of its field in a form
-  std::string_view meaning{};  ///< for schema, page, help and errors; ends with a full stop
+  std::string_view meaning{};  ///< see `meaning_of`
   ValueShape shape{};
   bool is_required = false;
   std::string_view needs{};  ///< another key of the object without which this one is not permitted
@@ -25,6 +25,8 @@ struct ProtocolKey {
   /// of the member, if there is one.
   std::string_view computed_default{};
 
+  /// The part of the owner that receives the value, such as an alternative of a variant; null: the owner itself.
+  void* (*part)(void* owner) = nullptr;
   /// Stores a value of this shape in the owner, of the type that the table describes.
   void (*store)(const ProtocolKey& key, const nlohmann::json& value, void* owner) = nullptr;
   /// The value of a new owner, as a file writes it; null for a member whose absence means something else.
@@ -34,6 +36,11 @@ struct ProtocolKey {
 /// The value that an absent key stands for; null if the key is required, or if its default is computed or there is none.
 nlohmann::json default_of(const ProtocolKey& key);
 
+/// The meaning of a value for schema, page, help and errors: `own`, or if it is empty that of the table of an object. It
+/// ends with a full stop.
+std::string_view meaning_of(const ValueShape& shape, std::string_view own);
+std::string_view meaning_of(const ProtocolKey& key);
+
 /// The keys of an object, in the order in which files and forms have them.
 ///
 /// Every object also permits comments: "$comment" and keys that begin with "x-".
@@ -42,7 +49,9 @@ struct KeyTable {
   std::span<const ProtocolKey> keys{};
   /// Keys of which an object has exactly one, such as the kinds of a step of the flow; empty: no such choice.
   std::span<const std::string_view> deciding{};
-  bool is_open = false;  ///< other keys are permitted and not interpreted
+  bool is_open = false;      ///< other keys are permitted and not interpreted
+  bool may_be_empty = true;  ///< otherwise an object has at least one key
+  std::string_view noun{};   ///< of the object, for the page; empty: "object"
 
   /// The key with this name; null if there is none.
   const ProtocolKey* find(std::string_view name) const;

@@ -19,7 +19,9 @@ std::string shape_text(const ValueShape& shape);
 
 std::string size_text(std::size_t shortest, const std::optional<std::size_t>& longest) {
   if (longest == shortest) return " (" + std::to_string(shortest) + ')';
-  return shortest > 1 ? " (" + std::to_string(shortest) + " or more)" : "";
+  if (shortest <= 1) return "";
+  const std::string upper = longest ? " to " + std::to_string(*longest) : " or more";
+  return " (" + std::to_string(shortest) + upper + ')';
 }
 
 /// The column "value".
@@ -53,7 +55,9 @@ struct ShapeText {
   std::string operator()(const MapShape& shape) const {
     return "by name: " + shape_text(*shape.entry);
   }
-  std::string operator()(const ObjectShape&) const { return "object"; }
+  std::string operator()(const ObjectShape& shape) const {
+    return shape.table->noun.empty() ? "object" : std::string(shape.table->noun);
+  }
   std::string operator()(const BoundShape& shape) const {
     return shape_text(*shape.value) + " or `{\"factor\": …}`";
   }
@@ -84,7 +88,7 @@ std::string page_rows_of(const KeyTable& table) {
   std::string rows{};
   for (const ProtocolKey& key : table.keys) {
     rows += "| " + code(key.name) + " | " + shape_text(key.shape) + " | " + default_text(key) +
-            " | " + std::string(key.meaning) + " |\n";
+            " | " + std::string(meaning_of(key)) + " |\n";
   }
   return rows;
 }

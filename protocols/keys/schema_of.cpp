@@ -37,6 +37,7 @@ struct Keywords {
   json operator()(const WordShape& shape) const {
     json words = json::array();
     for (const KeyWord& word : shape.words) words.push_back(word.name);
+    if (words.size() == 1) return {{"const", words.front()}};
     return {{"enum", std::move(words)}};
   }
   json operator()(const TextShape& shape) const {
@@ -58,7 +59,7 @@ struct Keywords {
   json operator()(const MapShape& shape) const {
     json keywords{{"additionalProperties", schema_of(*shape.entry, shape.meaning)},
                   {"patternProperties", {{kCommentPattern, json::object()}}},
-                  {"propertyNames", {{"maxLength", kMaximumNameLength}}}};
+                  {"propertyNames", {{"maxLength", shape.longest_name}}}};
     if (shape.has_names) keywords["propertyNames"]["pattern"] = kNameOrCommentPattern;
     if (shape.shortest > 0) keywords["minProperties"] = shape.shortest;
     if (shape.longest) keywords["maxProperties"] = *shape.longest;
@@ -73,7 +74,7 @@ struct Keywords {
   json operator()(const BoundShape& shape) const {
     json keywords = std::visit(*this, *shape.value);
     keywords["required"] = {"factor"};
-    keywords["properties"] = {{"factor", schema_of(NameShape{}, "")}};
+    keywords["properties"] = {{"factor", schema_of(NameShape{}, kNameMeaning)}};
     keywords["additionalProperties"] = false;
     return keywords;
   }
@@ -81,15 +82,17 @@ struct Keywords {
   json operator()(const FormsShape& shape) const {
     json keywords = json::object();
     for (const ValueShape& form : shape.forms) {
-      json added = std::visit(*this, form);
-      if (const auto words = added.find("enum"); words != added.end()) {
-        std::string pattern{};
-        for (const json& word : *words) {
-          pattern += (pattern.empty() ? "" : "|") + word.get<std::string>();
-        }
-        added = {{"pattern", words->size() == 1 ? '^' + pattern + '$' : "^(" + pattern + ")$"}};
+      const auto* const choice = std::get_if<WordShape>(&form);
+      if (choice == nullptr) {
+        keywords.update(std::visit(*this, form));
+        continue;
       }
-      keywords.update(added);
+      std::string pattern{};
+      for (const KeyWord& word : choice->words) {
+        pattern += (pattern.empty() ? "" : "|") + std::string(word.name);
+      }
+      const bool is_one = choice->words.size() == 1;
+      keywords["pattern"] = is_one ? '^' + pattern + '$' : "^(" + pattern + ")$";
     }
     return keywords;
   }
@@ -98,7 +101,7 @@ struct Keywords {
 }  // namespace
 
 json written_number(double value) {
-  constexpr double kExact = 9e15;
+  constexpr double kExact = 9'007'199'254'740'992.0;  // 2^53
   if (value == std::trunc(value) && std::abs(value) < kExact) {
     return static_cast<std::int64_t>(value);
   }
@@ -107,10 +110,11 @@ json written_number(double value) {
 
 json schema_of(const ValueShape& shape, std::string_view meaning) {
   json schema = std::visit(Keywords{}, shape);
-  if (!schema.contains("enum")) {
+  if (!std::holds_alternative<WordShape>(shape)) {
     const std::vector<std::string> types = types_of(shape);
     schema["type"] = types.size() == 1 ? json(types.front()) : json(types);
   }
+  meaning = meaning_of(shape, meaning);
   if (!meaning.empty()) schema["description"] = meaning;
   return schema;
 }
@@ -128,8 +132,10 @@ json schema_of(const KeyTable& table) {
       properties[name]["default"] = as_written(standard);
     }
   }
-  json schema{{"description", table.meaning}, {"type", "object"}, {"properties", properties}};
+  json schema{{"description", table.meaning}, {"type", "object"}};
+  if (!properties.empty()) schema["properties"] = std::move(properties);
   if (!required.empty()) schema["required"] = std::move(required);
+  if (!table.may_be_empty) schema["minProperties"] = 1;
   if (!needs.empty()) schema["dependencies"] = std::move(needs);
   for (const std::string_view key : table.deciding) {
     schema["oneOf"].push_back({{"required", {key}}});

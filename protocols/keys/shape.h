@@ -15,6 +15,8 @@ namespace asperity {
 struct ValueShape;
 struct KeyTable;
 
+inline constexpr std::size_t kMaximumNameLength = 64;
+
 /// A unit for display: one `unit` is 10^`power` of the unit in the file. The power is an integer, so that a number is
 /// converted as a decimal: 2.3 mm is 0.0023 m exactly.
 struct DisplayUnit {
@@ -76,7 +78,8 @@ struct ListShape {
 struct MapShape {
   const ValueShape* entry = nullptr;
   std::string_view meaning{};  ///< of an entry
-  bool has_names = true;       ///< its keys are names; otherwise texts with at most 64 characters
+  bool has_names = true;       ///< its keys are names; otherwise any texts
+  std::size_t longest_name = kMaximumNameLength;
   std::size_t shortest = 0;
   std::optional<std::size_t> longest{};
 };
@@ -109,8 +112,9 @@ struct ValueShape : std::variant<NumberShape, TruthShape, WordShape, TextShape, 
 std::vector<std::string> types_of(const ValueShape& shape);
 
 /// A name: lower-case letters, digits and underscores, starting with a letter, at most 64 characters.
-inline constexpr std::size_t kMaximumNameLength = 64;
 inline constexpr std::string_view kNamePattern = "^[a-z][a-z0-9_]*$";
+inline constexpr std::string_view kNameMeaning =
+    "A name: lower-case letters, digits and underscores, starting with a letter.";
 bool is_name(std::string_view text);
 
 }  // namespace asperity

@@ -48,6 +48,7 @@ class Walk final {
 
   std::optional<json> part(const json& value, const ValueShape& shape, std::string_view meaning,
                            const std::string& pointer) {
+    meaning = meaning_of(shape, meaning);
     const Place place{value, meaning, pointer};
     // A word is named with all others, so that the sentence about its type would be a second one.
     const bool is_word = std::holds_alternative<WordShape>(shape);
@@ -132,8 +133,8 @@ class Walk final {
       const std::string at = pointer_to(place.pointer, name);
       if (shape.has_names && !is_name(name)) {
         report(at, not_a_name(name), true);
-      } else if (name.size() > kMaximumNameLength) {
-        report(at, long_text(kMaximumNameLength), true);
+      } else if (characters_in(name) > shape.longest_name) {
+        report(at, long_text(shape.longest_name), true);
       } else if (auto entry = part(member, *shape.entry, shape.meaning, at)) {
         made[name] = std::move(*entry);
       }
@@ -147,33 +148,48 @@ class Walk final {
 
   std::optional<json> part_of(const ObjectShape& shape, const Place& place) {
     const KeyTable& table = *shape.table;
-    json made = json::object();
+    json made = table.is_open ? place.value : json::object();
+    bool has_other_mistake = false;  // which explains the lack of a deciding key
     for (const auto& [name, member] : place.value.items()) {
       if (is_comment(name)) continue;
       const std::string at = pointer_to(place.pointer, name);
       const ProtocolKey* const key = table.find(name);
       if (key == nullptr) {
-        if (!table.is_open) report(at, unknown_key(name, names_of(table)), true);
+        if (table.is_open) continue;
+        report(at, unknown_key(name, names_of(table)), true);
+        has_other_mistake = true;
       } else if (auto valid = part(member, key->shape, key->meaning, at)) {
         made[name] = std::move(*valid);
+      } else {
+        made.erase(name);
       }
     }
     for (const ProtocolKey& key : table.keys) {
       const bool is_there = place.value.contains(key.name);
       if (key.is_required && !is_there) {
-        report(place.pointer, missing_key(key.name, key.meaning));
+        report(place.pointer, missing_key(key.name, meaning_of(key)));
+        problems_.back().missing_key = key.name;
       } else if (is_there && !key.needs.empty() && !place.value.contains(key.needs)) {
         report(place.pointer, missing_companion(key.needs));
+        has_other_mistake = true;
         made.erase(std::string(key.name));
       }
     }
-    return is_decided(table, place) ? std::optional(std::move(made)) : std::nullopt;
+    const bool is_empty = std::all_of(place.value.items().begin(), place.value.items().end(),
+                                      [](const auto& member) { return is_comment(member.key()); });
+    if (is_empty && !table.may_be_empty) return refused(place, empty_object(place.meaning));
+    if (is_decided(table, place)) return made;
+    if (!has_other_mistake) {
+      report(place.pointer, undecided_object({table.deciding.begin(), table.deciding.end()}));
+    }
+    return {};
   }
 
   std::optional<json> part_of(const BoundShape& shape, const Place& place) {
     if (!place.value.is_object())
       return part(place.value, *shape.value, place.meaning, place.pointer);
-    static const ProtocolKey kFactor{.name = "factor", .shape = kFactorName, .is_required = true};
+    static const ProtocolKey kFactor{
+        .name = "factor", .meaning = kNameMeaning, .shape = kFactorName, .is_required = true};
     static const KeyTable kBinding{.keys = {&kFactor, 1}};
     auto bound = part_of(ObjectShape{&kBinding}, place);
     return bound && bound->contains("factor") ? bound : std::nullopt;
@@ -199,14 +215,12 @@ class Walk final {
     return false;
   }
 
-  bool is_decided(const KeyTable& table, const Place& place) {
+  static bool is_decided(const KeyTable& table, const Place& place) {
     if (table.deciding.empty()) return true;
     const auto count =
         std::count_if(table.deciding.begin(), table.deciding.end(),
                       [&place](std::string_view key) { return place.value.contains(key); });
-    if (count == 1) return true;
-    report(place.pointer, undecided_object({table.deciding.begin(), table.deciding.end()}));
-    return false;
+    return count == 1;
   }
 
   std::vector<FormProblem>& problems_;
@@ -214,8 +228,18 @@ class Walk final {
 
 }  // namespace
 
+bool has_form(const std::vector<FormProblem>& problems, std::string_view pointer) {
+  return std::none_of(problems.begin(), problems.end(), [pointer](const FormProblem& problem) {
+    const std::string place = problem.missing_key.empty()
+                                  ? problem.pointer
+                                  : pointer_to(problem.pointer, problem.missing_key);
+    return pointer == place || pointer.starts_with(place + '/') ||
+           place.starts_with(std::string(pointer) + '/');
+  });
+}
+
 ValidPart valid_part(const json& value, const KeyTable& table, const std::string& pointer) {
-  return valid_part(value, ObjectShape{&table}, table.meaning, pointer);
+  return valid_part(value, ObjectShape{&table}, "", pointer);
 }
 
 ValidPart valid_part(const json& value, const ValueShape& shape, std::string_view meaning,

@@ -18,7 +18,12 @@ struct FormProblem {
   std::string pointer{};
   std::string message{};
   bool is_at_key = false;  ///< the key itself is not permitted; otherwise its value
+  std::string
+      missing_key{};  ///< the key that the object at `pointer` lacks; empty: another problem
 };
+
+/// Whether none of the problems concerns the value at `pointer`, a part of it, or a value that contains it.
+bool has_form(const std::vector<FormProblem>& problems, std::string_view pointer);
 
 /// The part of a value that has the form, and the problems of the rest.
 struct ValidPart {

@@ -6,9 +6,10 @@
 #include <stdexcept>
 
 #include "protocols/design/wording.h"
-#include "protocols/plan/permuted_blocks.h"
 
 namespace asperity {
+
+using Assignment = Protocol::Groups::Assignment;
 
 std::vector<std::string> groups_of(const Protocol& protocol) {
   std::vector<std::string> groups{};
@@ -35,26 +36,26 @@ FactorLevels group_factor(const Protocol& protocol, const std::string& group) {
                            in_quotes(group) + "; use " + one_of(groups_of(protocol)));
 }
 
-std::vector<int> block_sizes_of(const Protocol& protocol) {
-  if (!protocol.groups->block_sizes.empty()) return protocol.groups->block_sizes;
-  return default_block_sizes(groups_of(protocol).size());
+std::optional<PermutedBlocks> permuted_blocks_of(const Protocol& protocol) {
+  if (!protocol.groups || protocol.groups->assigned != Assignment::permuted_blocks) return {};
+  const std::size_t count = groups_of(protocol).size();
+  const std::vector<int>& sizes = protocol.groups->block_sizes;
+  return PermutedBlocks{.groups = count,
+                        .sizes = sizes.empty() ? default_block_sizes(count) : sizes,
+                        .seed = protocol.groups->seed.value_or(0)};
 }
 
 std::string permuted_group(const Protocol& protocol, const std::string& mode,
                            std::size_t assigned) {
-  const std::vector<std::string> groups = groups_of(protocol);
-  return groups[permuted_place({.groups = groups.size(),
-                                .sizes = block_sizes_of(protocol),
-                                .seed = protocol.groups->seed.value_or(0)},
-                               mode, assigned)
-                    .group];
+  return groups_of(
+      protocol)[permuted_place(permuted_blocks_of(protocol).value(), mode, assigned).group];
 }
 
 Allocation allocation_in_turn(const Protocol& protocol, int n) {
   const int rows = counterbalance_rows(protocol);
   const std::vector<std::string> groups = groups_of(protocol);
   if (groups.empty()) return {.counterbalance_row = n % rows};
-  if (protocol.groups->assigned == Protocol::Groups::Assignment::permuted_blocks) {
+  if (permuted_blocks_of(protocol)) {
     return allocations_in_turn(protocol, "simulate", n + 1).back();
   }
   const int count = static_cast<int>(groups.size());
@@ -66,8 +67,7 @@ Allocation allocation_in_turn(const Protocol& protocol, int n) {
 
 std::vector<Allocation> allocations_in_turn(const Protocol& protocol, const std::string& mode,
                                             int count) {
-  const bool is_permuted =
-      protocol.groups && protocol.groups->assigned == Protocol::Groups::Assignment::permuted_blocks;
+  const bool is_permuted = permuted_blocks_of(protocol).has_value();
   const int rows = counterbalance_rows(protocol);
   std::map<std::string, int> assigned{};
   std::vector<Allocation> allocations{};

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "protocols/design/protocol.h"
 #include "protocols/plan/block_rows.h"
+#include "protocols/plan/permuted_blocks.h"
 #include "protocols/plan/plan.h"
 
 namespace asperity {
@@ -20,10 +22,11 @@ std::vector<std::string> groups_of(const Protocol& protocol);
 /// Errors: std::runtime_error for a text that is not a group of the protocol.
 FactorLevels group_factor(const Protocol& protocol, const std::string& group);
 
-/// Of permuted blocks: the sizes from which that of each block is drawn.
-std::vector<int> block_sizes_of(const Protocol& protocol);
+/// The blocks in which the program assigns the groups; nullopt if it assigns them otherwise.
+std::optional<PermutedBlocks> permuted_blocks_of(const Protocol& protocol);
 
-/// The group of the participant who is assigned after `assigned` others, by permuted blocks (permuted_place).
+/// The group of the participant who is assigned after `assigned` others, of a protocol with permuted blocks
+/// (permuted_place).
 std::string permuted_group(const Protocol& protocol, const std::string& mode, std::size_t assigned);
 
 /// The allocation of the n-th simulated participant, from 0: groups in turn, and the rows of counterbalancing in turn

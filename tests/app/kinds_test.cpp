@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "app/findings/outcome/study_analysis.h"
 #include "protocols/file/library_protocols.h"
@@ -88,7 +89,7 @@ TEST(Kinds, HaveAProtocolInTheLibrary) {
 
 TEST(Kinds, AreInTheDocumentsAndTheSchema) {
   const std::string format = document("docs/formats/protocol.md");
-  const std::string schema = document("protocols/schema/protocol-1.schema.json");
+  const std::string schema = protocol_schema().dump();
   for (const ExperimentKind* const kind : experiment_kinds()) {
     const std::string id(kind->id);
     EXPECT_THAT(format, HasSubstr("`" + id + "`"));

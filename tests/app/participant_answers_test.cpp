@@ -74,7 +74,8 @@ TEST(AnswerOfAParticipant, MayHaveADecimalComma) {
 TEST(PersonWithAnswers, HasThemWhereTheStoreKeepsThem) {
   Protocol protocol{};
   for (const char* name : {"age", "sex", "handedness", "hand_used", "remarks"}) {
-    protocol.participant_questions.push_back({.name = name});
+    protocol.participant_questions.emplace_back(name);
+    protocol.questions[name].name = name;
   }
   const ParticipantRow person =
       person_of("P001", protocol,

@@ -769,14 +769,10 @@ TEST_F(DeviceRehearsalTest, HoldsNoSimulatedDeviceToALimitOfItsTiming) {
   EXPECT_TRUE(one(protocol, with_item(device, "friction_N", 0.2), "limit_friction_N"));
 }
 
-// The schema lists by hand what device-test measures; what is exactly zero or not has no limit to choose.
+// The table lists by hand what device-test measures; what is exactly zero or not has no limit to choose.
 TEST(ProtocolLimits, AreAnyNumberThatADeviceIsMeasuredByButTheForceOfNothing) {
-  const auto known = nlohmann::json::parse(protocol_schema())
-                         .at("properties")
-                         .at("device")
-                         .at("properties")
-                         .at("limits")
-                         .at("properties");
+  const auto& known =
+      protocol_schema().at("/properties/device/properties/limits/properties"_json_pointer);
   std::set<std::string> measured{};
   for (const DeviceQuantity& quantity : device_quantities()) {
     if (std::string(quantity.name) == "force_zero_N") continue;

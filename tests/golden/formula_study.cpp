@@ -309,7 +309,7 @@ class FormulaSession final {
 
 ParticipantRow person(const Protocol& protocol, const FormulaAnswers& answers, int number) {
   ParticipantAnswers given{};
-  for (const Question& question : protocol.participant_questions) {
+  for (const Question& question : questions_about_participant(protocol)) {
     const FormAnswer answer =
         answers.answer(question, {.participant = number, .session = 0, .trial = 0});
     given[question.name] = answer.empty() ? std::string() : answer.front();

@@ -134,9 +134,7 @@ void expect_keys(const nlohmann::json& node, const std::string& reference) {
 }
 
 TEST(FormatReference, NamesEveryKeyOfTheSchemaAsTheSchemaDoes) {
-  auto schema = nlohmann::json::parse(protocol_schema());
-  schema.at("definitions").erase("binding");
-  schema.at("definitions").erase("name_binding");
+  nlohmann::json schema = protocol_schema();
   // Bands are described once, in the text.
   const auto drop_bands = [](const auto& self, nlohmann::json& node) -> void {
     if (node.is_object() && node.contains("properties") &&

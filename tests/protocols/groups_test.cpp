@@ -234,7 +234,7 @@ TEST(PermutedBlocks, AllocateThePlacesOfAStudyInTheSequenceOfTheMode) {
 
 TEST(PermutedBlocks, HaveRandomSizesUnlessOneIsStated) {
   const Protocol protocol = read_grouped(permuted(R"(, "seed": 4)"));
-  EXPECT_THAT(block_sizes_of(protocol), ElementsAre(4, 6));
+  EXPECT_THAT(permuted_blocks_of(protocol)->sizes, ElementsAre(4, 6));
   // Blocks of 4 or of 6 alone are balanced after every 12 participants; here the balance after 4 and 6 varies.
   int balanced_after_4 = 0;
   int balanced_after_10 = 0;

@@ -44,8 +44,8 @@ TEST_P(Library, AsksWhatAnEthicsBoardExpects) {
   const Protocol read = protocol();
   EXPECT_FALSE(read.consent_version.empty());
   EXPECT_NE(read.consent_statement.find("stop at any time"), std::string::npos);
-  std::set<std::string> asked{};
-  for (const Question& question : read.participant_questions) asked.insert(question.name);
+  const std::set<std::string> asked(read.participant_questions.begin(),
+                                    read.participant_questions.end());
   for (const char* const name : {"age", "sex", "handedness", "hand_used", "hand_problems"}) {
     EXPECT_TRUE(asked.contains(name)) << name;
   }

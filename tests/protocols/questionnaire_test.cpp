@@ -209,7 +209,7 @@ TEST(StoredAnswer, IsComparedWithItsQuestion) {
 TEST(StoredProtocol, KnowsTheFormsAndConditionsOfAQuestionnaire) {
   const StoredProtocol read = stored_protocol(questioned().dump());
   EXPECT_EQ(read.questions.at("since").unit, "min");
-  EXPECT_EQ(read.questions.at("strength").maximum, 10.0);
+  EXPECT_EQ(read.questions.at("strength").scale.maximum, 10.0);
   ASSERT_TRUE(read.questions.at("kinds").condition);
   EXPECT_EQ(signs_of(*read.questions.at("kinds").condition), "strength ≥ 5");
 }

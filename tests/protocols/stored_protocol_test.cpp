@@ -27,9 +27,9 @@ TEST(StoredProtocol, ReadsWhatIsSpecified) {
   EXPECT_EQ(read.factors.at("tip").meaning, "diameter");
   EXPECT_EQ(read.factors.at("tip").unit, "m");
   EXPECT_THAT(read.factors.at("tip").hed, ElementsAre(Pair("small", "Item")));
-  const StoredProtocol::Question& hand = read.questions.at("hand");
+  const Question& hand = read.questions.at("hand");
   EXPECT_EQ(hand.prompt, "Which hand?");
-  EXPECT_EQ(hand.form, "choice");
+  EXPECT_EQ(hand.form, Question::Form::choice);
   EXPECT_EQ(hand.minimum, 1.0);
   EXPECT_FALSE(hand.maximum);
   EXPECT_THAT(hand.options, ElementsAre("left", "right"));
@@ -41,6 +41,17 @@ TEST(StoredProtocol, ReadsWhatIsSpecified) {
   EXPECT_THAT(read.analysis.family, ElementsAre("spacing"));
   ASSERT_TRUE(read.estimation);
   EXPECT_THAT(read.estimation->conditions, ElementsAre("small", "large"));
+}
+
+TEST(StoredProtocol, DoesNotReplaceWhatItDoesNotKnowOfSensesByADefault) {
+  const StoredProtocol later = stored_protocol(
+      R"({"environment": {"vision": "mirrored", "touch": 1, "masking_noise": {"kind": "brown"}}})");
+  EXPECT_FALSE(later.senses.vision);
+  EXPECT_FALSE(later.senses.noise);
+  EXPECT_EQ(stored_protocol("{}").senses.vision, Vision::free);
+  ASSERT_TRUE(stored_protocol("{}").senses.noise);
+  EXPECT_FALSE(stored_protocol("no protocol").senses.vision);
+  EXPECT_FALSE(stored_protocol("[]").senses.noise);
 }
 
 TEST(StoredProtocol, GivesAScaleTheEndsThatItHasWhereNoneAreStated) {
@@ -126,7 +137,8 @@ TEST(StoredProtocol, ReadsNothingOfWhatHasAnotherForm) {
 TEST(StoredProtocol, WithoutTextsIsTheSameInEveryLanguageAndInNothingElse) {
   const auto rest = [](const char* language, const char* text, const char* value) {
     return without_texts(std::string(R"({"language": ")") + language + R"(", "questions": {"title":
-        {"prompt": ")" + text + R"(", "options": [{"value": ")" + value + R"(", "text": ")" + text +
+        {"prompt": ")" + text +
+                         R"(", "options": [{"value": ")" + value + R"(", "text": ")" + text +
                          R"("}]}}, "flow": [{"screen": ")" + text + R"("}, {"run": "main"}]})");
   };
   EXPECT_EQ(rest("en", "Hello", "yes"), rest("de", "Hallo", "yes"));

@@ -140,8 +140,8 @@ Columns attempt_columns(const StudyVocabulary& vocabulary) {
                      "mask is on",
                      [senses = vocabulary.senses](const Place& at) -> Cell {
                        const auto found = senses.find(at.protocol->source_sha256);
-                       const bool is_requested = found != senses.end() &&
-                                                 found->second.vision == text_of(Vision::blindfold);
+                       const bool is_requested =
+                           found != senses.end() && found->second.vision == Vision::blindfold;
                        return is_requested ? optional_boolean(at.eye_mask->was_on_in(*at.attempt))
                                            : Cell{};
                      })));

@@ -37,19 +37,25 @@ void add_senses(const StudyVocabulary& vocabulary, Columns& columns) {
        {"nothing while surfaces are felt; eye_mask_confirmed of attempts states whether the eye "
         "mask was on",
         ""}}};
-  add(std::move(vision), [](const Senses& senses) -> Cell { return senses.vision; });
+  add(std::move(vision), [](const Senses& senses) -> Cell {
+    return senses.vision ? Cell{text_of(*senses.vision)} : Cell{};
+  });
   add(missing(kUnreadable, with_levels(column("masking_noise", "text", "",
                                               "noise that masks the sound of the device, as the "
                                               "protocol requests; masking_noise_source of attempts "
                                               "states which noise there was",
                                               {}),
                                        {"none", "white", "pink"})),
-      [](const Senses& senses) -> Cell { return senses.noise; });
+      [](const Senses& senses) -> Cell {
+        return senses.noise ? Cell{text_of(senses.noise->kind)} : Cell{};
+      });
   add(missing("the protocol requests no masking noise, or does not state its level",
               column("masking_noise_level_dBA", "number", "dB(A)",
                      "level of this noise at the ear, as the protocol requests and not as measured",
                      {})),
-      [](const Senses& senses) { return optional_cell(senses.noise_dBA); });
+      [](const Senses& senses) {
+        return senses.noise ? optional_cell(senses.noise->level_dBA) : Cell{};
+      });
 }
 
 }  // namespace

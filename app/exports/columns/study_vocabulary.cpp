@@ -24,11 +24,8 @@ void learn_questions(const ProtocolRow& protocol, const StoredProtocol& specifie
   for (const auto& [name, asked] : specified.questions) {
     StudyVocabulary::AnswerMeaning meaning{};
     meaning.prompt = asked.prompt;
-    meaning.free_text = asked.form == "text";
-    if (!asked.low_label.empty()) {
-      meaning.prompt += " [" + asked.low_label + " … " + asked.high_label + "]";
-    }
-    meaning.has_several = asked.form == "multiple_choice";
+    meaning.free_text = asked.form == Question::Form::text;
+    meaning.has_several = asked.form == Question::Form::multiple_choice;
     meaning.unit = asked.unit;
     if (asked.condition) {
       meaning.condition = clause_of(*asked.condition);
@@ -36,9 +33,17 @@ void learn_questions(const ProtocolRow& protocol, const StoredProtocol& specifie
     }
     meaning.minimum = asked.minimum;
     meaning.maximum = asked.maximum;
+    if (asked.form == Question::Form::scale) {
+      meaning.minimum = asked.scale.minimum;
+      meaning.maximum = asked.scale.maximum;
+      if (const auto& labels = asked.scale.labels; !labels.empty()) {
+        meaning.prompt += " [" + labels.front() + " … " + labels.back() + "]";
+      }
+    }
     meaning.options = asked.options;
-    for (const auto& [option, text] : asked.option_texts) {
-      meaning.option_meanings[option].description = text;
+    for (std::size_t i = 0; i < asked.option_texts.size(); ++i) {
+      const std::string& text = asked.option_texts[i];
+      if (text != asked.options[i]) meaning.option_meanings[asked.options[i]].description = text;
     }
     meaning.source = place_in(protocol, "/questions/" + name);
     vocabulary.questions_of_source[{protocol.source_sha256, name}] = meaning;
@@ -99,7 +104,7 @@ void learn_from_protocol(const ProtocolRow& protocol, StudyVocabulary& vocabular
     }
   }
   learn_questions(protocol, specified, vocabulary);
-  if (specified.senses) vocabulary.senses[protocol.source_sha256] = *specified.senses;
+  vocabulary.senses[protocol.source_sha256] = specified.senses;
   if (!specified.group_factor.empty()) {
     vocabulary.group_factors[protocol.source_sha256] = specified.group_factor;
   }

@@ -86,16 +86,13 @@ QString text_of_parameter(const ParameterValue& value) {
 
 }  // namespace
 
-SchemaHelp::SchemaHelp(std::vector<ModelDeclaration> models)
-    : schema_(std::make_unique<const nlohmann::json>(nlohmann::json::parse(protocol_schema()))),
-      models_(std::move(models)) {}
-
-SchemaHelp::~SchemaHelp() = default;
+SchemaHelp::SchemaHelp(std::vector<ModelDeclaration> models) : models_(std::move(models)) {}
 
 const nlohmann::json& SchemaHelp::resolved(const nlohmann::json& node) const {
   if (!node.contains("$ref")) return node;
   // "#/definitions/texture"
-  return schema_->at(nlohmann::json::json_pointer(node["$ref"].get<std::string>().substr(1)));
+  return protocol_schema().at(
+      nlohmann::json::json_pointer(node["$ref"].get<std::string>().substr(1)));
 }
 
 const nlohmann::json* SchemaHelp::below(const nlohmann::json& node, const std::string& key) const {
@@ -115,7 +112,7 @@ std::optional<KeyHelp> SchemaHelp::of(const QStringList& place) const {
     return of_parameter(place[3]);
   }
   const nlohmann::json* parent = nullptr;
-  const nlohmann::json* node = schema_.get();
+  const nlohmann::json* node = &protocol_schema();
   for (const QString& key : place) {
     parent = &resolved(*node);
     node = below(*parent, key.toStdString());

@@ -2,7 +2,6 @@
 
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -25,7 +24,6 @@ class SchemaHelp final {
   Q_DECLARE_TR_FUNCTIONS(asperity::SchemaHelp)
  public:
   explicit SchemaHelp(std::vector<ModelDeclaration> models);
-  ~SchemaHelp();
 
   /// Of the key that a place (see json_place) ends in; of an entry of a list, what the entry is.
   /// Nothing where the format knows no such key.
@@ -37,7 +35,6 @@ class SchemaHelp final {
   const nlohmann::json* below(const nlohmann::json& node, const std::string& key) const;
   std::optional<KeyHelp> of_parameter(const QString& name) const;
 
-  std::unique_ptr<const nlohmann::json> schema_;
   std::vector<ModelDeclaration> models_;
 };
 

@@ -100,7 +100,7 @@ void StartPage::show_protocol() {
           .arg(title.toHtmlEscaped(),
                QString("%1 · %2").arg(QString::fromStdString(protocol->name), head).toHtmlEscaped(),
                tail.toHtmlEscaped()));
-  participant_->set_questions(protocol->participant_questions);
+  participant_->set_questions(questions_about_participant(*protocol));
   consent_->set_statement(*protocol);
 }
 

@@ -15,14 +15,13 @@ namespace asperity {
 namespace {
 
 /// ", in permuted blocks of 4 or 6 participants (seed 3)"
-std::string blocks_text(const Protocol& protocol) {
-  const std::vector<int> sizes = block_sizes_of(protocol);
+std::string blocks_text(const PermutedBlocks& blocks) {
   std::string text{};
-  for (const int size : std::set<int>(sizes.begin(), sizes.end())) {
+  for (const int size : std::set<int>(blocks.sizes.begin(), blocks.sizes.end())) {
     text += (text.empty() ? "" : " or ") + std::to_string(size);
   }
   return ", by a random sequence in permuted blocks of " + text + " participants (seed " +
-         std::to_string(protocol.groups->seed.value_or(0)) + ')';
+         std::to_string(blocks.seed) + ')';
 }
 
 std::string assignment_text(const Protocol& protocol, bool are_virtual) {
@@ -31,7 +30,7 @@ std::string assignment_text(const Protocol& protocol, bool are_virtual) {
       return are_virtual ? ", in turn"
                          : ", each to the group with the fewest participants at that time";
     case Protocol::Groups::Assignment::permuted_blocks:
-      return blocks_text(protocol);
+      return blocks_text(permuted_blocks_of(protocol).value());
     case Protocol::Groups::Assignment::by_experimenter:
       return are_virtual ? ", in turn" : ", by the experimenter";
   }

@@ -1,0 +1,36 @@
+// Implements the check of the form of a document by the tables of keys.
+
+#include "protocols/file/form_check.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "protocols/keys/form_sentences.h"
+#include "protocols/keys/tables.h"
+#include "protocols/keys/valid_part.h"
+
+namespace asperity {
+
+std::vector<Diagnostic> check_form(const JsonDocument& document) {
+  if (!document.root().is_object()) {
+    return {document.at("", quoted_value(document.root()) +
+                                " is not a protocol; a protocol is an object "
+                                "{…} that begins with \"format\": "
+                                "\"asperity.protocol/1\"")};
+  }
+  std::vector<Diagnostic> found{};
+  for (FormProblem& problem : valid_part(document.root(), kProtocolTable, "").problems) {
+    found.push_back(problem.is_at_key ? document.at_key(problem.pointer, problem.message)
+                                      : document.at(problem.pointer, problem.message));
+  }
+  std::stable_sort(found.begin(), found.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+  });
+  return found;
+}
+
+bool has_form_of_protocol(const nlohmann::json& root) {
+  return valid_part(root, kProtocolTable, "").problems.empty();
+}
+
+}  // namespace asperity

@@ -1,0 +1,43 @@
+// Declares the shapes and words that several tables share.
+
+#pragma once
+
+#include <array>
+
+#include "protocols/keys/shape.h"
+
+namespace asperity {
+
+inline constexpr DisplayUnit kMillimetres{.unit = "mm", .power = -3};
+
+/// The path of a file, relative to the study.
+inline constexpr TextShape kFile{.longest = 400};
+inline constexpr TextShape kParagraph{.longest = 8000, .is_long = true};
+
+inline constexpr ValueShape kLevelNumber = NumberShape{};
+inline constexpr ValueShape kLevelText = TextShape{.may_be_empty = true};
+inline constexpr std::array kLevelForms{kLevelNumber, kLevelText};
+inline constexpr FormsShape kLevel{kLevelForms};
+inline constexpr ValueShape kLevelShape = kLevel;
+inline constexpr std::string_view kLevelMeaning = "A level: a number or a name.";
+
+inline constexpr ValueShape kBoundName = NameShape{};
+inline constexpr BoundShape kNameOrFactor{&kBoundName};
+
+/// The ids of the kinds of experiment (protocols/kinds/experiment_kind.h).
+inline constexpr std::array<KeyWord, 8> kKinds{
+    {{"selection", 0, "the most realistic of several renderings is chosen"},
+     {"matching", 0, "felt textures are assigned to the same number of pictures"},
+     {"recognition", 0, "one felt texture is recognised among pictures"},
+     {"magnitude", 0, "the roughness of one felt surface is estimated as a number"},
+     {"rating", 0, "one felt surface is rated on one or more scales"},
+     {"paired_comparison", 0, "one of two felt surfaces is chosen"},
+     {"discrimination", 0,
+      "a standard and a comparison that differs from it in one parameter are felt, and one of the "
+      "two is chosen"},
+     {"similarity", 0, "the dissimilarity of two felt surfaces is rated"}}};
+
+inline constexpr NumberShape kStiffness{.above = 0.0, .maximum = 10'000.0, .unit = "N/m"};
+inline constexpr NumberShape kFriction{.minimum = 0.0, .maximum = 2.0};
+
+}  // namespace asperity

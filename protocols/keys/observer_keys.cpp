@@ -1,0 +1,92 @@
+// Defines the keys of "observer": the judgements of a virtual participant.
+
+#include "protocols/keys/common_shapes.h"
+#include "protocols/keys/keys_of.h"
+#include "protocols/keys/tables.h"
+
+namespace asperity {
+
+namespace {
+
+using Observer = ObserverDeclaration;
+using Expectation = Observer::Expectation;
+using MagnitudeOf = Observer::MagnitudeOf;
+
+constexpr auto kExpectations = words_of<Expectation>(
+    {{"none", Expectation::none, "a selection, a matching or a recognition is guessed"},
+     {"true_surface", Expectation::true_surface, "the texture's true height field"},
+     {"prior", Expectation::prior, "the features that the texture states"}});
+
+constexpr auto kMagnitudes = words_of<MagnitudeOf>(
+    {{"lateral_force", MagnitudeOf::lateral_force, "relative to the mean normal force"},
+     {"normal_force", MagnitudeOf::normal_force, "relative to the mean normal force"},
+     {"held_tool", MagnitudeOf::held_tool, "the acceleration of a held tool"},
+     {"compliance", MagnitudeOf::compliance,
+      "the depth to which the surface yields over the normal force"}});
+
+constexpr auto kEffects = words_of<bool>({{"increases", false, "with the varied parameter"},
+                                          {"decreases", true, "with the varied parameter"}});
+
+constexpr NumberShape kCriterion{.above = 0.0, .maximum = 1000.0};
+
+constexpr auto kObserverKeys = keys_of(
+    member_key<&Observer::expectation>(
+        "expectation", "Expectation",
+        "Expectation of a texture: none (a selection, a matching or a recognition is then "
+        "guessed), "
+        "its true height field (if it is felt on bodies only: these bodies), or the stated prior.",
+        kExpectations),
+    member_key<&Observer::gaussian_wavelength_m>(
+        "gaussian_wavelength_m", "Cut-off wavelength",
+        "With true_surface: cut-off wavelength of the Gaussian low-pass whose result is subtracted "
+        "from the expected heights, as from heights of a photograph. Absent: nothing is "
+        "subtracted.",
+        NumberShape{.minimum = 0.0001, .maximum = 1.0, .unit = "m", .display = kMillimetres}),
+    member_key<&Observer::deaf>("deaf", "Ignores forces", "Whether the felt forces are ignored.",
+                                TruthShape{}),
+    member_key<&Observer::feature_noise>("feature_noise", "Noise",
+                                         "Standard deviation of the noise added to every feature.",
+                                         NumberShape{.minimum = 0.0, .maximum = 100.0}),
+    member_key<&Observer::position_bias>("position_bias", "Position bias",
+                                         "Evidence added to the first position.",
+                                         NumberShape{.minimum = -100.0, .maximum = 100.0}),
+    member_key<&Observer::lapse>("lapse", "Lapse rate", "Lapse rate: the probability of a guess.",
+                                 NumberShape{.minimum = 0.0, .maximum = 1.0}),
+    member_key<&Observer::magnitude_of>(
+        "magnitude_of", "Judged quantity",
+        "Magnitude, paired comparison, discrimination and rating: the judged quantity, which is a "
+        "felt force relative to the mean normal force, the acceleration of a held tool, or the "
+        "depth to which the surface yields over the normal force.",
+        kMagnitudes),
+    member_key<&Observer::exponent>(
+        "exponent", "Exponent",
+        "Magnitude: exponent of the power function from the quantity in `magnitude_of` to the "
+        "estimate.",
+        NumberShape{.above = 0.0, .maximum = 10.0}),
+    member_key<&Observer::magnitude_decreases>(
+        "effect", "Effect of the parameter",
+        "Discrimination: whether the magnitude increases or decreases with the varied parameter.",
+        kEffects),
+    member_key<&Observer::yes_above>(
+        "yes_above", "Criterion of yes",
+        "Discrimination with the design yes_no: the magnitude above which the response is yes, as "
+        "a fraction of the mean normal force in m/s² or in mm/N (see `magnitude_of`); below which, "
+        "where a signal has the smaller magnitude.",
+        kCriterion),
+    member_key<&Observer::different_above>(
+        "different_above", "Criterion of different",
+        "Discrimination with the design same_different: the relative difference of two magnitudes "
+        "from which on the response is different; 0.1 is a difference of 10 %.",
+        kCriterion),
+    member_key<&Observer::unsure_within>(
+        "unsure_within", "Criterion of uncertainty",
+        "Discrimination with the option \"I cannot tell\": the relative difference of two "
+        "magnitudes below which this is the response; 0.1 is a difference of 10 %.",
+        kCriterion));
+
+}  // namespace
+
+constexpr KeyTableOf<Observer> kObserverTable =
+    table_of("Model of a virtual participant's judgements.", kObserverKeys);
+
+}  // namespace asperity

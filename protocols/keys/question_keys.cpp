@@ -1,0 +1,163 @@
+// Defines the keys of a question of the questionnaire, of its scale, and of conditions on answers.
+
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "protocols/keys/common_shapes.h"
+#include "protocols/keys/keys_of.h"
+#include "protocols/keys/tables.h"
+
+namespace asperity {
+
+namespace {
+
+using nlohmann::json;
+using OptionWord = Protocol::TrialQuestionTemplate::Word;
+
+constexpr TextShape kOptionText{};
+
+constexpr auto kOptionKeys =
+    keys_of(required_key(member_key<&OptionWord::value>(
+                "value", "Value",
+                "The value that is stored and exported: the same in all languages of a protocol.",
+                kOptionText)),
+            required_key(member_key<&OptionWord::text>(
+                "text", "Text", "The text that is shown for this option.", kOptionText)));
+
+constexpr ValueShape kPlainOption = kOptionText;
+constexpr std::array kOptionForms{kPlainOption, kObjectOf<kOptionTable>};
+constexpr ValueShape kOption = FormsShape{kOptionForms};
+
+/// Fills the option texts only if an option has a separate text.
+void store_options(const json& value, Question& question) {
+  for (const json& entry : value) {
+    OptionWord option{};
+    if (entry.is_object()) {
+      read_keys(kOptionTable, entry, &option);
+    } else {
+      option = {entry.get<std::string>(), entry.get<std::string>()};
+    }
+    question.options.push_back(std::move(option.value));
+    question.option_texts.push_back(std::move(option.text));
+  }
+  if (question.option_texts == question.options) question.option_texts.clear();
+}
+
+using Form = Question::Form;
+constexpr auto kForms =
+    words_of<Form>({{"choice", Form::choice, "one of the options"},
+                    {"multiple_choice", Form::multiple_choice, "one or more of the options"},
+                    {"number", Form::number, "a number"},
+                    {"scale", Form::scale, "a point on a scale"},
+                    {"text", Form::text, "a text"}});
+
+constexpr auto kQuestionKeys = keys_of(
+    required_key(
+        member_key<&Question::prompt>("prompt", "Question", "Text of the question.", kParagraph)),
+    required_key(member_key<&Question::form>(
+        "form", "Form",
+        "Form of the response. choice: one of the options; multiple_choice: one or more of the "
+        "options; number; scale: a point on a scale; text.",
+        kForms)),
+    custom_key<&store_options>(
+        "options", "Options", "The options of a choice or a multiple choice.",
+        ListShape{.entry = &kOption,
+                  .meaning = "An option: the text that is shown and stored, or an object if "
+                             "another text is shown, for example in another language.",
+                  .shortest = 2,
+                  .longest = 32}),
+    member_key<&Question::minimum>("minimum", "At least", "Smallest number accepted.",
+                                   NumberShape{}),
+    member_key<&Question::maximum>("maximum", "At most", "Largest number accepted.", NumberShape{}),
+    member_key<&Question::unit>("unit", "Unit",
+                                "Unit of the number, shown next to it and exported.",
+                                TextShape{.longest = 32}),
+    member_key<&Question::scale>("scale", "Scale", kScaleTable,
+                                 "The scale of a question of the form `scale`."),
+    member_key<&Question::condition>("if", "Only if", kConditionTable,
+                                     "The condition under which the question is asked."),
+    member_key<&Question::optional>("optional", "Optional",
+                                    "Whether the question may be left unanswered.", TruthShape{}));
+
+constexpr ValueShape kScaleLabel = TextShape{};
+
+constexpr auto kScaleKeys = keys_of(
+    member_key<&ScaleForm::minimum>("minimum", "Left end", "The value at the left end.",
+                                    NumberShape{}),
+    member_key<&ScaleForm::maximum>("maximum", "Right end", "The value at the right end.",
+                                    NumberShape{}),
+    member_key<&ScaleForm::points>(
+        "points", "Points",
+        "Number of equally spaced points, both ends included; absent: every position of the line "
+        "is a response.",
+        NumberShape{.minimum = 2.0, .maximum = 101.0, .is_whole = true}),
+    member_key<&ScaleForm::labels>(
+        "labels", "Labels", "Labels of the two ends, or one for every point; absent: none.",
+        ListShape{.entry = &kScaleLabel, .meaning = "One label.", .shortest = 2, .longest = 11}));
+
+constexpr ValueShape kNumberAnswer = NumberShape{};
+constexpr ValueShape kTextAnswer = TextShape{};
+constexpr std::array kAnswerForms{kNumberAnswer, kTextAnswer};
+constexpr FormsShape kAnswer{kAnswerForms};
+constexpr ValueShape kAnswerEntry = kAnswer;
+
+// Exactly one of the tests is stated, which the check of meaning demands.
+void store_question(const json& value, AnswerCondition& condition) {
+  condition = {.question = value.get<std::string>(), .test = AnswerWithin{}};
+}
+void store_is(const json& value, AnswerCondition& condition) {
+  store_value(kAnswer, value, condition.test.emplace<AnswerIsOneOf>().values.emplace_back());
+}
+void store_in(const json& value, AnswerCondition& condition) {
+  store_value(ListShape{.entry = &kAnswerEntry}, value,
+              condition.test.emplace<AnswerIsOneOf>().values);
+}
+
+void store_includes(const json& value, AnswerCondition& condition) {
+  condition.test = AnswerIncludes{value.get<std::string>()};
+}
+template <auto limit>
+void store_limit(const json& value, AnswerCondition& condition) {
+  if (auto* const range = std::get_if<AnswerWithin>(&condition.test)) {
+    range->*limit = value.get<double>();
+  }
+}
+
+constexpr auto kConditionKeys = keys_of(
+    required_key(custom_key<&store_question>("question", "Question",
+                                             "The question, which the flow asks earlier.",
+                                             NameShape{"questions"})),
+    custom_key<&store_is>("is", "Answer", "The answer: an option, or a number.", kAnswer),
+    custom_key<&store_in>("in", "One of", "Several possible answers.",
+                          ListShape{.entry = &kAnswerEntry,
+                                    .meaning = "One possible answer: an option, or a number.",
+                                    .shortest = 1,
+                                    .longest = 32}),
+    custom_key<&store_includes>("includes", "Includes",
+                                "An option that is among those chosen in a multiple choice.",
+                                TextShape{}),
+    custom_key<&store_limit<&AnswerWithin::minimum>>(
+        "at_least", "At least", "Smallest answer, of a number or a scale.", NumberShape{}),
+    custom_key<&store_limit<&AnswerWithin::maximum>>(
+        "at_most", "At most", "Largest answer, of a number or a scale.", NumberShape{}));
+
+}  // namespace
+
+constexpr KeyTableOf<Question> kQuestionTable = table_of(
+    "A question of the questionnaire, or about the participant.", kQuestionKeys, "question");
+
+constexpr KeyTableOf<OptionWord> kOptionTable =
+    table_of("An option whose text differs from its stored value.", kOptionKeys);
+
+constexpr KeyTableOf<ScaleForm> kScaleTable = table_of(
+    "A scale on which the response is a point: with labelled points (Likert), with labelled ends "
+    "(semantic differential), or a line without points (visual analogue scale).",
+    kScaleKeys, "scale");
+
+constexpr KeyTableOf<AnswerCondition> kConditionTable = table_of(
+    "The answer to an earlier question of the questionnaire on which a question or a screen "
+    "depends. Exactly one of is, in, includes, or a range.",
+    kConditionKeys, "condition");
+
+}  // namespace asperity
