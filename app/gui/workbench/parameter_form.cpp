@@ -310,8 +310,8 @@ void ParameterForm::add_row(std::size_t index, QGridLayout* grid, int& line, For
       edit(index, parameters_[index].choices[static_cast<std::size_t>(chosen)]);
     });
     caption->setBuddy(row.list);
-    grid->addWidget(row.list, line, 1);
-    ++line;
+    grid->addWidget(row.list, line++, 1);
+    if (style == FormStyle::sliders) grid->setRowMinimumHeight(line++, kGrid / 2);
   } else {
     add_number(index, grid, line, style);
     caption->setBuddy(row.field);

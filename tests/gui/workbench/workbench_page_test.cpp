@@ -620,7 +620,7 @@ TEST_F(Workbench, LooksFinished) {
   const std::filesystem::path brick = photograph("brick", 1024);
   const std::filesystem::path stone = photograph("stone", 1024, PhotographCase::lambert);
   const auto shoot = [this](const QString& name) {
-    for (const QSize& size : {QSize{1366, 768}, QSize{1920, 1080}}) {
+    for (const QSize& size : {QSize{1366, 768}, QSize{1366, 784}, QSize{1920, 1080}}) {
       page_->resize(size);
       settle();
       take_screenshot(*page_, QString("%1_%2x%3").arg(name).arg(size.width()).arg(size.height()),
