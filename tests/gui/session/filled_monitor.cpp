@@ -104,15 +104,18 @@ void FilledMonitor::answer_up_to(int done) {
   });
 }
 
-void FilledMonitor::answer_tracks(int answers) {
+void FilledMonitor::answer_tracks(int answers, std::optional<double> threshold) {
   Course course(*protocol, {.seed = 20260318, .counterbalance_row = 0});
   for (int i = 0; i < answers && course.awaited() != nullptr; ++i) {
     const Trial& trial = *course.awaited();
     const Protocol::Block& block = protocol->blocks.at(trial.block);
-    const bool counts_down = i % 3 != 2;
+    const double value = std::get<double>(trial.factors.at(block.vary->factor));
+    const double level = block.vary->level_of(value);
+    const bool counts_down = threshold ? level > *threshold || i % 3 == 0 : i % 3 != 2;
     AttemptSummary attempt{};
     attempt.trial = trial.ordinal;
     attempt.attempt = 1;
+    attempt.from_cue_s = 2.0 + 0.37 * (i % 6);
     if (!trial.questions.front().correct.empty()) attempt.correct = counts_down;
     for (const PlannedPresentation& surface : trial.presentations) {
       if ((surface.role == block.vary->role) == counts_down) attempt.answers = {surface.code};
@@ -122,9 +125,8 @@ void FilledMonitor::answer_tracks(int answers) {
       course.advance({});
       continue;
     }
-    const double value = std::get<double>(trial.factors.at(block.vary->factor));
     const LevelOutcome outcome = forced_outcome(counts_down);
-    attempt.answer_of_track = LevelAnswer{.level = block.vary->level_of(value), .outcome = outcome};
+    attempt.answer_of_track = LevelAnswer{.level = level, .outcome = outcome};
     monitor.add_attempt(attempt);
     course.advance({.answer = TrialOutcome::Answer{.value = value, .outcome = outcome}});
   }
@@ -136,7 +138,10 @@ void FilledMonitor::answer_tracks(int answers) {
     s.trial = plan->trials.back().ordinal;
     s.attempt = 1;
     s.block = plan->trials.back().block_ordinal;
-    s.trials_done = s.trial - 1;
+    s.trials_done = s.last_done = s.trial - 1;
+    s.rows_stored = s.trials_done;
+    s.trials = static_cast<int>(example_plan(*protocol, {.seed = 1}).trials.size());
+    s.trials_are_estimated = true;
   });
 }
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/gui/session/session_window.h"
@@ -25,8 +26,8 @@ class FilledMonitor final {
   /// Trials 1 to `done` are answered, some after a second attempt; the next one is under way.
   void answer_up_to(int done);
   /// Of a protocol with a procedure: so many trials of its tracks are answered, two of three correctly or by the choice of
-  /// the varied surface.
-  void answer_tracks(int answers);
+  /// the varied surface. With a threshold, those above this level and every third one below it instead.
+  void answer_tracks(int answers, std::optional<double> threshold = {});
   void set_phase(SessionPhase phase);
   /// A question is open, and keys of any window answer it.
   void open_response(bool open);

@@ -94,7 +94,7 @@ TEST(SessionPictures, APilotIsPausedWithNamesShown) {
 
 TEST(SessionPictures, AStaircaseRuns) {
   FilledMonitor session("amplitude_jnd", SessionMode::pilot);
-  session.answer_tracks(30);
+  session.answer_tracks(50, 38.0);
   session.set_phase(SessionPhase::contact);
   session.stroke(12.0);
   const auto window = session.window();
