@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <unsupported/Eigen/FFT>
+#include "analysis/signals/spectrum.h"
 
 namespace asperity {
 namespace {
@@ -107,17 +107,9 @@ std::vector<double> over_distance(std::span<const double> force_N, std::span<con
   return cells;
 }
 
-std::vector<double> hann_window() {
-  std::vector<double> hann(kWindow);
-  for (std::size_t i = 0; i < kWindow; ++i) {
-    hann[i] = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * static_cast<double>(i) / kWindow);
-  }
-  return hann;
-}
-
 // The window less its straight line of least squares, times a Hann window.
 void detrend_and_taper(std::span<double> window) {
-  static const std::vector<double> hann = hann_window();
+  static const std::vector<double> hann = hann_window(kWindow);
   const auto count = static_cast<double>(window.size());
   const double middle = 0.5 * (count - 1.0);
   double sum = 0.0;
@@ -136,15 +128,13 @@ void detrend_and_taper(std::span<double> window) {
 // Mean square of the force in each line of the spectrum, averaged over windows.
 class LineSpectrum final {
  public:
-  LineSpectrum() { fft_.SetFlag(Eigen::FFT<double>::HalfSpectrum); }
-
   void add(std::span<const double> cells) {
     for (std::size_t begin = 0; begin + kWindow <= cells.size(); begin += kWindow / 2) {
       std::copy_n(cells.begin() + static_cast<std::ptrdiff_t>(begin), kWindow, window_.begin());
       detrend_and_taper(window_);
-      fft_.fwd(lines_, window_);
+      const std::vector<std::complex<double>> lines = real_spectrum(window_);
       for (std::size_t k = 0; k < power_.size(); ++k) {
-        power_[k] += std::norm(lines_[k]);
+        power_[k] += std::norm(lines[k]);
       }
       ++windows_;
     }
@@ -168,9 +158,7 @@ class LineSpectrum final {
   }
 
  private:
-  Eigen::FFT<double> fft_{};
   std::vector<double> window_ = std::vector<double>(kWindow);
-  std::vector<std::complex<double>> lines_{};
   std::array<double, kWindow / 2 + 1> power_{};
   std::size_t windows_ = 0;
 };

@@ -106,10 +106,6 @@ std::vector<Complex> spectrum_by_chirp(std::span<const double> signal) {
   return modulated;
 }
 
-double hann(std::size_t i, std::size_t count) {
-  return 0.5 - 0.5 * std::cos(2.0 * kPi * static_cast<double>(i) / static_cast<double>(count));
-}
-
 double mean_of(std::span<const double> values) {
   double sum = 0.0;
   for (const double value : values) {
@@ -175,13 +171,15 @@ Patch tapered_centre(const HeightSamples& samples) {
   const double row_slope_m = row_moment / (count * (rows * rows - 1.0) / 12.0);
   const double column_slope_m = column_moment / (count * (columns * columns - 1.0) / 12.0);
   double squares_m2 = 0.0;
+  const std::vector<double> down = hann_window(patch.rows);
+  const std::vector<double> across = hann_window(patch.columns);
   for (std::size_t r = 0; r < patch.rows; ++r) {
     for (std::size_t c = 0; c < patch.columns; ++c) {
       double& height_m = patch.heights_m[r * patch.columns + c];
       height_m -= mean_m + row_slope_m * (static_cast<double>(r) - row_middle) +
                   column_slope_m * (static_cast<double>(c) - column_middle);
       squares_m2 += height_m * height_m;
-      height_m *= hann(r, patch.rows) * hann(c, patch.columns);
+      height_m *= down[r] * across[c];
     }
   }
   // A plane in single precision is rough by 6·10⁻⁸ of its heights.
@@ -208,6 +206,15 @@ std::vector<Complex> real_spectrum(std::span<const double> signal) {
   return lines;
 }
 
+std::vector<double> hann_window(std::size_t count) {
+  std::vector<double> window(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    window[i] =
+        0.5 - 0.5 * std::cos(2.0 * kPi * static_cast<double>(i) / static_cast<double>(count));
+  }
+  return window;
+}
+
 PowerSpectrum welch_spectrum(std::span<const double> signal, const WelchWindows& windows) {
   const std::size_t length = windows.length;
   if (length < 2 || signal.size() < length) {
@@ -221,9 +228,10 @@ PowerSpectrum welch_spectrum(std::span<const double> signal, const WelchWindows&
   }
   std::vector<double> density(length / 2 + 1);
   std::vector<double> tapered(length);
+  const std::vector<double> taper = hann_window(length);
   double taper_power = 0.0;
-  for (std::size_t i = 0; i < length; ++i) {
-    taper_power += hann(i, length) * hann(i, length);
+  for (const double weight : taper) {
+    taper_power += weight * weight;
   }
   std::size_t count = 0;
   const std::size_t step = std::max<std::size_t>(1, length / 2);
@@ -231,7 +239,7 @@ PowerSpectrum welch_spectrum(std::span<const double> signal, const WelchWindows&
     const auto window = signal.subspan(begin, length);
     const double mean = mean_of(window);
     for (std::size_t i = 0; i < length; ++i) {
-      tapered[i] = (window[i] - mean) * hann(i, length);
+      tapered[i] = (window[i] - mean) * taper[i];
     }
     const std::vector<Complex> lines = real_spectrum(tapered);
     for (std::size_t k = 0; k < density.size(); ++k) {

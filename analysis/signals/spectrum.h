@@ -14,6 +14,9 @@ namespace asperity {
 /// N, primes included.
 std::vector<std::complex<double>> real_spectrum(std::span<const double> signal);
 
+/// The window 1/2 − cos(2πi/N)/2, i = 0 … N − 1, whose period is N.
+std::vector<double> hann_window(std::size_t count);
+
 /// A one-sided power spectral density, in the square of the signal's unit per hertz; line k stands
 /// at k·spacing_Hz and the sum of all lines times the spacing is the mean square.
 struct PowerSpectrum {
