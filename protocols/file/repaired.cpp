@@ -1,20 +1,21 @@
-// Implements the replacement of values that violate the schema.
+// Implements the replacement of values that do not have the form of their keys.
 
 #include "protocols/file/repaired.h"
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <optional>
-#include <regex>
 #include <set>
 #include <span>
+#include <type_traits>
+#include <utility>
 
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"
 #include "protocols/file/follow_ups.h"
 #include "protocols/file/form_check.h"
-#include "protocols/file/library_protocols.h"
-#include "protocols/keys/key.h"
+#include "protocols/keys/tables.h"
+#include "protocols/keys/valid_part.h"
 
 namespace asperity {
 
@@ -22,238 +23,230 @@ namespace {
 
 using nlohmann::json;
 
-std::vector<std::string> types_of(const json& schema) {
-  const auto type = schema.find("type");
-  if (type == schema.end()) return {};
-  if (type->is_array()) return type->get<std::vector<std::string>>();
-  return {type->get<std::string>()};
-}
-
-bool has_right_bounds(const json& schema, double value) {
-  const auto bound = [&schema](const char* key) -> std::optional<double> {
-    const auto found = schema.find(key);
-    return found == schema.end() ? std::nullopt : std::optional(found->get<double>());
-  };
-  const auto minimum = bound("minimum");
-  const auto maximum = bound("maximum");
-  const auto above = bound("exclusiveMinimum");
-  const auto below = bound("exclusiveMaximum");
-  return (!minimum || value >= *minimum) && (!maximum || value <= *maximum) &&
-         (!above || value > *above) && (!below || value < *below);
-}
-
-bool has_right_letters(const json& schema, const std::string& text) {
-  constexpr std::size_t kLongestName = 256;  // std::regex recurses once per character
-  if (text.size() < schema.value("minLength", std::size_t{0})) return false;
-  if (text.size() > schema.value("maxLength", text.size())) return false;
-  const auto pattern = schema.find("pattern");
-  return pattern == schema.end() ||
-         (text.size() <= kLongestName &&
-          std::regex_search(text, std::regex(pattern->get<std::string>())));
-}
-
-/// The schema of a member; null if the schema does not describe it.
-const json* member_schema(const json& schema, const std::string& key) {
-  if (is_comment(key)) return nullptr;
-  if (const auto properties = schema.find("properties"); properties != schema.end()) {
-    if (const auto found = properties->find(key); found != properties->end()) return &*found;
+/// "stone_2" for "Stone 2".
+std::string name_like(std::string text) {
+  for (char& c : text) {
+    const auto letter = static_cast<unsigned char>(c);
+    c = std::isalnum(letter) != 0 ? static_cast<char>(std::tolower(letter)) : '_';
   }
-  const auto additional = schema.find("additionalProperties");
-  return additional != schema.end() && additional->is_object() ? &*additional : nullptr;
+  return text;
 }
 
-/// One way of repairing a document. `variant` determines arbitrary choices, such as the value of an enumeration.
+/// The names of the keys that an object may still receive.
+std::vector<std::string> further_keys(const KeyTable& table, const json& object) {
+  std::vector<std::string> keys{};
+  for (const ProtocolKey& key : table.keys) {
+    if (!object.contains(key.name)) keys.emplace_back(key.name);
+  }
+  return keys;
+}
+
+/// One way of repairing a document. `variant` determines arbitrary choices, such as the word of several.
 class Repairer final {
  public:
-  /// `names`: those to which a replaced reference may refer.
-  Repairer(const json& schema, std::span<const std::string> names, std::size_t variant)
-      : root_(schema), names_(names), variant_(variant) {}
+  Repairer(const json& document, std::size_t variant)
+      : document_(document), names_(declared_names(document)), variant_(variant) {}
 
-  std::optional<json> whole(const json& document) { return fitted(document, root_, ""); }
+  std::optional<json> whole() { return fitted(document_, ObjectShape{&kProtocolTable}, ""); }
   const std::set<std::string>& places() const { return places_; }
   std::size_t choices() const { return choices_; }
 
  private:
-  /// The value if the schema permits it; otherwise a replacement; nullopt if there is no neutral replacement.
-  std::optional<json> fitted(const json& value, const json& schema, const std::string& pointer) {
-    if (schema.contains("const") || schema.contains("enum")) {
-      const bool is_one = schema.contains("const")
-                              ? value == schema.at("const")
-                              : std::find(schema.at("enum").begin(), schema.at("enum").end(),
-                                          value) != schema.at("enum").end();
-      return is_one ? value : replaced(schema, pointer);
-    }
-    const std::vector<std::string> types = types_of(schema);
+  /// The value if it has the shape; otherwise a replacement; nullopt if there is no neutral replacement. `standard`: the
+  /// default of its key.
+  std::optional<json> fitted(const json& value, const ValueShape& shape, const std::string& pointer,
+                             const json& standard = {}) {
+    const std::vector<std::string> types = types_of(shape);
     const bool has_type =
-        types.empty() || std::any_of(types.begin(), types.end(), [&value](const auto& type) {
-          return is_of_type(value, type);
-        });
-    if (!has_type) return replaced(schema, pointer);
-    if (value.is_number() && !has_right_bounds(schema, value.get<double>())) {
-      return replaced(schema, pointer);
-    }
-    if (value.is_string() && !has_right_letters(schema, value.get<std::string>())) {
-      return replaced(schema, pointer);
-    }
-    if (value.is_array()) return fitted_list(value, schema, pointer);
-    if (value.is_object()) return fitted_object(value, schema, pointer);
-    return value;
+        std::any_of(types.begin(), types.end(),
+                    [&value](const std::string& type) { return is_of_type(value, type); });
+    auto made =
+        has_type ? std::visit([&](const auto& one) { return part_of(value, one, pointer); }, shape)
+                 : std::nullopt;
+    return made ? made : replaced(shape, pointer, standard);
   }
 
-  std::optional<json> replaced(const json& schema, const std::string& pointer) {
+  std::optional<json> replaced(const ValueShape& shape, const std::string& pointer,
+                               const json& standard) {
     places_.insert(pointer);
-    return any(schema);
+    return any(shape, standard);
   }
 
-  std::optional<json> fitted_list(const json& list, const json& schema,
-                                  const std::string& pointer) {
+  // What remains of a value of the right type; nullopt for one that is replaced.
+
+  template <class Scalar>
+  std::optional<json> part_of(const json& value, const Scalar& shape, const std::string&) {
+    return valid_part(value, shape, "", "").problems.empty() ? std::optional(value) : std::nullopt;
+  }
+
+  std::optional<json> part_of(const json& list, const ListShape& shape,
+                              const std::string& pointer) {
     json made = json::array();
-    const auto items = schema.find("items");
     for (std::size_t i = 0; i < list.size(); ++i) {
-      const auto item = items == schema.end() ? std::optional(list[i])
-                                              : fitted(list[i], *items, pointer_to(pointer, i));
-      if (item) made.push_back(*item);
+      if (auto entry = fitted(list[i], *shape.entry, pointer_to(pointer, i))) {
+        made.push_back(std::move(*entry));
+      }
     }
-    const std::size_t most = schema.value("maxItems", made.size());
-    if (made.size() < schema.value("minItems", std::size_t{0}) || made.size() > most) {
-      return replaced(schema, pointer);
-    }
-    return made;
+    const bool has_size =
+        made.size() >= shape.shortest && made.size() <= shape.longest.value_or(made.size());
+    return has_size ? std::optional(std::move(made)) : std::nullopt;
   }
 
-  std::optional<json> fitted_object(const json& object, const json& schema,
-                                    const std::string& pointer) {
-    const bool closed = schema.value("additionalProperties", json(true)) == json(false);
+  std::optional<json> part_of(const json& object, const MapShape& shape,
+                              const std::string& pointer) {
     json made = json::object();
-    for (const auto& [key, member] : object.items()) {
-      const std::string at = pointer_to(pointer, key);
-      std::string meant = key;
-      const json* inner = member_schema(schema, key);
-      if (inner == nullptr && closed && !is_comment(key)) {
-        places_.insert(at);
-        std::vector<std::string> known{};
-        for (const auto& [name, description] : schema.at("properties").items()) {
-          if (!object.contains(name)) known.push_back(name);
+    for (const auto& [name, entry] : object.items()) {
+      if (is_comment(name)) continue;
+      const std::string at = pointer_to(pointer, name);
+      const std::string meant = shape.has_names ? name_like(name) : name;
+      if (meant != name) places_.insert(at);
+      if (shape.has_names && !is_name(meant)) continue;
+      if (auto fit = fitted(entry, *shape.entry, at)) made[meant] = std::move(*fit);
+    }
+    return made.size() < shape.shortest ? std::nullopt : std::optional(std::move(made));
+  }
+
+  std::optional<json> part_of(const json& object, const ObjectShape& shape,
+                              const std::string& pointer) {
+    const KeyTable& table = *shape.table;
+    json made = json::object();
+    for (const auto& [name, member] : object.items()) {
+      const std::string at = pointer_to(pointer, name);
+      const ProtocolKey* key = table.find(name);
+      if (key == nullptr) {
+        if (is_comment(name) || table.is_open) {
+          made[name] = member;
+          continue;
         }
-        const auto nearest = nearest_name(key, known);
+        places_.insert(at);
+        const auto nearest = nearest_name(name, further_keys(table, object));
         if (!nearest) continue;
-        meant = *nearest;
-        inner = member_schema(schema, meant);
+        key = table.find(*nearest);
       }
-      if (inner == nullptr) {
-        made[meant] = member;
-      } else if (auto fit = fitted(member, *inner, at)) {
-        made[meant] = std::move(*fit);
+      if (auto fit = fitted(member, key->shape, at, default_of(*key))) {
+        made[std::string(key->name)] = std::move(*fit);
       }
     }
-    for (const json& key : schema.value("required", json::array())) {
-      if (!complete(made, schema, key.get<std::string>(), pointer)) return {};
+    for (const ProtocolKey& key : table.keys) {
+      const std::string name(key.name);
+      if (key.is_required && !made.contains(name)) {
+        auto value = replaced(key.shape, pointer_to(pointer, name), default_of(key));
+        if (!value) return {};
+        made[name] = std::move(*value);
+      }
+      const bool lacks_other = !key.needs.empty() && !made.contains(key.needs);
+      if (lacks_other && made.erase(name) > 0) places_.insert(pointer_to(pointer, name));
     }
-    if (!choose_one_form(made, schema, pointer)) return {};
-    const json dependencies = schema.value("dependencies", json::object());
-    for (const auto& [key, needed] : dependencies.items()) {
-      const bool is_met = std::all_of(needed.begin(), needed.end(), [&made](const json& other) {
-        return made.contains(other.get<std::string>());
-      });
-      if (is_met || made.erase(key) == 0) continue;
-      places_.insert(pointer_to(pointer, key));
-    }
-    if (made.size() < schema.value("minProperties", std::size_t{0})) {
-      places_.insert(pointer);
-      return {};
-    }
-    return made;
+    if (!table.may_be_empty && made.empty()) return {};
+    return decide(made, table, pointer) ? std::optional(std::move(made)) : std::nullopt;
   }
 
-  /// Adds a required key.
-  bool complete(json& object, const json& schema, const std::string& key,
-                const std::string& pointer) {
-    if (object.contains(key)) return true;
-    const json* const inner = member_schema(schema, key);
-    const auto value = inner == nullptr ? std::nullopt : replaced(*inner, pointer_to(pointer, key));
-    if (!value) return false;
-    object[key] = *value;
-    return true;
+  std::optional<json> part_of(const json& value, const BoundShape& shape,
+                              const std::string& pointer) {
+    if (value.is_object()) return part_of(value, ObjectShape{&kBindingTable}, pointer);
+    return fitted(value, *shape.value, pointer);
   }
 
-  /// Reduces an object whose form is determined by exactly one of several keys, such as a step of the flow, to one
-  /// form.
-  bool choose_one_form(json& object, const json& schema, const std::string& pointer) {
-    const auto forms = schema.find("oneOf");
-    if (forms == schema.end()) return true;
+  std::optional<json> part_of(const json& value, const FormsShape& shape,
+                              const std::string& pointer) {
+    for (const ValueShape& form : shape.forms) {
+      const std::vector<std::string> types = types_of(form);
+      if (std::any_of(types.begin(), types.end(),
+                      [&value](const std::string& type) { return is_of_type(value, type); })) {
+        return fitted(value, form, pointer);
+      }
+    }
+    return {};
+  }
+
+  /// Leaves one of the keys of which an object has exactly one, such as the kinds of a step of the flow.
+  bool decide(json& object, const KeyTable& table, const std::string& pointer) {
+    if (table.deciding.empty()) return true;
     std::vector<std::string> there{};
-    for (const json& form : *forms) {
-      const std::string key = form.at("required").at(0);
-      if (object.contains(key)) there.push_back(key);
+    for (const std::string_view key : table.deciding) {
+      if (object.contains(key)) there.emplace_back(key);
     }
-    if (there.size() == 1) return true;
-    places_.insert(pointer);
-    if (there.empty()) return false;
+    if (there.size() != 1) places_.insert(pointer);
     for (std::size_t i = 1; i < there.size(); ++i) object.erase(there[i]);
-    return true;
+    return !there.empty();
   }
 
-  std::optional<json> any(const json& schema) {
-    if (schema.contains("const")) return schema.at("const");
-    if (const auto choices = schema.find("enum"); choices != schema.end()) {
-      choices_ = std::max(choices_, choices->size());
-      return choices->at(variant_ % choices->size());
+  // A neutral value of a shape.
+
+  std::optional<json> any(const ValueShape& shape, const json& standard = {}) {
+    return std::visit(
+        [&](const auto& one) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(one)>, NumberShape>) {
+            return any_number(one, standard);
+          } else {
+            return any_of(one);
+          }
+        },
+        shape);
+  }
+
+  std::optional<json> any_of(const TruthShape&) { return variant_ % 2 == 1; }
+  std::optional<json> any_of(const WordShape& shape) { return chosen(shape.words).name; }
+  std::optional<json> any_of(const TextShape& shape) {
+    for (const char* text : {"x", "1.0.0"}) {
+      if (valid_part(text, shape, "", "").problems.empty()) return text;
     }
-    const std::vector<std::string> types = types_of(schema);
-    if (types.empty()) return {};
-    const std::string& type = types.front();
-    if (type == "boolean") return variant_ % 2 == 1;
-    if (type == "string") {
-      const bool is_reference =
-          !names_.empty() && schema.value("pattern", std::string{}) == kNamePattern;
-      if (is_reference) choices_ = std::max(choices_, 1 + names_.size());
-      if (is_reference && variant_ > 0) return names_[(variant_ - 1) % names_.size()];
-      for (const char* text : {"x", "1.0.0"}) {
-        if (has_right_letters(schema, text)) return text;
-      }
-      return {};
-    }
-    if (type == "integer" || type == "number") {
-      const double number = any_number(schema);
-      if (!has_right_bounds(schema, number)) return {};
-      if (type == "integer") return static_cast<std::int64_t>(number);
-      return number;
-    }
-    if (type == "array") {
-      json made = json::array();
-      for (std::size_t i = 0; i < schema.value("minItems", std::size_t{0}); ++i) {
-        const auto item = any(schema.at("items"));
-        if (!item) return {};
-        made.push_back(*item);
-      }
-      return made;
-    }
-    json made = json::object();
-    if (schema.contains("minProperties") || schema.contains("oneOf")) return {};
-    for (const json& key : schema.value("required", json::array())) {
-      const json* const inner = member_schema(schema, key.get<std::string>());
-      const auto value = inner == nullptr ? std::nullopt : any(*inner);
-      if (!value) return {};
-      made[key.get<std::string>()] = *value;
+    return {};
+  }
+  /// A new name, or that of anything that the document declares.
+  std::optional<json> any_of(const NameShape&) {
+    choices_ = std::max(choices_, 1 + names_.size());
+    return variant_ == 0 || names_.empty() ? "x" : names_[(variant_ - 1) % names_.size()];
+  }
+  std::optional<json> any_of(const ListShape& shape) {
+    json made = json::array();
+    for (std::size_t i = 0; i < shape.shortest; ++i) {
+      const auto entry = any(*shape.entry);
+      if (!entry) return {};
+      made.push_back(*entry);
     }
     return made;
   }
-
-  /// The default, small and large numbers, by variant.
-  double any_number(const json& schema) {
-    std::vector<double> numbers{};
-    for (const double value :
-         {schema.value("default", 1.0), schema.value("minimum", 0.0), schema.value("maximum", 1e3),
-          schema.value("exclusiveMaximum", 1.0) * 0.5}) {
-      if (has_right_bounds(schema, value)) numbers.push_back(value);
+  std::optional<json> any_of(const MapShape& shape) {
+    return shape.shortest > 0 ? std::nullopt : std::optional(json::object());
+  }
+  std::optional<json> any_of(const ObjectShape& shape) {
+    const KeyTable& table = *shape.table;
+    if (!table.may_be_empty || !table.deciding.empty()) return {};
+    json made = json::object();
+    for (const ProtocolKey& key : table.keys) {
+      if (!key.is_required) continue;
+      const auto value = any(key.shape, default_of(key));
+      if (!value) return {};
+      made[std::string(key.name)] = *value;
     }
-    if (numbers.empty()) return 0.0;
-    choices_ = std::max(choices_, numbers.size());
-    return numbers[variant_ % numbers.size()];
+    return made;
+  }
+  std::optional<json> any_of(const BoundShape& shape) { return any(*shape.value); }
+  std::optional<json> any_of(const FormsShape& shape) { return any(shape.forms.front()); }
+
+  /// The default, a small and a large number.
+  std::optional<json> any_number(const NumberShape& shape, const json& standard) {
+    std::vector<double> numbers{};
+    for (const double number :
+         {standard.is_number() ? standard.get<double>() : 1.0, shape.minimum.value_or(0.0),
+          shape.maximum.value_or(1e3), shape.below.value_or(1.0) * 0.5}) {
+      if (lies_within(shape, number)) numbers.push_back(number);
+    }
+    if (numbers.empty()) return {};
+    const double number = chosen(std::span<const double>(numbers));
+    if (shape.is_whole) return static_cast<std::int64_t>(number);
+    return number;
   }
 
-  const json& root_;
-  std::span<const std::string> names_;
+  template <class Value>
+  const Value& chosen(std::span<const Value> values) {
+    choices_ = std::max(choices_, values.size());
+    return values[variant_ % values.size()];
+  }
+
+  const json& document_;
+  std::vector<std::string> names_{};
   std::size_t variant_;
   std::size_t choices_ = 1;  ///< the greatest number of alternatives for one value
   std::set<std::string> places_{};
@@ -263,14 +256,12 @@ class Repairer final {
 
 Repair repaired(const JsonDocument& document) {
   constexpr std::size_t kMostVariants = 24;
-  const json& schema = protocol_schema();
-  const std::vector<std::string> names =
-      document.root().is_object() ? declared_names(document.root()) : std::vector<std::string>{};
+  if (!document.root().is_object()) return {};
   Repair repair{};
   std::size_t variants = 1;
   for (std::size_t variant = 0; variant < std::min(variants, kMostVariants); ++variant) {
-    Repairer repairer(schema, names, variant);
-    auto root = repairer.whole(document.root());
+    Repairer repairer(document.root(), variant);
+    auto root = repairer.whole();
     if (!root || !has_form_of_protocol(*root)) return {};
     variants = std::max(variants, repairer.choices());
     repair.roots.push_back(std::move(*root));

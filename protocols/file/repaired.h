@@ -1,4 +1,4 @@
-// Declares the part of a document that follows the schema, for checks of its meaning despite errors of form elsewhere.
+// Declares the part of a document that has the form of a protocol, for checks of its meaning despite errors of form elsewhere.
 
 #pragma once
 
@@ -11,13 +11,13 @@
 
 namespace asperity {
 
-/// A document in which every value that violates the schema is replaced by a permitted one or left out.
+/// A document in which every value that does not have the form of its key is replaced by a permitted one or left out.
 ///
 /// The correct value of a replacement is unknown. If it is one of a few, each of these occurs in one of the `roots`;
-/// for a number they contain the default, a small and a large one, for a name the declared ones. Findings that hold in all roots do not depend on the
-/// replacement. Keys that are similar to one of the schema's are treated as that key.
+/// for a number they contain the default, a small and a large one, for a name the declared ones. Findings that hold in
+/// all roots do not depend on the replacement. Unknown keys are treated as the declared key that is most similar.
 struct Repair {
-  std::vector<nlohmann::json> roots{};  ///< each follows the schema; empty if too much is missing
+  std::vector<nlohmann::json> roots{};  ///< each has the form; empty if too much is missing
   std::vector<std::string> places{};    ///< pointers of the replaced and left-out values
 };
 Repair repaired(const JsonDocument& document);

@@ -12,6 +12,17 @@
 
 namespace asperity {
 
+namespace {
+
+constexpr ProtocolKey kBoundFactor{.name = "factor",
+                                   .meaning = kNameMeaning,
+                                   .shape = NameShape{.registry = "factors"},
+                                   .is_required = true};
+
+}  // namespace
+
+constinit const KeyTable kBindingTable{.keys = {&kBoundFactor, 1}};
+
 bool is_name(std::string_view text) {
   if (text.empty() || text.size() > kMaximumNameLength || text[0] < 'a' || text[0] > 'z')
     return false;

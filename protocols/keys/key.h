@@ -57,6 +57,9 @@ struct KeyTable {
   const ProtocolKey* find(std::string_view name) const;
 };
 
+/// The keys of {"factor": NAME}.
+extern const KeyTable kBindingTable;
+
 /// Stores the value of every key in its member; members without a key keep their value. `valid` is the part of an object
 /// that has the form of the table.
 void read_keys(const KeyTable& table, const nlohmann::json& valid, void* owner);

@@ -15,8 +15,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr ValueShape kFactorName = NameShape{.registry = "factors"};
-
 std::size_t characters_in(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;  // all bytes of UTF-8 but the first
@@ -188,10 +186,7 @@ class Walk final {
   std::optional<json> part_of(const BoundShape& shape, const Place& place) {
     if (!place.value.is_object())
       return part(place.value, *shape.value, place.meaning, place.pointer);
-    static const ProtocolKey kFactor{
-        .name = "factor", .meaning = kNameMeaning, .shape = kFactorName, .is_required = true};
-    static const KeyTable kBinding{.keys = {&kFactor, 1}};
-    auto bound = part_of(ObjectShape{&kBinding}, place);
+    auto bound = part_of(ObjectShape{&kBindingTable}, place);
     return bound && bound->contains("factor") ? bound : std::nullopt;
   }
 
