@@ -169,8 +169,10 @@ void BidsDataset::begin_session(const ExportPlace& at) {
   beh_.emplace(folder_.path_of(name), TableFile::Format::tsv, column_names(columns_));
   Json sidecar{{"TaskName", task_name_}};
   const StoredProtocol specified = stored_protocol(at.protocol->source);
-  senses_ = specified.senses;
-  if (!specified.title.empty()) sidecar["TaskDescription"] = specified.title;
+  senses_ = specified.senses();
+  if (const std::string& title = specified.protocol.title; !title.empty()) {
+    sidecar["TaskDescription"] = title;
+  }
   sidecar.update(session_sidecar(at, columns_));
   folder_.write(start_ + "_beh.json", indented_text(sidecar));
 }

@@ -19,23 +19,23 @@ void add_once(PresentedMatch match, std::vector<PresentedMatch>& matches) {
 
 }  // namespace
 
-bool presents_matches(const StoredProtocol& protocol) {
+bool presents_matches(const Protocol& protocol) {
   return std::any_of(protocol.blocks.begin(), protocol.blocks.end(),
-                     [](const auto& each) { return !each.second.matched_in.empty(); });
+                     [](const auto& each) { return each.second.equal_roughness.has_value(); });
 }
 
-std::vector<PresentedMatch> presented_matches(const StoredProtocol& protocol,
+std::vector<PresentedMatch> presented_matches(const Protocol& protocol,
                                               std::span<const PlannedTrialRow> trials) {
   std::vector<PresentedMatch> matches{};
   for (const PlannedTrialRow& row : trials) {
     const auto block = protocol.blocks.find(row.block);
-    if (block == protocol.blocks.end() || block->second.matched_in.empty()) continue;
+    if (block == protocol.blocks.end() || !block->second.equal_roughness) continue;
     const nlohmann::json trial = stored_json(row.plan_json, "trial.plan_json");
     for (const nlohmann::json& surface : trial.at("presentations")) {
       const auto status = match_status_named(surface.value("roughness_match", ""));
       if (!status || *status == MatchStatus::reference) continue;
       add_once({.block = row.block,
-                .matched_in = block->second.matched_in,
+                .matched_in = block->second.equal_roughness->matched_in,
                 .stimulus = surface.value("stimulus", ""),
                 .model = surface.value("model", ""),
                 .texture = surface.value("texture", ""),

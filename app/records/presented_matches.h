@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "protocols/design/protocol.h"
 #include "protocols/design/roughness_match.h"
-#include "protocols/file/stored_protocol.h"
 #include "results_schema/rows.h"
 
 namespace asperity {
@@ -26,12 +26,12 @@ struct PresentedMatch {
 };
 
 /// Whether blocks of the protocol present matches: plans of other protocols need not be read.
-bool presents_matches(const StoredProtocol& protocol);
+bool presents_matches(const Protocol& protocol);
 
 /// Each match of these trials once, in their order; without references. Empty for protocols without blocks of equal
 /// roughness. Statuses of later versions are left out. `trials`: those with an attempt that counts, so that a match that a
 /// participant did not feel, or whose session is excluded, is not reported.
-std::vector<PresentedMatch> presented_matches(const StoredProtocol& protocol,
+std::vector<PresentedMatch> presented_matches(const Protocol& protocol,
                                               std::span<const PlannedTrialRow> trials);
 
 /// Each match once, whichever blocks present it; `block` is empty.

@@ -60,8 +60,9 @@ std::size_t surfaces_in_trial(const Protocol::Block& block) noexcept {
 }
 
 bool chooses_levels_from_answers(const Protocol::Block& block) {
-  if (!block.procedure || block.procedure->tracks.empty()) return false;
-  return !std::holds_alternative<ConstantStimuli>(block.procedure->tracks.front());
+  if (!block.procedure) return false;
+  const std::vector<ProcedureSettings>& tracks = block.procedure->tracks;
+  return tracks.empty() || !std::holds_alternative<ConstantStimuli>(tracks.front());
 }
 
 }  // namespace asperity

@@ -21,7 +21,8 @@ bool is_derived(const Protocol& protocol, const std::string& factor);
 /// Whether the levels of a factor are values of a parameter that a block varies (`Block::vary`), which states them.
 bool is_varied(const Protocol& protocol, const std::string& factor);
 
-/// Whether a procedure chooses the levels of a block from the answers; not constant stimuli.
+/// Whether a procedure chooses the levels of a block from the answers; not constant stimuli. That of a stored protocol
+/// whose tracks could not be read does.
 bool chooses_levels_from_answers(const Protocol::Block& block);
 
 /// The question whose answers a procedure and a psychometric function are made of: the first one with a judgement. Null

@@ -312,8 +312,10 @@ struct Protocol {
     bool reshuffle_pictures = false;  ///< for every trial; otherwise once per session
     bool allow_cannot_tell = false;
     std::optional<DiscriminationJudgement> judgement{};  ///< of a discrimination
-    /// Of the judgement "comparison": the question asks for the surface with the lower value of the varied parameter.
-    bool asks_for_less = false;
+    /// Of the judgement "comparison": for the surface with this value of the varied parameter; `more` if it is not stated.
+    enum class AsksFor { more, less };
+    std::optional<AsksFor> asks_for{};
+    bool asks_for_less() const noexcept { return asks_for == AsksFor::less; }
     std::optional<RatedQuantity>
         rates{};                   ///< of a similarity; dissimilarity where it is not stated
     std::string correct_factor{};  ///< recognition: the factor with the correct picture

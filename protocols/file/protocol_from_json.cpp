@@ -21,9 +21,7 @@ namespace {
 using Block = Protocol::Block;
 
 /// What the kind of the block determines unless it is stated.
-void complete_block(Block& block, const Protocol& protocol) {
-  if (block.kind.empty()) block.kind = protocol.kind;
-  const ExperimentKind& kind = kind_of(block);
+void complete_by_kind(Block& block, const ExperimentKind& kind) {
   for (Protocol::TrialQuestionTemplate& question : block.questions) {
     const bool is_stated = std::holds_alternative<ScaleForm>(question.form) ||
                            std::holds_alternative<LineForm>(question.form);
@@ -39,6 +37,21 @@ void complete_block(Block& block, const Protocol& protocol) {
 
 }  // namespace
 
+void complete_block(Block& block, const nlohmann::json& stated, const Protocol& protocol,
+                    const std::vector<ModelDeclaration>& models) {
+  if (block.kind.empty()) block.kind = protocol.kind;
+  if (const ExperimentKind* const kind = find_kind(block.kind)) complete_by_kind(block, *kind);
+  if (!block.vary) return;
+  complete_dimension(block, protocol, models);
+  const auto procedure = stated.find("procedure");
+  if (procedure == stated.end()) return;
+  block.procedure = procedure_in(*procedure, *block.vary, *block.design);
+  const auto* const judged = judged_question(block);
+  if (judged != nullptr && judged->allow_cannot_tell && block.design->alternatives() > 0) {
+    declare_unforced(block.design->alternatives(), block.procedure->tracks);
+  }
+}
+
 Protocol protocol_from_json(const nlohmann::json& root,
                             const std::vector<ModelDeclaration>& models) {
   Protocol protocol{};
@@ -47,18 +60,8 @@ Protocol protocol_from_json(const nlohmann::json& root,
   std::set<std::string> factors_of_file{};
   for (const auto& [name, factor] : protocol.factors) factors_of_file.insert(name);
   for (auto& [name, block] : protocol.blocks) {
-    complete_block(block, protocol);
-    if (!block.vary) continue;
-    complete_dimension(block, protocol, models);
-    const nlohmann::json& object = root.at("blocks").at(name);
-    if (const auto found = object.find("procedure"); found != object.end()) {
-      block.procedure = procedure_in(*found, *block.vary, *block.design);
-      const auto* const judged = judged_question(block);
-      if (judged != nullptr && judged->allow_cannot_tell && block.design->alternatives() > 0) {
-        declare_unforced(block.design->alternatives(), block.procedure->tracks);
-      }
-    }
-    declare_dimension(block, protocol, factors_of_file);
+    complete_block(block, root.at("blocks").at(name), protocol, models);
+    if (block.vary) declare_dimension(block, protocol, factors_of_file);
   }
   for (const auto& [name, block] : protocol.blocks) {
     declare_derived(block, protocol, factors_of_file);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <exception>
 #include <map>
 #include <set>
 #include <string_view>
@@ -12,22 +11,20 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/numbers/number_text.h"
-#include "protocols/answers/scale_form.h"
+#include "protocols/design/block_factors.h"
 #include "protocols/design/discrimination_design.h"
 #include "protocols/design/json_pointer.h"
-#include "protocols/design/protocol.h"
 #include "protocols/file/declared_estimation.h"
-#include "protocols/file/levels_from_json.h"
+#include "protocols/file/protocol_from_json.h"
 #include "protocols/keys/reading.h"
 #include "protocols/keys/tables.h"
-#include "protocols/plan/groups.h"
 
 namespace asperity {
 
 namespace {
 
 using Json = nlohmann::json;
+using Block = Protocol::Block;
 
 const Json& member_of(const Json& object, const std::string& key) {
   static const Json kNone{};
@@ -39,22 +36,6 @@ const Json& member_of(const Json& object, const std::string& key) {
 std::string text_in(const Json& object, const std::string& key) {
   const Json& value = member_of(object, key);
   return value.is_string() ? value.get<std::string>() : std::string{};
-}
-
-std::optional<double> number_at(const Json& object, const std::string& key) {
-  const Json& value = member_of(object, key);
-  return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
-}
-
-/// The texts in a list; other entries are skipped.
-std::vector<std::string> texts_in(const Json& object, const std::string& key) {
-  std::vector<std::string> texts{};
-  const Json& list = member_of(object, key);
-  if (!list.is_array()) return texts;
-  for (const Json& one : list) {
-    if (one.is_string()) texts.push_back(one.get<std::string>());
-  }
-  return texts;
 }
 
 /// Calls `use(name, value)` for the members of an object that are objects.
@@ -214,134 +195,40 @@ void write_options_alike(Json& protocol) {
   }
 }
 
-StoredProtocol::TrialQuestion trial_question_in(const Json& asked) {
-  const Json& scale = member_of(asked, "scale");
-  const std::vector<std::string> labels = texts_in(scale, "labels");
-  const auto end_of = [&scale](const char* key, double if_missing) -> std::optional<double> {
-    if (!scale.is_object()) return std::nullopt;
-    return number_at(scale, key).value_or(if_missing);
-  };
-  const std::string direction = text_in(asked, "asks_for");
-  return {.name = text_in(asked, "name"),
-          .prompt = text_in(asked, "prompt"),
-          .has_scale = scale.is_object(),
-          .low_label = labels.empty() ? std::string() : labels.front(),
-          .high_label = labels.empty() ? std::string() : labels.back(),
-          .minimum = end_of("minimum", ScaleForm{}.minimum),
-          .maximum = end_of("maximum", ScaleForm{}.maximum),
-          .points = number_at(scale, "points"),
-          .judgement = text_in(asked, "judgement"),
-          .asks_for_less = direction.empty() ? std::nullopt : std::optional(direction == "less"),
-          .rates = text_in(asked, "rates"),
-          .confidence_of = text_in(asked, "confidence_of")};
+/// What this version does not know of a block is not replaced by a default.
+void keep_unknown(Block& block, const Json& stated, const std::vector<FormProblem>& unread) {
+  const std::string at = pointer_to("/blocks", block.name);
+  if (!has_form(unread, at + "/design")) block.design = nullptr;
+  if (!has_form(unread, at + "/kind")) block.kind = text_in(stated, "kind");
+  if (!has_form(unread, at + "/phase")) block.phase = Phase::practice;  // not analysed
 }
 
-/// The number that the surface with this role has for a parameter.
-std::optional<double> stored_standard(const Json& protocol, const Json& block,
-                                      const std::string& role, const std::string& parameter) {
-  const Json& surfaces = member_of(block, "presented");
-  if (!surfaces.is_array() || role.empty()) return std::nullopt;
-  for (const Json& surface : surfaces) {
-    if (text_in(surface, "role") != role) continue;
-    if (parameter == kRelativeAmplitude) return 1.0;
-    const Json& stimulus = member_of(member_of(protocol, "stimuli"), text_in(surface, "stimulus"));
-    return number_at(member_of(stimulus, "parameters"), parameter);
-  }
-  return std::nullopt;
-}
-
-std::optional<Dimension> stored_dimension(const Json& protocol, const Json& block) {
-  const Json& vary = member_of(block, "vary");
-  Dimension dimension{.factor = text_in(vary, "factor"),
-                      .parameter = text_in(vary, "parameter"),
-                      .role = text_in(vary, "of"),
-                      .standard_role = text_in(vary, "relative_to")};
-  if (dimension.parameter.empty()) return std::nullopt;
-  if (dimension.factor.empty()) dimension.factor = dimension.parameter;
-  for (const LevelMeasure measure : {LevelMeasure::difference, LevelMeasure::percent,
-                                     LevelMeasure::ratio, LevelMeasure::decibels}) {
-    if (vary.contains(key_of(measure))) dimension.measure = measure;
-  }
-  dimension.standard =
-      stored_standard(protocol, block, dimension.standard_role, dimension.parameter);
-  return dimension;
-}
-
-/// The number of alternatives of a block whose judged question allows the response "cannot tell"; otherwise 0.
-std::size_t unforced_alternatives(const Json& block) {
-  const auto is_unforced = [](const Json& asked) {
-    return !text_in(asked, "judgement").empty() &&
-           member_of(asked, "allow_cannot_tell") == Json(true);
-  };
-  const Json& several = member_of(block, "questions");
-  const bool is_any =
-      is_unforced(member_of(block, "question")) ||
-      (several.is_array() && std::any_of(several.begin(), several.end(), is_unforced));
-  const std::string id = text_in(block, "design");
-  const DiscriminationDesign* const design = id.empty() ? &two_alternatives() : find_design(id);
-  return is_any && design != nullptr ? design->alternatives() : 0;
-}
-
-/// What the tables of keys declare.
-void read_declared(const Json& root, StoredProtocol& read) {
-  Protocol protocol{};
-  const std::vector<FormProblem> unread = read_keys(kProtocolTable, root, "", protocol);
-  if (has_form(unread, "/environment/vision")) read.senses.vision = protocol.vision;
-  if (has_form(unread, "/environment/masking_noise/kind")) {
-    read.senses.noise = protocol.masking_noise;
-  }
-  read.title = std::move(protocol.title);
-  read.analysis = std::move(protocol.analysis);
-  complete_estimation(protocol);
-  read.estimation = std::move(protocol.estimation);
-  read.questions = std::move(protocol.questions);
-  for (auto& [name, question] : read.questions) {
-    const std::string condition = pointer_to("/questions", name) + "/if";
-    if (!has_form(unread, condition)) question.condition.reset();
-  }
-  if (protocol.groups) {
-    read.group_factor = protocol.groups->factor;
-    read.groups = level_texts(protocol.factors[read.group_factor]);
-    if (has_form(unread, "/groups") && !read.groups.empty()) {
-      read.permuted_blocks = permuted_blocks_of(protocol);
-    }
-  }
-  read.factors = std::move(protocol.factors);
-}
-
-std::vector<ProcedureSettings> stored_tracks(const Json& protocol, const Json& block) {
-  try {
-    const Json& stated = member_of(block, "procedure");
-    if (!valid_part(stated, kProcedureTable, "").problems.empty()) return {};  // of another version
-    Dimension dimension{};
-    read_keys(kDimensionTable, member_of(block, "vary"), "", dimension);
-    dimension.standard =
-        stored_standard(protocol, block, dimension.standard_role, dimension.parameter);
-    const DiscriminationDesign* const design = find_design(text_in(block, "design"));
-    std::vector<ProcedureSettings> tracks =
-        procedure_in(stated, dimension, design == nullptr ? two_alternatives() : *design).tracks;
-    if (const std::size_t alternatives = unforced_alternatives(block); alternatives > 0) {
-      declare_unforced(alternatives, tracks);
-    }
-    const bool can_be_used =
-        std::all_of(tracks.begin(), tracks.end(),
-                    [](const ProcedureSettings& each) { return problems_of(each).empty(); });
-    return can_be_used ? tracks : std::vector<ProcedureSettings>{};
-  } catch (const std::exception&) {
-    return {};  // of a version of the program with other procedures
-  }
+/// A procedure that this version cannot run has no tracks.
+void complete_stored_block(Block& block, const Json& stated, const Protocol& protocol) {
+  const DiscriminationDesign* const design = block.design;
+  if (design == nullptr) block.design = &two_alternatives();
+  complete_block(block, stated, protocol, {});
+  block.design = design;
+  if (!block.procedure) return;
+  const std::vector<FormProblem> unread =
+      valid_part(member_of(stated, "procedure"), kProcedureTable, "").problems;
+  const bool is_read = std::all_of(unread.begin(), unread.end(), [](const FormProblem& problem) {
+    return problem.is_at_key;  // of another version, in addition
+  });
+  std::vector<ProcedureSettings>& tracks = block.procedure->tracks;
+  const bool can_be_run = std::all_of(tracks.begin(), tracks.end(),
+                                      [](const auto& each) { return problems_of(each).empty(); });
+  const bool is_needed = chooses_levels_from_answers(block);
+  if (design == nullptr || !is_read || (!can_be_run && is_needed)) tracks.clear();
 }
 
 }  // namespace
 
-std::vector<std::string> StoredProtocol::kinds() const {
-  std::vector<std::string> kinds{};
-  for (const auto& [name, block] : blocks) {
-    if (std::find(kinds.begin(), kinds.end(), block.kind) == kinds.end()) {
-      kinds.push_back(block.kind);
-    }
-  }
-  return kinds;
+StoredProtocol::Senses StoredProtocol::senses() const {
+  Senses senses{};
+  if (has_form(unread, "/environment/vision")) senses.vision = protocol.vision;
+  if (has_form(unread, "/environment/masking_noise/kind")) senses.noise = protocol.masking_noise;
+  return senses;
 }
 
 std::string without_texts(const std::string& source) {
@@ -360,53 +247,27 @@ std::string language_of(const std::string& source) {
 StoredProtocol stored_protocol(const std::string& source) {
   const Json root = Json::parse(source, nullptr, false);
   StoredProtocol read{.compared_parameter = parameter_compared_in(root)};
-  read_declared(root, read);
-  for_each_object(member_of(root, "blocks"), [&](const std::string& name, const Json& block) {
-    StoredProtocol::Block made{};
-    made.kind = text_in(block, "kind").empty() ? text_in(root, "kind") : text_in(block, "kind");
-    made.phase = text_in(block, "phase").empty() ? "main" : text_in(block, "phase");
-    made.vary = stored_dimension(root, block);
-    made.design = text_in(block, "design");
-    const std::string surfaces = text_in(member_of(block, "arrangement"), "surfaces");
-    made.is_sequential = surfaces.empty() || surfaces == "sequential";
-    made.drawn = texts_in(block, "drawn");
-    made.surface_factors = surface_factors_in(root, block);
-    made.matched_in = text_in(member_of(block, "equal_roughness"), "matched_in");
-    const Json& procedure = member_of(block, "procedure");
-    made.has_procedure =
-        procedure.is_object() && text_in(procedure, "method") != "constant_stimuli";
-    if (made.has_procedure) made.tracks = stored_tracks(root, block);
-    if (const Json& catch_trials = member_of(procedure, "catch_trials"); catch_trials.is_object()) {
-      made.catch_type = text_in(catch_trials, "type");
-      if (made.catch_type.empty()) made.catch_type = text_of(CatchType::easy);
+  Protocol& protocol = read.protocol;
+  read.unread = read_keys(kProtocolTable, root, "", protocol);
+  if (!has_form(read.unread, "/kind")) protocol.kind = text_in(root, "kind");
+  complete_estimation(protocol);
+  for (auto& [name, question] : protocol.questions) {
+    const std::string condition = pointer_to("/questions", name) + "/if";
+    if (!has_form(read.unread, condition)) question.condition.reset();
+  }
+  if (protocol.groups && !protocol.factors.contains(protocol.groups->factor)) {
+    protocol.groups.reset();
+  } else if (protocol.groups) {
+    const std::string levels = pointer_to("/factors", protocol.groups->factor) + "/levels";
+    if (!has_form(read.unread, "/groups") || !has_form(read.unread, levels)) {
+      protocol.groups->assigned = Protocol::Groups::Assignment::by_experimenter;  // in no blocks
     }
-    if (made.vary) {
-      read.factors[made.vary->factor].meaning =
-          "Value of the parameter " + made.vary->parameter + " of the " + made.vary->role;
-    }
-    const Json& derived = member_of(block, "derived");
-    if (derived.is_object()) {
-      for (const auto& [factor, formula] : derived.items()) {
-        if (formula.is_string()) {
-          read.factors[factor].meaning = "Computed as " + formula.get<std::string>();
-        }
-      }
-    }
-    const auto add = [&](const Json& asked) {
-      if (!asked.is_object()) return;
-      made.questions.push_back(trial_question_in(asked));
-      const std::vector<std::string> own = texts_in(asked, "pictures");
-      read.pictures.insert(read.pictures.end(), own.begin(), own.end());
-    };
-    add(member_of(block, "question"));
-    const Json& several = member_of(block, "questions");
-    if (several.is_array()) {
-      for (const Json& asked : several) add(asked);
-    }
-    if (!made.questions.empty()) read.blocks[name] = std::move(made);
-  });
-  for (const auto& [name, factor] : read.factors) {
-    for (std::string& level : level_texts(factor)) read.pictures.push_back(std::move(level));
+  }
+  for (auto& [name, block] : protocol.blocks) {
+    const Json& stated = member_of(member_of(root, "blocks"), name);
+    keep_unknown(block, stated, read.unread);
+    complete_stored_block(block, stated, protocol);
+    read.surface_factors[name] = surface_factors_in(root, stated);
   }
   return read;
 }

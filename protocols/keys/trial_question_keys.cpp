@@ -35,7 +35,8 @@ constexpr auto kJudgements = words_of<DiscriminationJudgement>(
      {"comparison", DiscriminationJudgement::comparison,
       "no response is correct, and the point of subjective equality is estimated"}});
 constexpr auto kAsked =
-    words_of<bool>({{"more", false, "the higher value"}, {"less", true, "the lower value"}});
+    words_of<Template::AsksFor>({{"more", Template::AsksFor::more, "the higher value"},
+                                 {"less", Template::AsksFor::less, "the lower value"}});
 constexpr auto kRated = words_of<RatedQuantity>(
     {{"dissimilarity", RatedQuantity::dissimilarity, "the dissimilarity of the two surfaces"},
      {"similarity", RatedQuantity::similarity, "the similarity of the two surfaces"}});
@@ -74,11 +75,13 @@ constexpr auto kListedQuestionKeys = keys_of(
         "Discrimination: performance: the comparison is the correct response; comparison: no "
         "response is correct, and the point of subjective equality is estimated.",
         kJudgements),
-    member_key<&Template::asks_for_less>(
-        "asks_for", "Asks for",
-        "Discrimination with the judgement comparison: whether the question asks for the surface "
-        "with the higher (more) or the lower (less) value of the varied parameter.",
-        kAsked),
+    with_standard(
+        member_key<&Template::asks_for>(
+            "asks_for", "Asks for",
+            "Discrimination with the judgement comparison: whether the question asks for the "
+            "surface with the higher (more) or the lower (less) value of the varied parameter.",
+            kAsked),
+        [](const ProtocolKey&) { return json("more"); }),
     member_key<&Template::confidence_of>(
         "confidence_of", "Confidence of",
         "Of a scale in a block of a discrimination: the earlier question whose response it rates "

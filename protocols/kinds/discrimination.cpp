@@ -53,8 +53,8 @@ std::vector<std::string> correct_of_discrimination(const Protocol::TrialQuestion
   }
   // The level of a catch trial is so far from the standard that the response is known.
   if (!trial.catch_trial) return {};
-  return {trial.catch_trial->is_above_standard != question.asks_for_less ? "comparison"
-                                                                         : "standard"};
+  return {trial.catch_trial->is_above_standard != question.asks_for_less() ? "comparison"
+                                                                           : "standard"};
 }
 
 /// Where every level is above the standard, or every level below it.
@@ -310,7 +310,7 @@ VirtualResponse judge_discrimination(const Judgement& judgement) {
   if (block.design->has_noise()) return judge_in_words(judgement, block);
   if (block.design->is_choice_of_three()) return judge_three(judgement, block);
   const bool chooses_less =
-      asked->asks_for_less ||
+      asked->asks_for_less() ||
       (asked->judgement == DiscriminationJudgement::performance && is_below_standard(*block.vary));
   const std::optional<double>& unsure_within = judgement.protocol.observer.unsure_within;
   const double least_difference =

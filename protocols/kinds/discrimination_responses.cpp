@@ -218,7 +218,7 @@ Answer decide_discrimination(const TabulatedTrial& trial) {
   // Of a comparison, what is asked for; of a performance, the side of the levels. No response depends on what the
   // participant is asked to find where the odd one of three, or a difference, is to be found.
   const bool seeks_less = is_performance(trial.asked) ? is_below_the_standard(trial.asked)
-                                                      : trial.asked.question.asks_for_less;
+                                                      : trial.asked.question.asks_for_less();
   std::vector<double> impressions = impressions_of(trial, seeks_less, noise);
   if (design.has_noise()) {
     const double criterion = trial.own(kCriterion);

@@ -438,7 +438,7 @@ LevelOutcome level_outcome_of(const Protocol::Block& block,
   // Of three surfaces, the varied one is not always the correct response.
   const bool chose_varied = block.design->is_choice_of_three() ? response.correct.value_or(false)
                                                                : response.answer == varied_item;
-  return forced_outcome(chose_varied != judged.asks_for_less);
+  return forced_outcome(chose_varied != judged.asks_for_less());
 }
 
 void Course::supply(const NextStep& step) {

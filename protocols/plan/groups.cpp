@@ -39,6 +39,7 @@ FactorLevels group_factor(const Protocol& protocol, const std::string& group) {
 std::optional<PermutedBlocks> permuted_blocks_of(const Protocol& protocol) {
   if (!protocol.groups || protocol.groups->assigned != Assignment::permuted_blocks) return {};
   const std::size_t count = groups_of(protocol).size();
+  if (count == 0) return {};
   const std::vector<int>& sizes = protocol.groups->block_sizes;
   return PermutedBlocks{.groups = count,
                         .sizes = sizes.empty() ? default_block_sizes(count) : sizes,

@@ -208,11 +208,11 @@ TEST(Discrimination, RepeatsUnfinishedTracksWithTheirNumberOfTrials) {
   EXPECT_EQ(thresholds, part_of(finished, "thresholds"));
   const Finding* const jnd = FoundNumbers(thresholds).find("jnd", "p10|all");
   EXPECT_TRUE(jnd != nullptr && jnd->low && jnd->high);
-  const StoredProtocol::Block block = stored_protocol(protocol.dump()).blocks.at("only");
-  ASSERT_EQ(block.tracks.size(), 2U);
+  const Protocol::Block block = stored_protocol(protocol.dump()).protocol.blocks.at("only");
+  ASSERT_EQ(block.procedure->tracks.size(), 2U);
   Dimension varied = *block.vary;
   const DiscriminationTask task{.is_performance = true, .varied = varied};
-  const PlacedTrials placed{.tracks = {{.settings = block.tracks[0], .levels = varied}},
+  const PlacedTrials placed{.tracks = {{.settings = block.procedure->tracks[0], .levels = varied}},
                             .fixed = {{60e-6, 7}}};
   std::uint64_t trials = 0;
   for (const PsychometricBlock& one : run_again(task, placed, kPerformer, Random(1))) {

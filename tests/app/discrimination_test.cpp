@@ -321,12 +321,13 @@ TEST(Discrimination, RemarksThatTheDirectionOfTheChoicesIsUncertain) {
 }
 
 TEST(Discrimination, TakesTheDirectionOfTheQuestionFromTheProtocolWhereItIsStated) {
+  using AsksFor = Protocol::TrialQuestionTemplate::AsksFor;
   DiscriminationTask task{.is_performance = false};
   EXPECT_TRUE(counts_standard(task, -3.0)) << "from the responses";
   EXPECT_FALSE(counts_standard(task, 3.0));
-  task.asks_for_less = true;
+  task.asks_for = AsksFor::less;
   EXPECT_TRUE(counts_standard(task, 3.0));
-  task.asks_for_less = false;
+  task.asks_for = AsksFor::more;
   EXPECT_FALSE(counts_standard(task, -3.0));
   EXPECT_FALSE(counts_standard({.is_performance = true}, -3.0));
 }

@@ -193,8 +193,8 @@ json unforced_protocol(int trials) {
 
 TEST(DiscriminationWithCannotTell, EstimatesThresholdsOfTheUnforcedWeightedUpDown) {
   const json protocol = unforced_protocol(120);
-  const StoredProtocol::Block block = stored_protocol(protocol.dump()).blocks.at("only");
-  ASSERT_EQ(block.tracks.size(), 1U);
+  const Protocol::Block block = stored_protocol(protocol.dump()).protocol.blocks.at("only");
+  ASSERT_EQ(block.procedure->tracks.size(), 1U);
   const OutcomeOfObserver observer = [&](double level, Random& random) {
     const double x = block.vary->value_of(level) - kStandard_m;
     if (random.uniform() < 1.0 - std::exp(-std::pow(x / 10e-6, 2.0))) return LevelOutcome::correct;
@@ -204,7 +204,7 @@ TEST(DiscriminationWithCannotTell, EstimatesThresholdsOfTheUnforcedWeightedUpDow
   std::vector<MadeUpTrial> trials{};
   int step = 0;
   for (const LevelAnswer& answer :
-       simulated_track(level_rule(block.tracks.front()), observer, Random(11))) {
+       simulated_track(level_rule(block.procedure->tracks.front()), observer, Random(11))) {
     const double value_m = block.vary->value_of(answer.level);
     const bool first = step % 2 == 0;
     MadeUpTrial trial =
@@ -232,8 +232,8 @@ TEST(DiscriminationWithCannotTell, EstimatesThresholdsOfTheUnforcedWeightedUpDow
 }
 
 TEST(DiscriminationWithCannotTell, RunsTracksAgainWithTheHitsOfTheFunction) {
-  const StoredProtocol::Block block =
-      stored_protocol(unforced_protocol(400).dump()).blocks.at("only");
+  const Protocol::Block block =
+      stored_protocol(unforced_protocol(400).dump()).protocol.blocks.at("only");
   DiscriminationTask task = *discrimination_task("only", block);
   PlacedTrials placed{.fixed = {{55e-6, 20000}}, .alternatives = 2, .unsure_share = 0.6};
   const PsychometricFunction observer{

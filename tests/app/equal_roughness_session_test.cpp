@@ -17,8 +17,8 @@
 #include "protocols/file/stored_protocol.h"
 #include "tests/app/exported_study.h"
 #include "tests/app/scripted_session.h"
-#include "tests/support/refusal.h"
 #include "tests/app/stored_tables.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -83,7 +83,7 @@ class EqualRoughnessSession : public ResumableSession {
 TEST_F(EqualRoughnessSession, RendersTheAmplitudesThatTheResponsesDetermined) {
   uninterrupted(1);
   const std::vector<PresentedMatch> matches =
-      presented_matches(stored_protocol(kMatchedModels), study_->plan(session_.row.id));
+      presented_matches(stored_protocol(kMatchedModels).protocol, study_->plan(session_.row.id));
   ASSERT_EQ(matches.size(), 2U);
   std::map<std::string, double> relative{{"sinusoid", 1.0}};
   for (const PresentedMatch& match : matches) {
@@ -197,7 +197,7 @@ TEST_F(EqualRoughnessSession, HasATableOfItsMatchesInTheAnalysis) {
   for (const AnalysisOutcome& outcome : outcomes) {
     EXPECT_NE(outcome.kind, "discrimination") << "the matches have their own table";
     for (const ResultTable& each : outcome.tables) {
-    const StoredTable table = stored(each);
+      const StoredTable table = stored(each);
       if (table.name != kEqualRoughness) continue;
       ++tables;
       EXPECT_EQ(outcome.kind, "paired_comparison");
@@ -213,7 +213,7 @@ std::pair<std::size_t, std::size_t> reported_matches(const Study& study) {
   std::pair<std::size_t, std::size_t> matches{};
   for (const AnalysisOutcome& outcome : analyze_study(study, {}, {})) {
     for (const ResultTable& each : outcome.tables) {
-    const StoredTable table = stored(each);
+      const StoredTable table = stored(each);
       if (table.name == kEqualRoughness) matches.first += table.table.rows.size();
     }
   }
@@ -247,10 +247,10 @@ PlannedTrialRow presenting(const std::string& block, const std::string& stimulus
 }
 
 TEST(PresentedMatches, AreThoseOfAStimulusInAMatchingBlock) {
-  StoredProtocol protocol{};
-  protocol.blocks["light"].matched_in = "matching_light";
-  protocol.blocks["again"].matched_in = "matching_light";
-  protocol.blocks["heavy"].matched_in = "matching_heavy";
+  Protocol protocol{};
+  protocol.blocks["light"].equal_roughness = {"matching_light"};
+  protocol.blocks["again"].equal_roughness = {"matching_light"};
+  protocol.blocks["heavy"].equal_roughness = {"matching_heavy"};
   protocol.blocks["other"];
   const std::vector<PlannedTrialRow> trials{
       presenting("light", "smooth"), presenting("light", "coarse"), presenting("light", "smooth"),

@@ -115,7 +115,7 @@ TEST(GatheredExploration, KeepsContactTimesBySurface) {
 
 TEST(GatheredExploration, LeavesOutLevelsThatAProcedureChose) {
   ReadExploration read{};
-  StoredProtocol::Block block{};
+  Protocol::Block block{};
   block.drawn = {"texture"};
   read.gathered.blocks.emplace("main", block);
   read.begin_participant();

@@ -271,7 +271,8 @@ TEST_F(GroupsOfASession, OfAMergedStudyFollowTheSequenceOfEachStation) {
   GroupBlocks blocks(study, sessions);
   std::map<std::string, std::set<std::string>> members{};
   for (const SessionRow& session : sessions) {
-    members[blocks.of(session, stored_protocol(text)).value_or("none")].insert(session.participant);
+    members[blocks.of(session, stored_protocol(text).protocol).value_or("none")].insert(
+        session.participant);
   }
   std::set<std::set<std::string>> of_blocks{};
   for (const auto& [name, labels] : members) of_blocks.insert(labels);

@@ -131,15 +131,16 @@ json staircase_protocol(int trials) {
 
 std::vector<MadeUpTrial> staircase_trials(const PsychometricFunction& observer,
                                           const json& protocol, std::uint64_t seed) {
-  const StoredProtocol::Block block = stored_protocol(protocol.dump()).blocks.at("only");
+  const Protocol::Block block = stored_protocol(protocol.dump()).protocol.blocks.at("only");
   std::vector<MadeUpTrial> trials{};
-  for (std::size_t i = 0; i < block.tracks.size(); ++i) {
+  for (std::size_t i = 0; i < block.procedure->tracks.size(); ++i) {
     const auto chance = [&](double level) {
       return observer.value(block.vary->value_of(level) - kStandard_m);
     };
     const Random of_track = Random(seed).split(static_cast<std::uint64_t>(i));
     int step = 0;
-    for (const LevelAnswer& answer : simulated_track(block.tracks[i], chance, of_track)) {
+    for (const LevelAnswer& answer :
+         simulated_track(block.procedure->tracks[i], chance, of_track)) {
       MadeUpTrial trial =
           discriminated({.value_m = block.vary->value_of(answer.level),
                          .chose_comparison = answer.outcome == LevelOutcome::correct,

@@ -10,8 +10,8 @@
 #include "analysis/numbers/number_text.h"
 #include "app/findings/methods/magnitude/magnitude_analysis.h"
 #include "protocols/observer/virtual_observer.h"
-#include "tests/gates/gate_checks.h"
 #include "tests/app/stored_tables.h"
+#include "tests/gates/gate_checks.h"
 
 namespace asperity {
 namespace {

@@ -45,7 +45,8 @@ GatheredAnswers textures_rated_by(const ObserverDeclaration& declared, std::uint
   GatheredAnswers gathered{};
   gathered.kind = "rating";
   gathered.words.place("");
-  gathered.questions = {{.name = "rough", .minimum = 0.0, .maximum = kGreatestRating}};
+  gathered.questions = {
+      {.name = "rough", .form = ScaleForm{.minimum = 0.0, .maximum = kGreatestRating}}};
   gathered.factor_levels.emplace_back();
   for (std::uint32_t person = 0; person < participants; ++person) {
     gathered.people.push_back({.label = "P" + std::to_string(person)});

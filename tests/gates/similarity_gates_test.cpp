@@ -57,7 +57,7 @@ GatheredAnswers rated_by(const ObserverDeclaration& declared, std::uint32_t part
   GatheredAnswers gathered{};
   gathered.kind = "similarity";
   gathered.words.place("");
-  gathered.questions = {{.name = "different", .minimum = 0.0, .maximum = 100.0}};
+  gathered.questions = {{.name = "different", .form = ScaleForm{.minimum = 0.0, .maximum = 100.0}}};
   gathered.factor_levels.emplace_back();
   for (std::uint32_t person = 0; person < participants; ++person) {
     gathered.people.push_back({.label = "P" + std::to_string(person)});

@@ -193,7 +193,8 @@ TEST(ChoiceOfThree, DeterminesTheGuessRateOfAPriorAndItsTarget) {
     const Protocol protocol = test::valid(file);
     for (const ThresholdPrior& prior :
          {prior_of(protocol.blocks.at("comparisons").procedure->tracks),
-          prior_of(stored_protocol(file.dump()).blocks.at("comparisons").tracks)}) {
+          prior_of(
+              stored_protocol(file.dump()).protocol.blocks.at("comparisons").procedure->tracks)}) {
       EXPECT_DOUBLE_EQ(prior.guess_rate, 1.0 / 3.0) << design;
       EXPECT_DOUBLE_EQ(prior.performance, 2.0 / 3.0) << design;
     }

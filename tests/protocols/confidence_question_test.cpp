@@ -43,8 +43,9 @@ TEST(ConfidenceOfAResponse, IsReadAndStored) {
   const Protocol protocol = test::valid(file);
   const auto& questions = protocol.blocks.at("comparisons").questions;
   EXPECT_EQ(questions.at(1).confidence_of, questions.at(0).name);
-  EXPECT_EQ(stored_protocol(file.dump()).blocks.at("comparisons").questions.at(1).confidence_of,
-            questions.at(0).name);
+  EXPECT_EQ(
+      stored_protocol(file.dump()).protocol.blocks.at("comparisons").questions.at(1).confidence_of,
+      questions.at(0).name);
 }
 
 TEST(ConfidenceOfAResponse, IsRefusedWhereItGivesNoRoc) {

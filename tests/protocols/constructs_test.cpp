@@ -40,16 +40,19 @@ TEST(Constructs, AreReadWithTheirReversedScales) {
   EXPECT_THAT(construct.scales, ElementsAre("rough", "coarse"));
   EXPECT_TRUE(construct.is_reversed("coarse"));
   EXPECT_FALSE(construct.is_reversed("rough"));
-  EXPECT_EQ(stored_protocol(text).analysis, protocol.analysis);
+  EXPECT_EQ(stored_protocol(text).protocol.analysis, protocol.analysis);
 }
 
 TEST(Constructs, ConsistOfScalesOfOneRange) {
   EXPECT_THAT(problems_of_construct(R"({"scales": ["rough", "course"]})"),
               HasSubstr("no main block of ratings has a scale \"course\""));
-  EXPECT_THAT(problems_of_construct(R"({"scales": ["rough", "rough"]})"), HasSubstr("is named twice"));
-  EXPECT_THAT(problems_of_construct(R"({"scales": ["rough"]})"), HasSubstr("(/analysis/constructs/roughness"));
-  EXPECT_THAT(problems_of_construct(R"({"scales": ["rough", "hard"], "reverse_keyed": ["coarse"]})"),
-              HasSubstr("\"coarse\" is not one of the scales of this construct; use \"rough\""));
+  EXPECT_THAT(problems_of_construct(R"({"scales": ["rough", "rough"]})"),
+              HasSubstr("is named twice"));
+  EXPECT_THAT(problems_of_construct(R"({"scales": ["rough"]})"),
+              HasSubstr("(/analysis/constructs/roughness"));
+  EXPECT_THAT(
+      problems_of_construct(R"({"scales": ["rough", "hard"], "reverse_keyed": ["coarse"]})"),
+      HasSubstr("\"coarse\" is not one of the scales of this construct; use \"rough\""));
   std::string text = rating_with(R"({"scales": ["rough", "hard"]})");
   const std::size_t main = text.find(R"("ratings": {)");
   const std::size_t hard = text.find(R"("name": "hard")", main);

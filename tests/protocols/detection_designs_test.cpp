@@ -118,8 +118,8 @@ TEST(DetectionDesigns, AreStatedInTheDesignOfTheBlock) {
 }
 
 TEST(DetectionDesigns, AreStored) {
-  EXPECT_EQ(stored_protocol(with_design("yes_no").dump()).blocks.at("comparisons").design,
-            "yes_no");
+  const Protocol stored = stored_protocol(with_design("yes_no").dump()).protocol;
+  EXPECT_EQ(stored.blocks.at("comparisons").design, find_design("yes_no"));
 }
 
 struct FaultOfDesign {

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "protocols/design/block_factors.h"
 #include "protocols/design/dimension.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/plan/plan.h"
@@ -149,9 +150,9 @@ TEST(Discriminations, StateInTheWeightedMethodThatChoicesAreUnforced) {
   ProtocolJson protocol = unforced_weighted();
   const Protocol read = test::valid(protocol);
   EXPECT_EQ(alternatives(read.blocks.at("comparisons").procedure->tracks.front()), 2U);
-  const StoredProtocol stored = stored_protocol(protocol.dump());
-  ASSERT_EQ(stored.blocks.at("comparisons").tracks.size(), 1U);
-  EXPECT_EQ(alternatives(stored.blocks.at("comparisons").tracks.front()), 2U);
+  const Protocol stored = stored_protocol(protocol.dump()).protocol;
+  ASSERT_EQ(stored.blocks.at("comparisons").procedure->tracks.size(), 1U);
+  EXPECT_EQ(alternatives(stored.blocks.at("comparisons").procedure->tracks.front()), 2U);
   main_block(protocol)["question"].erase("allow_cannot_tell");
   EXPECT_FALSE(
       alternatives(test::valid(protocol).blocks.at("comparisons").procedure->tracks.front()));
@@ -361,31 +362,31 @@ TEST(VariedParameters, HaveLevelsOnAGrid) {
 }
 
 TEST(VariedParameters, KeepTheirMeasureInTheStoredProtocol) {
-  const StoredProtocol stored = stored_protocol(amplitude_jnd().dump());
-  const StoredProtocol::Block& block = stored.blocks.at("comparisons");
+  const Protocol stored = stored_protocol(amplitude_jnd().dump()).protocol;
+  const Protocol::Block& block = stored.blocks.at("comparisons");
   ASSERT_TRUE(block.vary);
   EXPECT_EQ(block.vary->parameter, "amplitude_m");
   EXPECT_EQ(block.vary->factor, "amplitude_m");
   EXPECT_EQ(block.vary->measure, LevelMeasure::percent);
   EXPECT_EQ(block.vary->standard, 5e-5);
-  EXPECT_EQ(block.questions.front().judgement, "performance");
-  EXPECT_FALSE(block.questions.front().asks_for_less) << "not stated";
-  EXPECT_FALSE(block.has_procedure);
-  EXPECT_TRUE(block.is_sequential);
+  EXPECT_EQ(block.questions.front().judgement, DiscriminationJudgement::performance);
+  EXPECT_FALSE(block.questions.front().asks_for) << "not stated";
+  EXPECT_FALSE(chooses_levels_from_answers(block));
+  EXPECT_EQ(block.arrangement.surfaces, Arrangement::Surfaces::sequential);
   ProtocolJson smoother = comparison_of_amplitudes();
   main_block(smoother)["question"]["asks_for"] = "less";
   main_block(smoother)["arrangement"] = {{"surfaces", "side_by_side"}};
-  const StoredProtocol::Block other = stored_protocol(smoother.dump()).blocks.at("comparisons");
-  EXPECT_EQ(other.questions.front().asks_for_less, true);
-  EXPECT_FALSE(other.is_sequential);
+  const Protocol::Block other = stored_protocol(smoother.dump()).protocol.blocks.at("comparisons");
+  EXPECT_TRUE(other.questions.front().asks_for_less());
+  EXPECT_EQ(other.arrangement.surfaces, Arrangement::Surfaces::side_by_side);
   ProtocolJson protocol = amplitude_jnd();
   const auto has_procedure = [&protocol](const char* method) {
     main_block(protocol)["procedure"] = {{"method", method}};
-    return stored_protocol(protocol.dump()).blocks.at("comparisons").has_procedure;
+    return chooses_levels_from_answers(
+        stored_protocol(protocol.dump()).protocol.blocks.at("comparisons"));
   };
   EXPECT_TRUE(has_procedure("weighted_up_down"));
   EXPECT_FALSE(has_procedure("constant_stimuli")) << "does not depend on the responses";
-  EXPECT_THAT(stored.factors.at("amplitude_m").meaning, HasSubstr("amplitude_m of the comparison"));
 }
 
 TEST(Dimensions, ReturnFromEveryMeasureToTheSameLevel) {

@@ -382,7 +382,7 @@ TEST(EqualRoughness, NeedsModelsWithAnAmplitude) {
 
 TEST(EqualRoughness, HasAStandardOfOneInStoredProtocols) {
   const StoredProtocol stored = stored_protocol(realism_of_models().dump());
-  EXPECT_EQ(stored.blocks.at("matching").vary->standard, 1.0);
+  EXPECT_EQ(stored.protocol.blocks.at("matching").vary->standard, 1.0);
 }
 
 // --- the purpose ---------------------------------------------------------------------------------

@@ -559,7 +559,7 @@ TEST(Keys, OfQuestionsOfTrialsGoToTheirMembers) {
   EXPECT_TRUE(questions[0].allow_cannot_tell);
   EXPECT_EQ(questions[0].correct_factor, "a");
   EXPECT_EQ(questions[0].judgement, DiscriminationJudgement::comparison);
-  EXPECT_TRUE(questions[0].asks_for_less);
+  EXPECT_TRUE(questions[0].asks_for_less());
   EXPECT_EQ(questions[0].confidence_of, "z");
   EXPECT_EQ(questions[0].rates, RatedQuantity::similarity);
   EXPECT_EQ(questions[0].tie, "Same");

@@ -207,7 +207,7 @@ TEST(StoredAnswer, IsComparedWithItsQuestion) {
 }
 
 TEST(StoredProtocol, KnowsTheFormsAndConditionsOfAQuestionnaire) {
-  const StoredProtocol read = stored_protocol(questioned().dump());
+  const Protocol read = stored_protocol(questioned().dump()).protocol;
   EXPECT_EQ(read.questions.at("since").unit, "min");
   EXPECT_EQ(read.questions.at("strength").scale.maximum, 10.0);
   ASSERT_TRUE(read.questions.at("kinds").condition);

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "protocols/plan/groups.h"
+
 namespace asperity {
 namespace {
 
@@ -13,7 +15,7 @@ using testing::IsEmpty;
 using testing::Pair;
 
 TEST(StoredProtocol, ReadsWhatIsSpecified) {
-  const StoredProtocol read = stored_protocol(R"({
+  const Protocol read = stored_protocol(R"({
       "format": "asperity.protocol/9", "title": "Roughness", "unknown": [1, {}],
       "factors": {"tip": {"levels": ["small", "large"], "meaning": "diameter", "unit": "m",
                           "hed": {"small": "Item", "large": 3}}, "bad": 3},
@@ -21,7 +23,8 @@ TEST(StoredProtocol, ReadsWhatIsSpecified) {
                              "minimum": 1, "maximum": "2"}},
       "blocks": {"main": {"question": {"name": "rough", "prompt": "How rough?"}}, "rest": {}},
       "analysis": {"target": "new", "family": ["spacing", 4], "equivalence_margin": 0.1},
-      "estimation": {"spacing": "texture", "condition": "tip"}})");
+      "estimation": {"spacing": "texture", "condition": "tip"}})")
+                            .protocol;
   EXPECT_EQ(read.title, "Roughness");
   ASSERT_EQ(read.factors.size(), 1U);
   EXPECT_EQ(read.factors.at("tip").meaning, "diameter");
@@ -43,23 +46,69 @@ TEST(StoredProtocol, ReadsWhatIsSpecified) {
   EXPECT_THAT(read.estimation->conditions, ElementsAre("small", "large"));
 }
 
+TEST(StoredProtocol, DoesNotReplaceWhatItDoesNotKnowOfABlockByADefault) {
+  const Protocol read = stored_protocol(R"({"kind": "selection", "blocks": {
+      "ranked": {"kind": "ranking"}, "own": {}, "later": {"phase": "retention"},
+      "odd": {"design": "three_down"}}})")
+                            .protocol;
+  EXPECT_EQ(read.blocks.at("ranked").kind, "ranking");
+  EXPECT_EQ(read.blocks.at("own").kind, "selection");
+  EXPECT_NE(read.blocks.at("later").phase, Phase::main);
+  EXPECT_EQ(read.blocks.at("odd").design, nullptr);
+  EXPECT_EQ(stored_protocol(R"({"kind": "ranking"})").protocol.kind, "ranking");
+  EXPECT_EQ(stored_protocol(R"({"blocks": {"main": {}}})").protocol.blocks.at("main").kind, "");
+}
+
+TEST(StoredProtocol, HasTheProcedureOfALaterVersionWithoutTracks) {
+  const auto procedure = [](const std::string& stated) {
+    return *stored_protocol(R"({"kind": "discrimination", "blocks": {"main": {
+        "vary": {"parameter": "friction", "of": "comparison", "levels": {"lowest": 0.1, "highest": 0.5, "step": 0.1}},
+        "procedure": {"start": 0.2, "steps": [0.1], "stop": {"trials": 20},
+                      "catch_trials": {"level": 0.3, "every": 5}, )" +
+                            stated + "}}}}")
+                .protocol.blocks.at("main")
+                .procedure;
+  };
+  EXPECT_EQ(procedure(R"("method": "transformed_up_down", "down": 2)").tracks.size(), 1U);
+  const auto with_more = procedure(R"("method": "transformed_up_down", "down": 2, "later": 1)");
+  EXPECT_EQ(with_more.tracks.size(), 1U);
+  EXPECT_TRUE(with_more.catch_trials);
+  const auto unknown = procedure(R"("method": "entropy")");
+  EXPECT_TRUE(unknown.tracks.empty());
+  EXPECT_TRUE(unknown.catch_trials);
+}
+
+TEST(StoredProtocol, HasNoPermutedBlocksOfGroupsThatAreNotRead) {
+  const auto blocks = [](const std::string& levels, const std::string& groups) {
+    return permuted_blocks_of(stored_protocol(R"({"factors": {"g": {"levels": )" + levels +
+                                              R"(}}, "groups": {"factor": "g", "assigned": )"
+                                              R"("permuted_blocks")" +
+                                              groups + "}}")
+                                  .protocol);
+  };
+  EXPECT_TRUE(blocks(R"(["a", "b"])", ""));
+  EXPECT_FALSE(blocks("[]", ""));
+  EXPECT_FALSE(blocks(R"(["a", "b", {"name": "c"}])", ""));
+  EXPECT_FALSE(blocks(R"(["a", "b"])", R"(, "block_sizes": ["four"])"));
+}
+
 TEST(StoredProtocol, DoesNotReplaceWhatItDoesNotKnowOfSensesByADefault) {
   const StoredProtocol later = stored_protocol(
       R"({"environment": {"vision": "mirrored", "touch": 1, "masking_noise": {"kind": "brown"}}})");
-  EXPECT_FALSE(later.senses.vision);
-  EXPECT_FALSE(later.senses.noise);
-  EXPECT_EQ(stored_protocol("{}").senses.vision, Vision::free);
-  ASSERT_TRUE(stored_protocol("{}").senses.noise);
-  EXPECT_FALSE(stored_protocol("no protocol").senses.vision);
-  EXPECT_FALSE(stored_protocol("[]").senses.noise);
+  EXPECT_FALSE(later.senses().vision);
+  EXPECT_FALSE(later.senses().noise);
+  EXPECT_EQ(stored_protocol("{}").senses().vision, Vision::free);
+  ASSERT_TRUE(stored_protocol("{}").senses().noise);
+  EXPECT_FALSE(stored_protocol("no protocol").senses().vision);
+  EXPECT_FALSE(stored_protocol("[]").senses().noise);
 }
 
 TEST(StoredProtocol, GivesAScaleTheEndsThatItHasWhereNoneAreStated) {
   const StoredProtocol read = stored_protocol(
       R"({"kind": "rating", "blocks": {"only": {"question": {"name": "rough", "scale": {}}}}})");
-  const StoredProtocol::TrialQuestion& asked = read.blocks.at("only").questions.front();
-  EXPECT_EQ(asked.minimum, 0.0);
-  EXPECT_EQ(asked.maximum, 100.0);
+  const auto& asked = read.protocol.blocks.at("only").questions.front();
+  EXPECT_EQ(std::get<ScaleForm>(asked.form).minimum, 0.0);
+  EXPECT_EQ(std::get<ScaleForm>(asked.form).maximum, 100.0);
 }
 
 TEST(StoredProtocol, ReadsSpacingsOfTexturesAndOfNumbers) {
@@ -67,7 +116,7 @@ TEST(StoredProtocol, ReadsSpacingsOfTexturesAndOfNumbers) {
     return stored_protocol(R"({"estimation": {"spacing": "s"}, "factors": {"s": {"levels": )" +
                            levels +
                            R"(}}, "textures": {"fine": {"spacing_m": 0.001}, "plain": {}}})")
-        .estimation.value()
+        .protocol.estimation.value()
         .spacing_m;
   };
   EXPECT_THAT(spacings(R"(["fine", "plain"])"), ElementsAre(Pair("fine", 0.001)));
@@ -124,11 +173,13 @@ TEST(StoredProtocol, ReadsNothingOfWhatHasAnotherForm) {
        {"", "not JSON", "[]", "3", R"({"title": 3, "factors": [], "questions": {"a": "b"}})",
         R"({"blocks": {"main": {"question": 3, "presented": 4}}, "kind": "selection"})",
         R"({"analysis": [], "estimation": "texture"})"}) {
-    const StoredProtocol read = stored_protocol(source);
+    const Protocol read = stored_protocol(source).protocol;
     EXPECT_EQ(read.title, "") << source;
     EXPECT_THAT(read.factors, IsEmpty()) << source;
     EXPECT_THAT(read.questions, IsEmpty()) << source;
-    EXPECT_THAT(read.blocks, IsEmpty()) << source;
+    for (const auto& [name, block] : read.blocks) {
+      EXPECT_TRUE(block.questions.empty() && block.presented.empty()) << source;
+    }
     EXPECT_EQ(read.analysis, AnalysisDeclaration{}) << source;
     EXPECT_FALSE(read.estimation) << source;
   }

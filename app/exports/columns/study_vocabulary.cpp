@@ -19,7 +19,15 @@ std::string place_in(const ProtocolRow& protocol, const std::string& pointer) {
   return "protocol " + protocol.name + " " + protocol.version + ": " + pointer;
 }
 
-void learn_questions(const ProtocolRow& protocol, const StoredProtocol& specified,
+void add_scale(const ScaleForm& scale, StudyVocabulary::AnswerMeaning& meaning) {
+  meaning.minimum = scale.minimum;
+  meaning.maximum = scale.maximum;
+  if (const auto& labels = scale.labels; !labels.empty()) {
+    meaning.prompt += " [" + labels.front() + " … " + labels.back() + "]";
+  }
+}
+
+void learn_questions(const ProtocolRow& protocol, const Protocol& specified,
                      StudyVocabulary& vocabulary) {
   for (const auto& [name, asked] : specified.questions) {
     StudyVocabulary::AnswerMeaning meaning{};
@@ -33,13 +41,7 @@ void learn_questions(const ProtocolRow& protocol, const StoredProtocol& specifie
     }
     meaning.minimum = asked.minimum;
     meaning.maximum = asked.maximum;
-    if (asked.form == Question::Form::scale) {
-      meaning.minimum = asked.scale.minimum;
-      meaning.maximum = asked.scale.maximum;
-      if (const auto& labels = asked.scale.labels; !labels.empty()) {
-        meaning.prompt += " [" + labels.front() + " … " + labels.back() + "]";
-      }
-    }
+    if (asked.form == Question::Form::scale) add_scale(asked.scale, meaning);
     meaning.options = asked.options;
     for (std::size_t i = 0; i < asked.option_texts.size(); ++i) {
       const std::string& text = asked.option_texts[i];
@@ -56,24 +58,26 @@ void learn_questions(const ProtocolRow& protocol, const StoredProtocol& specifie
   for (const auto& [name, block] : specified.blocks) {
     vocabulary.kinds_of_blocks[{protocol.source_sha256, name}] =
         block.kind.empty() ? protocol.kind : block.kind;
-    if (!block.catch_type.empty()) {
-      vocabulary.catch_types[{protocol.source_sha256, name}] = block.catch_type;
+    if (block.procedure && block.procedure->catch_trials) {
+      vocabulary.catch_types[{protocol.source_sha256, name}] =
+          text_of(block.procedure->catch_trials->type);
     }
     if (const auto task = discrimination_task(name, block)) {
       vocabulary.discriminations[{protocol.source_sha256, name}] = {
-          .task = *task, .drawn = block.drawn, .tracks = block.tracks, .levels = *block.vary};
+          .task = *task,
+          .drawn = block.drawn,
+          .tracks = block.procedure ? block.procedure->tracks : std::vector<ProcedureSettings>{},
+          .levels = *block.vary};
     }
-    for (const StoredProtocol::TrialQuestion& asked : block.questions) {
+    for (const Protocol::TrialQuestionTemplate& asked : block.questions) {
       if (asked.name.empty()) continue;
       StudyVocabulary::AnswerMeaning meaning{};
       meaning.prompt = asked.prompt;
-      if (!asked.low_label.empty()) {
-        meaning.prompt += " [" + asked.low_label + " … " + asked.high_label + "]";
+      if (const auto* const scale = std::get_if<ScaleForm>(&asked.form)) {
+        add_scale(*scale, meaning);
       }
       meaning.free_text = false;
       meaning.questionnaire = false;
-      meaning.minimum = asked.minimum;
-      meaning.maximum = asked.maximum;
       meaning.source = place_in(protocol, "/blocks/" + name);
       if (block.questions.size() == 1) meaning.source += "/question";
       vocabulary.questions.insert({asked.name, std::move(meaning)});
@@ -90,9 +94,25 @@ std::string tags_of(const std::string& level, const std::map<std::string, std::s
   return {};
 }
 
+/// With those of which a block states or computes the levels.
+std::map<std::string, Factor, std::less<>> all_factors(const Protocol& protocol) {
+  auto factors = protocol.factors;
+  for (const auto& [block_name, block] : protocol.blocks) {
+    if (block.vary) {
+      factors[block.vary->factor].meaning =
+          "Value of the parameter " + block.vary->parameter + " of the " + block.vary->role;
+    }
+    for (const auto& [name, formula] : block.derived) {
+      factors[name].meaning = "Computed as " + formula;
+    }
+  }
+  return factors;
+}
+
 void learn_from_protocol(const ProtocolRow& protocol, StudyVocabulary& vocabulary) {
-  StoredProtocol specified = stored_protocol(protocol.source);
-  for (const auto& [name, declared] : specified.factors) {
+  const StoredProtocol stored = stored_protocol(protocol.source);
+  const Protocol& specified = stored.protocol;
+  for (const auto& [name, declared] : all_factors(specified)) {
     const auto factor = vocabulary.factors.find(name);
     if (factor == vocabulary.factors.end()) continue;
     factor->second.meaning = declared.meaning;
@@ -104,12 +124,12 @@ void learn_from_protocol(const ProtocolRow& protocol, StudyVocabulary& vocabular
     }
   }
   learn_questions(protocol, specified, vocabulary);
-  vocabulary.senses[protocol.source_sha256] = specified.senses;
-  if (!specified.group_factor.empty()) {
-    vocabulary.group_factors[protocol.source_sha256] = specified.group_factor;
+  vocabulary.senses[protocol.source_sha256] = stored.senses();
+  if (specified.groups) {
+    vocabulary.group_factors[protocol.source_sha256] = specified.groups->factor;
   }
   if (specified.estimation) {
-    vocabulary.estimations.insert({protocol.source_sha256, *std::move(specified.estimation)});
+    vocabulary.estimations.insert({protocol.source_sha256, *specified.estimation});
   }
 }
 

@@ -18,7 +18,9 @@
 #include "protocols/design/protocol.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/kinds/experiment_kind.h"
+#include "protocols/plan/groups.h"
 #include "protocols/plan/plan.h"
+#include "protocols/plan/roughness_matching.h"
 #include "results_schema/stored_json.h"
 #include "results_schema/tables/table.h"
 
@@ -45,7 +47,7 @@ bool is_unfelt(const SessionRow& session) {
 /// The matches of the trials with an attempt that counts.
 std::vector<PresentedMatch> counted_matches(const Study& study, const SessionRow& session,
                                             const SessionAnswers& answers,
-                                            const StoredProtocol& protocol) {
+                                            const Protocol& protocol) {
   if (!presents_matches(protocol)) return {};
   std::set<int> counted{};
   for (const SessionAnswers::Attempt& attempt : answers.attempts) {
@@ -80,33 +82,42 @@ struct QuestionsOfKind {
 };
 
 const std::string& kind_of_stored_block(const std::string& kind_of_protocol,
-                                        const StoredProtocol::Block& block) {
+                                        const Protocol::Block& block) {
   return block.kind.empty() ? kind_of_protocol : block.kind;
 }
 
 /// The id of the kind that analyses a question of a block.
-std::string kind_of_stored(const std::string& kind_of_protocol, const StoredProtocol::Block& block,
-                           const StoredProtocol::TrialQuestion& question) {
+std::string kind_of_stored(const std::string& kind_of_protocol, const Protocol::Block& block,
+                           const Protocol::TrialQuestionTemplate& question) {
   const std::string& of_block = kind_of_stored_block(kind_of_protocol, block);
   const ExperimentKind* const known = find_kind(of_block);
-  if (!question.has_scale || known == nullptr) return of_block;
-  const ExperimentKind* const kind = kind_of_question(*known, ScaleForm{});
+  // The other forms are those of the kind itself.
+  if (known == nullptr || !std::holds_alternative<ScaleForm>(question.form)) return of_block;
+  const ExperimentKind* const kind = kind_of_question(*known, question.form);
   return std::string(kind == nullptr ? of_block : kind->id);
 }
 
-/// Responses by which models were matched in roughness have their own analysis (equal_roughness.h).
-bool matches_roughness(const StoredProtocol& protocol, const std::string& block) {
-  return std::any_of(protocol.blocks.begin(), protocol.blocks.end(),
-                     [&block](const auto& each) { return each.second.matched_in == block; });
+/// The pictures of the questions in their order, then the levels of the factors.
+std::vector<std::string> pictures_of(const Protocol& protocol) {
+  std::vector<std::string> pictures{};
+  for (const auto& [name, block] : protocol.blocks) {
+    for (const Protocol::TrialQuestionTemplate& question : block.questions) {
+      pictures.insert(pictures.end(), question.pictures.begin(), question.pictures.end());
+    }
+  }
+  for (const auto& [name, factor] : protocol.factors) {
+    for (const Level& level : factor.levels) pictures.push_back(text_of(level));
+  }
+  return pictures;
 }
 
 /// What the stored protocol of sessions asks, by kind.
-std::map<std::string, QuestionsOfKind> questions_by_kind(const StoredProtocol& protocol,
+std::map<std::string, QuestionsOfKind> questions_by_kind(const Protocol& protocol,
                                                          const std::string& kind_of_protocol) {
   std::map<std::string, QuestionsOfKind> kinds{};
   for (const auto& [name, block] : protocol.blocks) {
-    if (matches_roughness(protocol, name)) continue;
-    for (const StoredProtocol::TrialQuestion& question : block.questions) {
+    if (matches_roughness(protocol, block)) continue;  // its own analysis: equal_roughness.h
+    for (const Protocol::TrialQuestionTemplate& question : block.questions) {
       const std::string kind = kind_of_stored(kind_of_protocol, block, question);
       if (kind != kind_of_stored_block(kind_of_protocol, block)) {
         kinds[kind].accompanied.insert(name);
@@ -247,14 +258,16 @@ class Gathering {
   }
 
   /// `specified`: the stored protocol of the row.
-  void declare(const ProtocolRow& protocol, const StoredProtocol& specified) {
+  void declare(const ProtocolRow& protocol, const StoredProtocol& stored) {
     if (!sources_.insert(protocol.source_sha256).second) return;
     texts_of_sources_.push_back(protocol.source);
+    const Protocol& specified = stored.protocol;
     for (const auto& [name, block] : specified.blocks) {
-      if (block.phase != "main") continue;
-      for (const StoredProtocol::TrialQuestion& question : block.questions) {
+      if (block.phase != Phase::main) continue;
+      for (const Protocol::TrialQuestionTemplate& question : block.questions) {
         if (kind_of_stored(protocol.kind, block, question) != gathered.kind) continue;
         gathered.blocks.try_emplace(name, block);
+        gathered.surface_factors.try_emplace(name, stored.surface_factors.at(name));
         const bool is_known =
             std::any_of(gathered.questions.begin(), gathered.questions.end(),
                         [&question](const auto& known) { return known.name == question.name; });
@@ -285,14 +298,16 @@ class Gathering {
         }
       }
     }
-    if (gathered.group_factor.empty()) gathered.group_factor = specified.group_factor;
-    for (const std::string& group : specified.groups) {
+    if (gathered.group_factor.empty() && specified.groups) {
+      gathered.group_factor = specified.groups->factor;
+    }
+    for (const std::string& group : groups_of(specified)) {
       if (std::find(gathered.groups.begin(), gathered.groups.end(), group) ==
           gathered.groups.end()) {
         gathered.groups.push_back(group);
       }
     }
-    for (const std::string& picture : specified.pictures) {
+    for (const std::string& picture : pictures_of(specified)) {
       std::vector<std::string>& known = gathered.pictures;
       if (std::find(known.begin(), known.end(), picture) == known.end()) {
         known.push_back(picture);
@@ -300,11 +315,11 @@ class Gathering {
     }
     if (sources_.size() == 1) {
       gathered.declared = specified.analysis;
-      gathered.compared_parameter = specified.compared_parameter;
+      gathered.compared_parameter = stored.compared_parameter;
       return;
     }
     if (!(specified.analysis == gathered.declared)) gathered.declared_alike = false;
-    if (specified.compared_parameter != gathered.compared_parameter) {
+    if (stored.compared_parameter != gathered.compared_parameter) {
       gathered.compared_parameter.reset();
     }
   }
@@ -518,7 +533,9 @@ class Gathering {
     const bool is_performance =
         block != gathered.blocks.end() &&
         std::any_of(block->second.questions.begin(), block->second.questions.end(),
-                    [](const auto& question) { return question.judgement == "performance"; });
+                    [](const auto& question) {
+                      return question.judgement == DiscriminationJudgement::performance;
+                    });
     return is_performance ? CatchType::no_signal : CatchType::identical_pair;
   }
 
@@ -669,6 +686,12 @@ std::uint32_t GatheredAnswers::level(const GatheredAnswer& answer, std::string_v
   return found == levels.end() ? kNoWord : found->second;
 }
 
+const ScaleForm& scale_of(const Protocol::TrialQuestionTemplate& question) {
+  static const ScaleForm kUnstated{};
+  const auto* const scale = std::get_if<ScaleForm>(&question.form);
+  return scale == nullptr ? kUnstated : *scale;
+}
+
 std::vector<GatheredAnswers> gather_answers(const Study& study,
                                             const std::optional<std::string>& protocol,
                                             const std::stop_token& stop) {
@@ -710,11 +733,11 @@ std::vector<GatheredAnswers> gather_answers(
     const auto [found, is_new] = read.try_emplace(of.id);
     if (is_new) {
       found->second.specified = stored_protocol(of.source);
-      found->second.asked = questions_by_kind(found->second.specified, of.kind);
+      found->second.asked = questions_by_kind(found->second.specified.protocol, of.kind);
     }
     const std::vector<PresentedMatch> matches =
-        counted_matches(study, session, given, found->second.specified);
-    const std::optional<std::string> block = blocks.of(session, found->second.specified);
+        counted_matches(study, session, given, found->second.specified.protocol);
+    const std::optional<std::string> block = blocks.of(session, found->second.specified.protocol);
     for (const auto& [kind, questions] : found->second.asked) {
       Gathering& gathering = gathering_of(groups, of, group, kind, found->second.specified);
       gathering.add_session(session, participant, given, questions, block);
@@ -734,7 +757,8 @@ struct SessionGathering::OfProtocol::Asked {
 SessionGathering::OfProtocol::OfProtocol(ProtocolRow of)
     : row(std::move(of)),
       specified(stored_protocol(row.source)),
-      asked(std::make_unique<const Asked>(Asked{questions_by_kind(specified, row.kind)})) {}
+      asked(std::make_unique<const Asked>(Asked{questions_by_kind(specified.protocol, row.kind)})) {
+}
 
 SessionGathering::OfProtocol::~OfProtocol() = default;
 
@@ -753,7 +777,7 @@ void SessionGathering::add(const ParticipantRow& participant, const SessionRow& 
   for (const auto& [kind, questions] : protocol_.asked->by_kind) {
     gathering_of(groups_->by_key, protocol_.row, group, kind, protocol_.specified)
         .add_session(session, participant, answers, questions,
-                     block_of_simulated(participant.label, protocol_.specified));
+                     block_of_simulated(participant.label, protocol_.specified.protocol));
   }
 }
 

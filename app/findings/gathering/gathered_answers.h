@@ -188,9 +188,11 @@ struct GatheredAnswers {
   std::string kind{};  ///< of the questions that are answered
   std::string design{};
   /// The questions of this kind in main blocks, each name once, in the order of the protocol.
-  std::vector<StoredProtocol::TrialQuestion> questions{};
+  std::vector<Protocol::TrialQuestionTemplate> questions{};
   /// The main blocks with such a question, by name; of several files, as the first one states them.
-  std::map<std::string, StoredProtocol::Block, std::less<>> blocks{};
+  std::map<std::string, Protocol::Block, std::less<>> blocks{};
+  /// By the same: the factors whose levels determine its surfaces, each once.
+  std::map<std::string, std::vector<std::string>, std::less<>> surface_factors{};
   std::size_t sources = 0;  ///< files of this name and version that differ in more than texts
   AnalysisDeclaration declared{};
   EstimationDeclaration estimation{};  ///< of a magnitude
@@ -252,6 +254,9 @@ struct GatheredAnswers {
   /// declares none.
   std::optional<double> spacing_m(const GatheredAnswer& answer) const;
 };
+
+/// The scale of a question; one with the ends that scales have by default for a question of another form.
+const ScaleForm& scale_of(const Protocol::TrialQuestionTemplate& question);
 
 /// By protocol, version, group and kind; empty ones are absent. With a `protocol`, only those of that
 /// name. When `stop` is requested, only the sessions that were read until then.

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "app/findings/gathering/gathered_answers.h"
+#include "protocols/design/block_factors.h"
 
 namespace asperity {
 
@@ -110,9 +111,9 @@ bool is_chosen_or_drawn(const GatheredAnswers& gathered, std::uint32_t block,
   if (factor == kColumnFactor) return false;
   const auto found = gathered.blocks.find(gathered.word(block));
   if (found == gathered.blocks.end()) return false;
-  const StoredProtocol::Block& asked = found->second;
+  const Protocol::Block& asked = found->second;
   return std::find(asked.drawn.begin(), asked.drawn.end(), factor) != asked.drawn.end() ||
-         (asked.has_procedure && asked.vary && asked.vary->factor == factor);
+         (chooses_levels_from_answers(asked) && asked.vary && asked.vary->factor == factor);
 }
 
 void GatheredExploration::add(std::span<const SessionAnswers::Exploration> surfaces) {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/study_files/group_places.h"
-#include "protocols/plan/permuted_blocks.h"
+#include "protocols/plan/groups.h"
 
 namespace asperity {
 
@@ -21,16 +21,16 @@ std::string name_of_block(const PermutedBlocks& blocks, const std::string& mode,
 
 }  // namespace
 
-std::optional<std::string> block_of_simulated(const std::string& label,
-                                              const StoredProtocol& protocol) {
+std::optional<std::string> block_of_simulated(const std::string& label, const Protocol& protocol) {
   const std::size_t digits = label.find_last_not_of("0123456789") + 1;
   std::size_t number = 0;
   const char* const end = label.data() + label.size();
-  if (!protocol.permuted_blocks ||
-      std::from_chars(label.data() + digits, end, number).ec != std::errc{} || number == 0) {
+  const std::optional<PermutedBlocks> blocks = permuted_blocks_of(protocol);
+  if (!blocks || std::from_chars(label.data() + digits, end, number).ec != std::errc{} ||
+      number == 0) {
     return {};
   }
-  return name_of_block(*protocol.permuted_blocks, text_of(SessionMode::simulate), "", number - 1);
+  return name_of_block(*blocks, text_of(SessionMode::simulate), "", number - 1);
 }
 
 GroupBlocks::GroupBlocks(const Study& study, const std::vector<SessionRow>& sessions)
@@ -54,16 +54,16 @@ void GroupBlocks::read_places() {
   }
 }
 
-std::optional<std::string> GroupBlocks::of(const SessionRow& session,
-                                           const StoredProtocol& protocol) {
-  if (!protocol.permuted_blocks || !session.group_level) return {};
+std::optional<std::string> GroupBlocks::of(const SessionRow& session, const Protocol& protocol) {
+  const std::optional<PermutedBlocks> blocks = permuted_blocks_of(protocol);
+  if (!blocks || !session.group_level) return {};
   if (session.mode == SessionMode::simulate) {
     return block_of_simulated(session.participant, protocol);
   }
   if (!places_) read_places();
   const auto place = places_->find(session.id);
   if (place == places_->end()) return {};
-  return name_of_block(*protocol.permuted_blocks, text_of(session.mode), place->second.sequence,
+  return name_of_block(*blocks, text_of(session.mode), place->second.sequence,
                        place->second.before);
 }
 

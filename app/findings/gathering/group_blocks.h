@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "protocols/file/stored_protocol.h"
+#include "protocols/design/protocol.h"
 #include "results_schema/study.h"
 
 namespace asperity {
@@ -23,7 +23,7 @@ class GroupBlocks final {
   GroupBlocks(const Study& study, const std::vector<SessionRow>& sessions);
 
   /// Of the participant of this session; nothing where the blocks are not permuted, or unknown.
-  std::optional<std::string> of(const SessionRow& session, const StoredProtocol& protocol);
+  std::optional<std::string> of(const SessionRow& session, const Protocol& protocol);
 
  private:
   struct Place {
@@ -39,7 +39,6 @@ class GroupBlocks final {
 };
 
 /// Of a virtual participant of a simulation, whose place is the number at the end of the label.
-std::optional<std::string> block_of_simulated(const std::string& label,
-                                              const StoredProtocol& protocol);
+std::optional<std::string> block_of_simulated(const std::string& label, const Protocol& protocol);
 
 }  // namespace asperity

@@ -162,7 +162,7 @@ std::string downward_responses(const Block& block) {
   if (judged == nullptr || judged->judgement == DiscriminationJudgement::performance) {
     return "correct responses";
   }
-  return judged->asks_for_less ? "choices of the standard" : "choices of the comparison";
+  return judged->asks_for_less() ? "choices of the standard" : "choices of the comparison";
 }
 
 /// "A 3-down/1-up staircase [Levitt 1971] with a target of 79.4 % correct responses"

@@ -13,6 +13,7 @@
 #include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/study_analysis.h"
 #include "app/findings/outcome/study_findings.h"
+#include "protocols/design/block_factors.h"
 
 namespace asperity {
 
@@ -188,7 +189,7 @@ void add_learning(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   // Over levels that a procedure chose, proportions correct depend on the procedure.
   const bool has_procedure =
       std::any_of(gathered.blocks.begin(), gathered.blocks.end(),
-                  [](const auto& block) { return block.second.has_procedure; });
+                  [](const auto& block) { return chooses_levels_from_answers(block.second); });
   std::optional<TidyInput> input =
       has_procedure ? std::nullopt : correct_by_trial(gathered, numbers);
   if (input) {

@@ -66,9 +66,9 @@ class LevelItems final {
 
   std::map<std::string, std::string> levels_of(const GatheredAnswer& answer) const {
     std::map<std::string, std::string> levels{};
-    const auto block = gathered_.blocks.find(gathered_.word(answer.block));
-    if (block == gathered_.blocks.end()) return levels;
-    for (const std::string& factor : block->second.surface_factors) {
+    const auto block = gathered_.surface_factors.find(gathered_.word(answer.block));
+    if (block == gathered_.surface_factors.end()) return levels;
+    for (const std::string& factor : block->second) {
       const std::uint32_t level = gathered_.level(answer, factor);
       if (level != kNoWord) levels[factor] = gathered_.word(level);
     }
@@ -99,14 +99,15 @@ std::vector<RatedScale> rated_scales(const GatheredAnswers& gathered) {
     answers[gathered.word(answer.question)].push_back(&answer);
   }
   std::vector<RatedScale> scales{};
-  for (const StoredProtocol::TrialQuestion& question : gathered.questions) {
+  for (const Protocol::TrialQuestionTemplate& question : gathered.questions) {
     const auto found = answers.find(question.name);
     if (found == answers.end()) continue;
     RatedScale& scale = scales.emplace_back();
     scale.name = question.name;
-    scale.points = question.points;
-    scale.minimum = question.minimum.value_or(ScaleForm{}.minimum);
-    scale.maximum = question.maximum.value_or(ScaleForm{}.maximum);
+    const ScaleForm& form = scale_of(question);
+    if (form.points > 0) scale.points = form.points;
+    scale.minimum = form.minimum;
+    scale.maximum = form.maximum;
     std::set<std::string> items{};
     for (const GatheredAnswer* const answer : found->second) {
       items.insert(rated_item(gathered, *answer));

@@ -87,7 +87,7 @@ Phrase most_often(const GreatestMean& most, std::size_t items) {
 /// With the question that the participants were asked, where it was the same in every trial.
 Phrase with_prompt(const Phrase& question, const GatheredAnswers& gathered) {
   std::set<std::string> prompts{};
-  for (const StoredProtocol::TrialQuestion& asked : gathered.questions) {
+  for (const Protocol::TrialQuestionTemplate& asked : gathered.questions) {
     prompts.insert(asked.prompt);
   }
   if (prompts.size() != 1 || prompts.begin()->empty()) return question;

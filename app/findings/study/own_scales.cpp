@@ -20,10 +20,9 @@ OwnScales::OwnScales(const Study& study, const std::stop_token& stop) {
   for (const SessionRow& session : study.sessions()) with_sessions.insert(session.protocol_id);
   std::set<std::string> names{};
   for (const ProtocolRow& protocol : study.protocols()) {
-    std::vector<std::string> kinds = stored_protocol(protocol.source).kinds();
-    kinds.push_back(protocol.kind);
-    const bool has_estimates = std::any_of(kinds.begin(), kinds.end(), [&](const std::string& id) {
-      const ExperimentKind* const kind = find_kind(id);
+    std::vector<const ExperimentKind*> kinds = kinds_of(stored_protocol(protocol.source).protocol);
+    kinds.push_back(find_kind(protocol.kind));
+    const bool has_estimates = std::any_of(kinds.begin(), kinds.end(), [](const auto* kind) {
       return kind != nullptr && std::holds_alternative<NumberForm>(kind->form);
     });
     if (has_estimates && with_sessions.contains(protocol.id)) names.insert(protocol.name);

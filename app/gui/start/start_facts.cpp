@@ -32,7 +32,7 @@ StartFacts::ProtocolFile described(const std::filesystem::path& file) {
   StartFacts::ProtocolFile described{.file = file, .name = file.stem().string()};
   try {
     const std::string text = read_file(file, kProtocolFile);
-    described.title = stored_protocol(text).title;
+    described.title = stored_protocol(text).protocol.title;
     described.name = protocol_name(text).value_or(described.name);
   } catch (const ResultsError&) {
     // It is listed by its file, and says why it cannot be read once it is chosen.

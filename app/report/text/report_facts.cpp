@@ -200,7 +200,7 @@ std::optional<int> trial_of(const TimedEvent& event) {
 }
 
 /// A stimulus that several blocks present has one match. Only the trials with an attempt that counts present it.
-void count_matches(const StoredProtocol& protocol, const std::map<int, PlannedTrialRow>& plan,
+void count_matches(const Protocol& protocol, const std::map<int, PlannedTrialRow>& plan,
                    const std::vector<AttemptRow>& attempts, ReportFacts& facts) {
   if (!presents_matches(protocol)) return;
   std::vector<PlannedTrialRow> trials{};
@@ -221,8 +221,8 @@ void add_file_of_plugin(const EventRow& event, ReportFacts& facts) {
 }
 
 /// `specified`: the stored protocol of the session.
-void count_session(const Study& study, const SessionOverview& overview,
-                   const StoredProtocol& specified, ReportFacts& facts) {
+void count_session(const Study& study, const SessionOverview& overview, const Protocol& specified,
+                   ReportFacts& facts) {
   const SessionRow& row = overview.row;
   ReportedSession& session = facts.sessions.emplace_back();
   session.row = row;
@@ -314,7 +314,7 @@ std::vector<ReportFacts> report_facts(const Study& study,
   const std::vector<SessionOverview> sessions = session_overviews(study, stop);
   const ModelRegistry models = with_stored_plugins(built_in_models(), study);
   std::map<const ReportFacts*, std::vector<std::string>> texts_of_sources{};
-  std::map<std::int64_t, StoredProtocol> specified{};  ///< those of the sessions, each once
+  std::map<std::int64_t, Protocol> specified{};  ///< those of the sessions, each once
   for (std::size_t i = 0; i < sessions.size(); ++i) {
     if (stop.stop_requested()) break;
     if (progress) progress(static_cast<double>(i) / static_cast<double>(sessions.size()));
@@ -337,7 +337,7 @@ std::vector<ReportFacts> report_facts(const Study& study,
       facts.participants.push_back(person);
     }
     const auto [stored, is_new] = specified.try_emplace(of.id);
-    if (is_new) stored->second = stored_protocol(of.source);
+    if (is_new) stored->second = stored_protocol(of.source).protocol;
     count_session(study, sessions[i], stored->second, facts);
   }
   std::vector<ReportFacts> all{};

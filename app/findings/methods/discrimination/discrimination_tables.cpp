@@ -23,6 +23,7 @@
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/reading_number.h"
+#include "protocols/design/block_factors.h"
 
 namespace asperity {
 
@@ -258,7 +259,7 @@ std::vector<BlockWithProcedure> blocks_with_procedure(
   std::vector<BlockWithProcedure> blocks{};
   for (const auto& [name, block] : gathered.blocks) {
     const std::optional<DiscriminationTask> task = discrimination_task(name, block);
-    if (!task || !block.has_procedure) continue;
+    if (!task || !chooses_levels_from_answers(block)) continue;
     const bool is_analysed = std::any_of(
         all.begin(), all.end(), [&task](const auto& each) { return each.study.task == *task; });
     const bool is_simulated = task->is_performance && task->design == &two_alternatives();

@@ -63,14 +63,19 @@ ResultTable table_of_scales(const GatheredAnswers& gathered, const std::vector<R
                ? ResultCell{static_cast<std::int64_t>(std::llround(*number))}
                : cell_of(number);
   };
-  for (const StoredProtocol::TrialQuestion& question : gathered.questions) {
+  for (const Protocol::TrialQuestionTemplate& question : gathered.questions) {
     const bool is_rated = std::any_of(scales.begin(), scales.end(), [&question](const auto& scale) {
       return scale.name == question.name;
     });
     if (!is_rated && !accompanying.has(question.name)) continue;
-    shown.add({question.name, whole_cell(question.minimum), word_cell(question.low_label),
-               whole_cell(question.maximum), word_cell(question.high_label),
-               whole_cell(question.points)});
+    const ScaleForm& scale = scale_of(question);
+    const auto label = [&scale](bool is_low) {
+      if (scale.labels.empty()) return std::string{};
+      return is_low ? scale.labels.front() : scale.labels.back();
+    };
+    shown.add({question.name, whole_cell(scale.minimum), word_cell(label(true)),
+               whole_cell(scale.maximum), word_cell(label(false)),
+               whole_cell(scale.points > 0 ? std::optional<double>(scale.points) : std::nullopt)});
   }
   return shown;
 }

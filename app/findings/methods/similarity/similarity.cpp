@@ -36,13 +36,11 @@ std::optional<double> dissimilarity_of(const GatheredAnswers& gathered,
                                        const GatheredAnswer& answer) {
   const std::optional<double>& number = gathered.reply_of(answer).number;
   if (!number) return std::nullopt;
-  for (const StoredProtocol::TrialQuestion& question : gathered.questions) {
+  for (const Protocol::TrialQuestionTemplate& question : gathered.questions) {
     if (question.name != gathered.word(answer.question)) continue;
-    const ScaleForm unstated{};
-    if (question.rates == "similarity") {
-      return question.maximum.value_or(unstated.maximum) - *number;
-    }
-    return *number - question.minimum.value_or(unstated.minimum);
+    const ScaleForm& scale = scale_of(question);
+    return question.rates == RatedQuantity::similarity ? scale.maximum - *number
+                                                       : *number - scale.minimum;
   }
   return std::nullopt;
 }

@@ -92,7 +92,7 @@ bool is_excluded(const CatchExclusion& rule, const CatchErrors& errors) {
 CatchDecisions::CatchDecisions(const Study& study, const std::stop_token& stop) {
   std::set<std::string> names{};
   for (const ProtocolRow& protocol : study.protocols()) {
-    if (stored_protocol(protocol.source).analysis.exclude) names.insert(protocol.name);
+    if (stored_protocol(protocol.source).protocol.analysis.exclude) names.insert(protocol.name);
   }
   for (const std::string& name : names) {
     for (const GatheredAnswers& gathered : gather_answers(study, name, stop)) {

@@ -114,7 +114,8 @@ Phrase note_on_coverage(std::span<const BlockWithProcedure> blocks) {
   for (const auto& [block, is_performance] : blocks) {
     std::vector<const SimulatedCoverage*> rows{};
     for (const SimulatedCoverage& simulated : kSimulated) {
-      if (is_performance && is_of(simulated, block->tracks)) rows.push_back(&simulated);
+      if (is_performance && block->procedure && is_of(simulated, block->procedure->tracks))
+        rows.push_back(&simulated);
     }
     if (rows.empty()) {
       add(note_on_others());

@@ -26,7 +26,7 @@ std::span<const SimulatedCoverage> simulated_coverages();
 
 /// A block whose levels a procedure chose.
 struct BlockWithProcedure {
-  const StoredProtocol::Block* block = nullptr;
+  const Protocol::Block* block = nullptr;
   bool is_performance = true;  ///< of two alternatives: only such observers were simulated
 };
 

@@ -11,6 +11,7 @@
 
 #include "app/findings/outcome/cell_words.h"
 #include "app/words/text_parts.h"
+#include "protocols/design/block_factors.h"
 #include "results_schema/tables/table.h"
 
 namespace asperity {
@@ -144,8 +145,8 @@ DiscriminationStudy study_of(const GatheredAnswers& gathered, const Discriminati
          .chosen_place = place_of(gathered.word(gathered.reply_of(answer).answer)),
          .confidence = answer.confidence,
          .block = answer.block,
-         .by_procedure =
-             answer.track != 0 && gathered.blocks.at(gathered.word(answer.block)).has_procedure,
+         .by_procedure = answer.track != 0 && chooses_levels_from_answers(
+                                                  gathered.blocks.at(gathered.word(answer.block))),
          .session = answer.session,
          .block_ordinal = answer.block_ordinal,
          .track = answer.track,
@@ -160,7 +161,7 @@ DiscriminationStudy study_of(const GatheredAnswers& gathered, const Discriminati
   const double trend = trend_of_choices({&choices, 1});
   study.counts_standard = counts_standard(task, trend);
   study.is_direction_uncertain =
-      !task.is_performance && !task.asks_for_less && std::abs(trend) < kClearTrend;
+      !task.is_performance && !task.asks_for && std::abs(trend) < kClearTrend;
   return study;
 }
 
@@ -225,7 +226,7 @@ double trend_of_choices(std::span<const HitsByValue> all) {
 
 bool DiscriminationTask::operator==(const DiscriminationTask& other) const {
   const auto parts = [](const DiscriminationTask& task) {
-    return std::tie(task.design, task.is_performance, task.is_sequential, task.asks_for_less,
+    return std::tie(task.design, task.is_performance, task.is_sequential, task.asks_for,
                     task.question, task.prompt, task.varied.factor, task.varied.parameter,
                     task.varied.standard);
   };
@@ -233,23 +234,20 @@ bool DiscriminationTask::operator==(const DiscriminationTask& other) const {
 }
 
 std::optional<DiscriminationTask> discrimination_task(const std::string& block_name,
-                                                      const StoredProtocol::Block& block) {
+                                                      const Protocol::Block& block) {
   if (!block.vary || !block.vary->standard) return std::nullopt;
-  const auto asked = std::find_if(block.questions.begin(), block.questions.end(),
-                                  [](const auto& each) { return !each.judgement.empty(); });
-  if (asked == block.questions.end()) return std::nullopt;
-  const DiscriminationDesign* const design =
-      block.design.empty() ? &two_alternatives() : find_design(block.design);
-  if (design == nullptr) return std::nullopt;
-  DiscriminationTask task{.name = block_name,
-                          .question = asked->name,
-                          .prompt = asked->prompt,
-                          .design = design,
-                          .is_performance = asked->judgement == "performance",
-                          .is_sequential = block.is_sequential,
-                          .asks_for_less = asked->asks_for_less,
-                          .varied = *block.vary,
-                          .has_levels_of_procedure = block.has_procedure};
+  const Protocol::TrialQuestionTemplate* const asked = judged_question(block);
+  if (asked == nullptr || block.design == nullptr) return std::nullopt;
+  DiscriminationTask task{
+      .name = block_name,
+      .question = asked->name,
+      .prompt = asked->prompt,
+      .design = block.design,
+      .is_performance = asked->judgement == DiscriminationJudgement::performance,
+      .is_sequential = block.arrangement.surfaces == Arrangement::Surfaces::sequential,
+      .asks_for = asked->asks_for,
+      .varied = *block.vary,
+      .has_levels_of_procedure = chooses_levels_from_answers(block)};
   task.varied.unit = unit_of_parameter(task.varied.parameter);
   return task;
 }
@@ -261,7 +259,9 @@ bool is_hit_response(const DiscriminationTask& task, std::size_t comparisons,
 }
 
 bool counts_standard(const DiscriminationTask& task, double trend) {
-  return !task.is_performance && task.asks_for_less.value_or(trend < 0.0);
+  return !task.is_performance &&
+         (task.asks_for ? task.asks_for == Protocol::TrialQuestionTemplate::AsksFor::less
+                        : trend < 0.0);
 }
 
 std::vector<DiscriminationStudy> discrimination_studies(const GatheredAnswers& gathered) {
@@ -278,7 +278,7 @@ std::vector<DiscriminationStudy> discrimination_studies(const GatheredAnswers& g
                               [&task](const auto& each) { return each.task == *task; });
     if (known == tasks.end()) known = tasks.insert(tasks.end(), BlocksOfTask{.task = *task});
     known->blocks.insert(name);
-    known->has_procedure = known->has_procedure || block.has_procedure;
+    known->has_procedure = known->has_procedure || chooses_levels_from_answers(block);
   }
   std::vector<DiscriminationStudy> studies{};
   for (const BlocksOfTask& each : tasks) {

@@ -30,9 +30,8 @@ struct DiscriminationTask {
   /// that on the left or in front, or the one that the participant knows as A.
   bool is_sequential = true;
   /// Of a comparison: whether the question asks for less of the parameter, as the protocol states; nothing if it does not.
-  std::optional<bool> asks_for_less{};
-  Dimension
-      varied{};  ///< with the unit of the parameter and the value of the standard; without levels
+  std::optional<Protocol::TrialQuestionTemplate::AsksFor> asks_for{};
+  Dimension varied{};  ///< with the unit of the parameter and the value of the standard
   /// Whether a procedure chose the levels of the block with `name`; proportions over such levels depend on the procedure and are
   /// never reported.
   bool has_levels_of_procedure = false;
@@ -46,7 +45,7 @@ struct DiscriminationTask {
 /// The task of a block as stored; nothing where it states no judgement, parameter or value of the standard, or a design that
 /// this version does not have.
 std::optional<DiscriminationTask> discrimination_task(const std::string& block_name,
-                                                      const StoredProtocol::Block& block);
+                                                      const Protocol::Block& block);
 
 /// Whether a response counts as a hit of a function of the comparison: the choice of the comparison, the correct choice of
 /// three surfaces, or "yes" or "different". `comparisons`: surfaces of the trial that are comparisons.

@@ -203,7 +203,7 @@ std::optional<PlacedTrials> placed_trials(const GatheredAnswers& gathered,
                                           const DiscriminationStudy& study,
                                           std::span<const DiscriminationTrial* const> trials) {
   // A procedure that knows the direction of the question moves by the hits.
-  PlacedTrials placed{.counts_standard = study.counts_standard && !study.task.asks_for_less};
+  PlacedTrials placed{.counts_standard = study.counts_standard && !study.task.asks_for};
   using Place = std::tuple<std::uint32_t, int, int, int>;
   std::map<Place, std::vector<const DiscriminationTrial*>> tracks{};
   ChoiceCount all{};
@@ -217,13 +217,13 @@ std::optional<PlacedTrials> placed_trials(const GatheredAnswers& gathered,
   }
   for (auto& [place, of_track] : tracks) {
     const auto block = gathered.blocks.find(gathered.word(std::get<0>(place)));
-    if (block == gathered.blocks.end() || block->second.tracks.empty() || !block->second.vary) {
+    if (block == gathered.blocks.end() || !block->second.procedure || !block->second.vary) {
       return std::nullopt;
     }
+    const std::vector<ProcedureSettings>& settings = block->second.procedure->tracks;
     // The levels that a program would state after other responses are unknown.
-    if (std::holds_alternative<External>(block->second.tracks.front())) return std::nullopt;
-    placed.tracks.push_back(
-        placed_track(std::move(of_track), block->second.tracks, *block->second.vary));
+    if (settings.empty() || std::holds_alternative<External>(settings.front())) return std::nullopt;
+    placed.tracks.push_back(placed_track(std::move(of_track), settings, *block->second.vary));
   }
   if (placed.tracks.empty()) return std::nullopt;
   if (all.unsure > 0) {
