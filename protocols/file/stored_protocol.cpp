@@ -16,6 +16,7 @@
 #include "protocols/design/json_pointer.h"
 #include "protocols/file/declared_estimation.h"
 #include "protocols/file/protocol_from_json.h"
+#include "protocols/file/translatable_texts.h"
 #include "protocols/keys/reading.h"
 #include "protocols/keys/tables.h"
 
@@ -136,50 +137,19 @@ std::optional<std::string> parameter_compared_in(const Json& protocol) {
   return are_alone && parameters.size() == 1 ? std::optional(*parameters.begin()) : std::nullopt;
 }
 
-/// The locations of texts in a protocol; "*" matches every name and every list index.
-constexpr std::array kTextPlaces{
-    "/title",
-    "/language",
-    "/description",
-    "/instructions",
-    "/consent/statement",
-    "/textures/*/note",
-    "/factors/*/meaning",
-    "/questions/*/prompt",
-    "/questions/*/options/*/text",
-    "/questions/*/scale/labels",
-    "/blocks/*/question/prompt",
-    "/blocks/*/question/options/*/text",
-    "/blocks/*/question/scale/labels",
-    "/blocks/*/question/tie/text",
-    "/blocks/*/questions/*/prompt",
-    "/blocks/*/questions/*/options/*/text",
-    "/blocks/*/questions/*/scale/labels",
-    "/blocks/*/questions/*/tie/text",
-    "/blocks/*/page_prompt",
-    "/flow/*/screen",
-    "/flow/*/break/text",
-    "/flow/*/break/drift_check/text",
-    "/flow/*/break/drift_check/tip_text",
-    "/flow/*/pause/text",
-    "/flow/*/pause/drift_check/text",
-    "/flow/*/pause/drift_check/tip_text",
-    "/resume/screens",
-};
-
-/// Removes the value at `place` below `value`.
-void remove_at(std::string_view place, Json& value) {
-  const std::size_t end = std::min(place.find('/', 1), place.size());
-  const std::string name(place.substr(1, end - 1));
-  const std::string_view rest = place.substr(end);
-  if (name == "*") {
-    if (!value.is_structured()) return;
-    for (Json& one : value) remove_at(rest, one);
-  } else if (value.is_object() && rest.empty()) {
-    value.erase(name);
-  } else if (value.is_object() && value.contains(name)) {
-    remove_at(rest, value.at(name));
+/// Removes the texts, and empties those in lists.
+void remove_texts(Json& protocol) {
+  for (const TranslatableText& each : translatable_texts(protocol)) {
+    if (each.shape.is_value) continue;
+    const Json::json_pointer place(each.pointer);
+    Json& owner = protocol.at(place.parent_pointer());
+    if (owner.is_object()) {
+      owner.erase(place.back());
+    } else {
+      protocol.at(place) = "";
+    }
   }
+  if (protocol.is_object()) protocol.erase("language");
 }
 
 /// Writes options without a separate shown text in one form: both a plain text and an object are permitted.
@@ -234,7 +204,7 @@ StoredProtocol::Senses StoredProtocol::senses() const {
 std::string without_texts(const std::string& source) {
   Json protocol = Json::parse(source, nullptr, false);
   if (protocol.is_discarded()) return source;
-  for (const std::string_view place : kTextPlaces) remove_at(place, protocol);
+  remove_texts(protocol);
   write_options_alike(protocol);
   return protocol.dump();
 }

@@ -211,7 +211,7 @@ constexpr auto kBlockKeys = keys_of(
         "together, which requires scales with labels at the ends only.",
         kLayouts),
     member_key<&Block::page_prompt>("page_prompt", "Text of the page",
-                                    "The text above the questions of one page.", kParagraph),
+                                    "The text above the questions of one page.", kShownParagraph),
     member_key<&Block::experimenter_prompt>(
         "experimenter_prompt", "Text for the experimenter",
         "With \"questions\": text for the experimenter; {code} is replaced by the code of the "

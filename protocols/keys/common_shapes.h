@@ -13,6 +13,12 @@ inline constexpr DisplayUnit kMillimetres{.unit = "mm", .power = -3};
 /// The path of a file, relative to the study.
 inline constexpr TextShape kFile{.longest = 400};
 inline constexpr TextShape kParagraph{.longest = 8000, .is_long = true};
+/// Texts that participants read, and one that describes the protocol.
+inline constexpr TextShape kShownText{.translated = Translated::always};
+inline constexpr TextShape kShownParagraph{
+    .longest = 8000, .is_long = true, .translated = Translated::always};
+inline constexpr TextShape kDescription{
+    .longest = 8000, .is_long = true, .translated = Translated::if_present};
 
 inline constexpr ValueShape kLevelNumber = NumberShape{};
 inline constexpr ValueShape kLevelText = TextShape{.may_be_empty = true};

@@ -15,7 +15,7 @@ constexpr auto kFactorKeys = keys_of(
         "levels", "Levels", "The levels: all numbers or all names.",
         ListShape{.entry = &kLevelShape, .meaning = kLevelMeaning, .shortest = 1, .longest = 256})),
     member_key<&Factor::meaning>("meaning", "Meaning", "Meaning of the factor, for the codebook.",
-                                 kParagraph),
+                                 kDescription),
     member_key<&Factor::unit>("unit", "Unit", "SI unit of numeric levels, such as N or m.",
                               TextShape{.longest = 40}),
     member_key<&Factor::hed>(

@@ -25,7 +25,7 @@ void store_contact_minutes(const nlohmann::json& value, Run& run) {
 
 constexpr auto kStepKeys = keys_of(
     alternative_of<Step>(member_key<&Protocol::Screen::text>(
-        "screen", "Text", "A text that the participant reads.", kParagraph)),
+        "screen", "Text", "A text that the participant reads.", kShownParagraph)),
     needing("screen", alternative_of<Step>(member_key<&Protocol::Screen::condition>(
                           "if", "Only if", kConditionTable,
                           "With screen: the condition under which the text is shown."))),
@@ -64,7 +64,7 @@ constexpr auto kBreakKeys = keys_of(
         "minimum_s", "Shortest duration", "Shortest duration of the break.",
         NumberShape{.minimum = 0.0, .maximum = 3600.0, .unit = "s"})),
     member_key<&Protocol::Break::text>("text", "Text", "Text for the participant during the break.",
-                                       kParagraph),
+                                       kShownParagraph),
     member_key<&Protocol::Break::zero_force>(
         "zero_force", "Check of zero force",
         "Whether the break begins with a check that the device responds and zero force is sent.",
@@ -77,12 +77,12 @@ constexpr auto kDriftCheckKeys = keys_of(
         "text", "Request",
         "Request to the experimenter to have the handle released, so that it rests; confirmed "
         "before the recording.",
-        kParagraph)),
+        kShownParagraph)),
     member_key<&DriftCheck::tip_text>(
         "tip_text", "Request at the reference point",
         "Request to hold the tip at a fixed reference point; with it a second recording is made "
         "there.",
-        kParagraph),
+        kShownParagraph),
     member_key<&DriftCheck::duration_s>("duration_s", "Duration", "Duration of each recording.",
                                         NumberShape{.minimum = 0.5, .maximum = 60.0, .unit = "s"}));
 

@@ -13,7 +13,7 @@ using Resume = Protocol::Resume;
 
 constexpr ValueShape kQuestionName = NameShape{"questions"};
 constexpr ValueShape kBlockSize = NumberShape{.minimum = 2.0, .maximum = 1000.0, .is_whole = true};
-constexpr ValueShape kResumeText = TextShape{.longest = 20'000};
+constexpr ValueShape kResumeText = TextShape{.longest = 20'000, .translated = Translated::always};
 
 constexpr auto kParticipantsKeys =
     keys_of(member_key<&Protocol::planned_participants>(
@@ -26,11 +26,11 @@ constexpr auto kParticipantsKeys =
                 "questions", "Questions", "Questions asked once, before the first session.",
                 ListShape{.entry = &kQuestionName, .meaning = kNameMeaning, .longest = 256}));
 
-constexpr auto kConsentKeys =
-    keys_of(required_key(member_key<&Protocol::consent_version>(
-                "version", "Version", "Version of the consent text.", TextShape{.longest = 100})),
-            required_key(member_key<&Protocol::consent_statement>(
-                "statement", "Statement", "The text that the participant agrees to.", kParagraph)));
+constexpr auto kConsentKeys = keys_of(
+    required_key(member_key<&Protocol::consent_version>(
+        "version", "Version", "Version of the consent text.", TextShape{.longest = 100})),
+    required_key(member_key<&Protocol::consent_statement>(
+        "statement", "Statement", "The text that the participant agrees to.", kShownParagraph)));
 
 constexpr auto kAssignments = words_of<Groups::Assignment>(
     {{"balanced", Groups::Assignment::balanced, "to the group with the fewest participants"},

@@ -69,8 +69,8 @@ constexpr auto kProtocolKeys = keys_of(
         "version", "Version", "Version of the protocol as three numbers, such as 1.0.0.",
         TextShape{.longest = 32,
                   .pattern = R"(^(0|[1-9]\d{0,5})\.(0|[1-9]\d{0,5})\.(0|[1-9]\d{0,5})$)"})),
-    required_key(
-        member_key<&Protocol::title>("title", "Title", "Title shown to users.", TextShape{})),
+    required_key(member_key<&Protocol::title>("title", "Title", "Title shown to users.",
+                                              TextShape{.translated = Translated::if_present})),
     member_key<&Protocol::language>(
         "language", "Language",
         "Language of the protocol's texts, and of the program's own texts to the participant, as "
@@ -78,7 +78,7 @@ constexpr auto kProtocolKeys = keys_of(
         "language its own texts are English.",
         TextShape{.longest = 35, .pattern = "^[a-z]{2,3}(-[A-Za-z0-9]{2,8})*$"}),
     member_key<&Protocol::description>("description", "Description",
-                                       "Question and method of the study.", kParagraph),
+                                       "Question and method of the study.", kDescription),
     list_key<&Protocol::authors, kAuthorTable>("authors", "Authors", "Authors of this protocol.",
                                                {.longest = 64}),
     member_key<&Protocol::license>("license", "Licence",
@@ -86,7 +86,7 @@ constexpr auto kProtocolKeys = keys_of(
     member_key<&Protocol::instructions>(
         "instructions", "Instructions",
         "The instructions, for readers of the file; participants read the screens of `flow`.",
-        kParagraph),
+        kDescription),
     inner_key("participants", "Participants", kParticipantsTable),
     required_key(inner_key("consent", "Consent", kConsentTable)),
     member_key<&Protocol::realism_standard>(

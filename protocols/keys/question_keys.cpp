@@ -23,9 +23,9 @@ constexpr auto kOptionKeys =
                 "The value that is stored and exported: the same in all languages of a protocol.",
                 kOptionText)),
             required_key(member_key<&OptionWord::text>(
-                "text", "Text", "The text that is shown for this option.", kOptionText)));
+                "text", "Text", "The text that is shown for this option.", kShownText)));
 
-constexpr ValueShape kPlainOption = kOptionText;
+constexpr ValueShape kPlainOption = TextShape{.translated = Translated::always, .is_value = true};
 constexpr std::array kOptionForms{kPlainOption, kObjectOf<kOptionTable>};
 constexpr ValueShape kOption = FormsShape{kOptionForms};
 
@@ -53,8 +53,8 @@ constexpr auto kForms =
                     {"text", Form::text, "a text"}});
 
 constexpr auto kQuestionKeys = keys_of(
-    required_key(
-        member_key<&Question::prompt>("prompt", "Question", "Text of the question.", kParagraph)),
+    required_key(member_key<&Question::prompt>("prompt", "Question", "Text of the question.",
+                                               kShownParagraph)),
     required_key(member_key<&Question::form>(
         "form", "Form",
         "Form of the response. choice: one of the options; multiple_choice: one or more of the "
@@ -80,7 +80,7 @@ constexpr auto kQuestionKeys = keys_of(
     member_key<&Question::optional>("optional", "Optional",
                                     "Whether the question may be left unanswered.", TruthShape{}));
 
-constexpr ValueShape kScaleLabel = TextShape{};
+constexpr ValueShape kScaleLabel = kShownText;
 
 constexpr auto kScaleKeys = keys_of(
     member_key<&ScaleForm::minimum>("minimum", "Left end", "The value at the left end.",

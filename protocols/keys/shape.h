@@ -52,6 +52,13 @@ struct WordShape {
   std::span<const KeyWord> words{};
 };
 
+/// Whether a translation of the protocol replaces a text.
+enum class Translated {
+  never,
+  if_present,  ///< it describes the protocol; without a translation it stays in the protocol's language
+  always       ///< participants read it
+};
+
 /// A text for people, or in a form that a pattern states.
 struct TextShape {
   bool may_be_empty = false;
@@ -59,6 +66,9 @@ struct TextShape {
   std::string_view
       pattern{};         ///< a regular expression (ECMAScript); only with at most 256 characters
   bool is_long = false;  ///< a form shows several lines
+  Translated translated = Translated::never;
+  /// The text is stored as well: a translation makes it {"value": the text, "text": the translation}.
+  bool is_value = false;
 };
 
 /// What a name refers to: an entry of the protocol's object with this key ("factors", "blocks"), or a new name.

@@ -54,7 +54,8 @@ constexpr auto kTextureKeys = keys_of(
     member_key<&Texture::prior>("prior", "Expected features", kFeaturesTable),
     member_key<&Texture::note>(
         "note", "Note",
-        "Further information for readers of the data, for example an assumed width.", kParagraph));
+        "Further information for readers of the data, for example an assumed width.",
+        kDescription));
 
 }  // namespace
 

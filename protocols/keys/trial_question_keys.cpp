@@ -20,10 +20,10 @@ constexpr auto kWordKeys =
                 "The value that is stored and exported: the same in all languages of a protocol.",
                 NameShape{})),
             required_key(member_key<&OptionInWords::text>(
-                "text", "Text", "The text that is shown for this option.", TextShape{})));
+                "text", "Text", "The text that is shown for this option.", kShownText)));
 
 constexpr auto kTieKeys = keys_of(required_key(member_key<&Template::tie>(
-    "text", "Text", "The text that is shown for this option.", TextShape{})));
+    "text", "Text", "The text that is shown for this option.", kShownText)));
 
 constexpr auto kLineKeys = keys_of(member_key<&LineForm::longest>(
     "longest", "Longest line", "The longest line, as a proportion of the width of the screen.",
@@ -52,7 +52,7 @@ constexpr auto kListedQuestionKeys = keys_of(
     required_key(member_key<&Template::name>("name", "Name", "Name of the response in the data.",
                                              NameShape{})),
     required_key(member_key<&Template::prompt>(
-        "prompt", "Question", "The question as the participant reads it.", kParagraph)),
+        "prompt", "Question", "The question as the participant reads it.", kShownParagraph)),
     member_key<&Template::pictures>(
         "pictures", "Pictures",
         "Textures whose pictures are the options; absent: the surfaces felt are the options.",

@@ -1,0 +1,244 @@
+// Implements the translation of a protocol's texts by a second file.
+
+#include "protocols/file/translation.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "protocols/design/json_pointer.h"
+#include "protocols/design/wording.h"
+#include "protocols/file/json_document.h"
+#include "protocols/file/protocol_problems.h"
+#include "protocols/file/translatable_texts.h"
+#include "protocols/keys/key.h"
+#include "protocols/keys/valid_part.h"
+
+namespace asperity {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::string_view kFormat = "asperity.translation/";
+constexpr std::string_view kMore = "…";
+
+constexpr std::array<KeyWord, 1> kFormats{{{"asperity.translation/1", 0, "this format"}}};
+constexpr std::size_t kLongestAddress = 256;
+constexpr ValueShape kText = TextShape{.longest = 20'000, .is_long = true};
+constexpr ValueShape kTextsOfAddress = MapShape{.entry = &kText,
+                                                .meaning = "The translation of a text.",
+                                                .has_names = false,
+                                                .longest_name = kLongestAddress,
+                                                .shortest = 1};
+constexpr std::array kKeys{
+    ProtocolKey{.name = "format",
+                .meaning = "The version of this format.",
+                .shape = WordShape{kFormats},
+                .is_required = true},
+    ProtocolKey{.name = "texts",
+                .meaning = "Translations, by the address of the text in the protocol.",
+                .shape = MapShape{.entry = &kTextsOfAddress,
+                                  .meaning = "Texts of one address with their translations.",
+                                  .has_names = false,
+                                  .longest_name = kLongestAddress},
+                .is_required = true}};
+constexpr KeyTable kTranslationTable{.meaning = "A translation of a protocol.", .keys = kKeys};
+
+/// Whether an entry with these words translates the text.
+bool translates(std::string_view words, std::string_view text) {
+  if (!words.ends_with(kMore)) return words == text;
+  return text.starts_with(words.substr(0, words.size() - kMore.size()));
+}
+
+/// The words with which an entry can state a text.
+std::string first_words(const std::string& text) {
+  constexpr std::size_t kShort = 60;
+  if (text.size() <= kShort) return text;
+  const std::size_t end = text.rfind(' ', kShort - 10);
+  // A text without blanks is too long for a key only if it is longer than an address.
+  return end == std::string::npos ? text : text.substr(0, end) + std::string(kMore);
+}
+
+/// The places of texts that are replaced, and their characters.
+struct Replacement {
+  JsonPlace place{};
+  std::string text{};
+};
+
+class Translator final {
+ public:
+  Translator(const JsonDocument& protocol, const JsonDocument& translation)
+      : protocol_(protocol),
+        translation_(translation),
+        texts_(translatable_texts(protocol.root())) {}
+
+  void translate_all() {
+    for (const auto& [address, entries] : translation_.root().at("texts").items()) {
+      if (is_comment(address)) continue;
+      for (const auto& [words, text] : entries.items()) {
+        if (!is_comment(words)) translate(address, words, text.get<std::string>());
+      }
+    }
+    report_missing();
+    sort_by_line(result.problems);
+    sort_by_line(result.warnings);
+  }
+
+  void state_language(const std::string& language) {
+    const std::string value = json(language).dump();
+    if (const auto stated = protocol_.place_of("/language")) {
+      replacements_.push_back({*stated, value});
+    } else if (const auto name = protocol_.place_of("/name")) {
+      replacements_.push_back({{name->end, name->end, name->end}, ", \"language\": " + value});
+    }
+  }
+
+  /// The protocol with all replacements.
+  std::string text() {
+    std::sort(replacements_.begin(), replacements_.end(), [](const auto& one, const auto& other) {
+      return one.place.value < other.place.value;
+    });
+    std::string made{};
+    std::size_t copied = 0;
+    for (const Replacement& each : replacements_) {
+      made += protocol_.text().substr(copied, each.place.value - copied);
+      made += each.text;
+      copied = each.place.end;
+    }
+    made += protocol_.text().substr(copied);
+    return made;
+  }
+
+  TranslatedProtocol result{};
+
+ private:
+  void problem_at_key(const std::string& pointer, std::string message) {
+    result.problems.push_back(translation_.at_key(pointer, std::move(message)));
+  }
+
+  void translate(const std::string& address, const std::string& words, const std::string& text) {
+    const std::string place = pointer_to("/texts", address);
+    const std::string entry = pointer_to(place, words);
+    std::set<std::string> here{};
+    std::set<std::string> meant{};
+    for (const TranslatableText& each : texts_) {
+      if (each.address != address) continue;
+      here.insert(each.text);
+      if (translates(words, each.text)) meant.insert(each.text);
+    }
+    if (here.empty()) {
+      if (unknown_.insert(address).second) {
+        problem_at_key(place,
+                       "the protocol has no text for participants or readers at the address " +
+                           in_quotes(address) + did_you_mean(address, addresses()));
+      }
+    } else if (meant.empty()) {
+      problem_at_key(entry,
+                     "the protocol has no text at this address that begins with these "
+                     "words; it has " +
+                         one_of({here.begin(), here.end()}) +
+                         ": check the translation, and correct the words");
+    } else if (meant.size() > 1) {
+      problem_at_key(entry,
+                     "these words are the beginning of several texts at this address; "
+                     "repeat more of the text");
+    } else {
+      replace(address, *meant.begin(), text, entry);
+    }
+  }
+
+  void replace(const std::string& address, const std::string& source, const std::string& text,
+               const std::string& entry) {
+    for (std::size_t i = 0; i < texts_.size(); ++i) {
+      const TranslatableText& each = texts_[i];
+      if (each.address != address || each.text != source) continue;
+      if (!done_.insert(i).second) {
+        return problem_at_key(entry, "another entry translates this text; remove one of them");
+      }
+      const std::vector<FormProblem> problems = valid_part(text, each.shape, "", entry).problems;
+      if (!problems.empty()) {
+        result.problems.push_back(translation_.at(entry, problems.front().message));
+        continue;
+      }
+      const JsonPlace place = *protocol_.place_of(each.pointer);
+      const std::string written = json(text).dump();
+      const std::string before(protocol_.text().substr(place.value, place.end - place.value));
+      replacements_.push_back(
+          {place, each.shape.is_value ? R"({"value": )" + before + R"(, "text": )" + written + "}"
+                                      : written});
+    }
+  }
+
+  void report_missing() {
+    std::set<std::pair<std::string, std::string>> reported{};
+    for (std::size_t i = 0; i < texts_.size(); ++i) {
+      const TranslatableText& each = texts_[i];
+      if (done_.contains(i) || !reported.emplace(each.address, each.text).second) continue;
+      const json entry{{each.address, json{{first_words(each.text), "…"}}}};
+      Diagnostic missing = translation_.at(
+          "/texts", "the text " + in_quotes(each.text) + " has no translation; add " +
+                        entry.dump().substr(1, entry.dump().size() - 2));
+      const bool is_read = each.shape.translated == Translated::always;
+      (is_read ? result.problems : result.warnings).push_back(std::move(missing));
+    }
+  }
+
+  std::vector<std::string> addresses() const {
+    std::set<std::string> all{};
+    for (const TranslatableText& each : texts_) all.insert(each.address);
+    return {all.begin(), all.end()};
+  }
+
+  const JsonDocument& protocol_;
+  const JsonDocument& translation_;
+  std::vector<TranslatableText> texts_{};
+  std::set<std::size_t> done_{};     ///< texts with a translation, by their index
+  std::set<std::string> unknown_{};  ///< addresses that were reported
+  std::vector<Replacement> replacements_{};
+};
+
+std::vector<Diagnostic> problems_of_form(const JsonDocument& translation) {
+  std::vector<Diagnostic> found{};
+  const ValueShape shape = ObjectShape{&kTranslationTable};
+  for (FormProblem& problem : valid_part(translation.root(), shape, "", "").problems) {
+    found.push_back(problem.is_at_key ? translation.at_key(problem.pointer, problem.message)
+                                      : translation.at(problem.pointer, problem.message));
+  }
+  sort_by_line(found);
+  return found;
+}
+
+}  // namespace
+
+bool is_translation(std::string_view text) {
+  const json root = json::parse(text, nullptr, false);
+  if (!root.is_object()) return false;
+  const auto format = root.find("format");
+  return format != root.end() && format->is_string() &&
+         format->get_ref<const std::string&>().starts_with(kFormat);
+}
+
+TranslatedProtocol translated(std::string_view protocol, const std::string& file,
+                              const TranslationFile& translation) {
+  const JsonDocument source(protocol, file);
+  try {
+    const JsonDocument overlay(translation.text, translation.name);
+    std::vector<Diagnostic> problems = problems_of_form(overlay);
+    if (!problems.empty()) return {.text = std::string(protocol), .problems = std::move(problems)};
+    Translator translator(source, overlay);
+    translator.translate_all();
+    translator.state_language(translation.language);
+    translator.result.text = translator.text();
+    return std::move(translator.result);
+  } catch (const ProtocolError& error) {  // the translation is not JSON
+    return {.text = std::string(protocol), .problems = error.diagnostics()};
+  }
+}
+
+}  // namespace asperity
