@@ -26,6 +26,7 @@
 #include "app/session/session_setup.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/run_session.h"
+#include "app/tasks/session_language.h"
 #include "app/tasks/warnings/plugin_warnings.h"
 
 namespace asperity {
@@ -69,6 +70,7 @@ void add_run(CLI::App& program, Job& job) {
     RunInputs inputs{};
     ExternalOptions external{};
     std::optional<std::uint64_t> seed{};
+    std::optional<std::string> language{};
     bool fast = false;
     bool realtime = false;
     bool allows_similar_label = false;
@@ -77,6 +79,10 @@ void add_run(CLI::App& program, Job& job) {
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("run", "Run one session.");
   command->add_option("PROTOCOL", options->inputs.protocol, "Protocol file")->required();
+  command->add_option("--language", options->language,
+                      "Language of the texts for the participant, such as de: that of the protocol "
+                      "or of its translation NAME.LANGUAGE.json; by default that of the "
+                      "participant's earlier sessions, or else of PROTOCOL");
   command->add_option("--study", options->inputs.study, "Folder of the study")->required();
   command
       ->add_option("--participant", options->inputs.participant,
@@ -155,7 +161,10 @@ void add_run(CLI::App& program, Job& job) {
           [&requests] { requests.emergency_stop(); });
       // Before the protocol's files are missed in what is no study. Closed before the session: SQLite refuses to write while
       // the process has the database open for reading only.
-      (void)Study::open(inputs.study, Access::read_only);
+      inputs.protocol = protocol_for_participant(
+          Study::open(inputs.study, Access::read_only),
+          found_protocol(inputs.protocol, inputs.study), inputs.participant,
+          inputs.is_virtual ? SessionMode::simulate : inputs.mode, options->language);
       const ModelRegistry models = models_with(options->plugins);
       if (!options->plugins.empty()) {
         warn_of_other_builds(inputs, Study::open(inputs.study, Access::read_only), models);

@@ -4,6 +4,8 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -21,7 +23,9 @@
 #include "app/cli/signals.h"
 #include "app/device_bench/device_choice.h"
 #include "app/plugins/plugin_files.h"
+#include "app/study_files/protocol_languages.h"
 #include "app/study_files/study_condition.h"
+#include "app/tasks/protocol_files.h"
 #include "app/tasks/simulation/simulation_shard.h"
 
 namespace asperity {
@@ -30,6 +34,7 @@ void add_simulate(CLI::App& program, Job& job) {
   struct Options {
     SimulationInputs inputs{};
     ExternalOptions external{};
+    std::optional<std::string> language{};
     bool json = false;
     std::vector<std::filesystem::path> plugins{};
   };
@@ -44,6 +49,9 @@ void add_simulate(CLI::App& program, Job& job) {
       ->add_option("--study", options->inputs.study,
                    "Folder of the study (created if it does not exist)")
       ->required();
+  command->add_option("--language", options->language,
+                      "Language of the texts, such as de: that of the protocols or of their "
+                      "translations NAME.LANGUAGE.json; by default that of each PROTOCOL");
   command
       ->add_option("--participants", options->inputs.participants, "Number of participants to add")
       ->required()
@@ -90,6 +98,10 @@ void add_simulate(CLI::App& program, Job& job) {
         const Study before = Study::open(folder, Access::read_only);
         refuse_if_broken(before);
         say_condition(before);
+      }
+      for (std::filesystem::path& file : options->inputs.protocols) {
+        if (!options->language) break;
+        file = protocol_in_language(found_protocol(file, folder), *options->language);
       }
       options->inputs.noticed = [&options](const SameSeed& others) {
         const int added = options->inputs.participants;

@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <set>
 #include <system_error>
+#include <vector>
 
+#include "app/study_files/protocol_languages.h"
 #include "app/words/phrase.h"
 #include "protocols/editing/edits.h"
 #include "protocols/file/diagnostic.h"
@@ -26,6 +28,17 @@ std::filesystem::path file_called(const std::filesystem::path& beside, const std
 
 std::string text_of_file(const std::filesystem::path& file) {
   return read_file(file, kProtocolFile);
+}
+
+std::vector<ProtocolInLanguage> translations_of(const std::filesystem::path& file) {
+  std::vector<ProtocolInLanguage> languages = languages_of_protocol(file);
+  std::erase_if(languages, [&file](const ProtocolInLanguage& one) { return one.file == file; });
+  return languages;
+}
+
+std::filesystem::path translation_called(const std::filesystem::path& protocol,
+                                         const ProtocolInLanguage& translation) {
+  return file_called(protocol, protocol.stem().string() + '.' + translation.language);
 }
 
 /// The schema's rule for a protocol's name.
@@ -102,6 +115,9 @@ std::filesystem::path duplicate_protocol(const Study& study, const std::filesyst
   }
   const std::filesystem::path copy = file_called(file, name);
   write_file(copy, with_protocol_name(text, name), Overwrite::refuse);
+  for (const ProtocolInLanguage& each : translations_of(file)) {
+    write_file(translation_called(copy, each), text_of_file(each.file), Overwrite::refuse);
+  }
   return copy;
 }
 
@@ -130,12 +146,21 @@ std::filesystem::path rename_protocol(const Study& study, const std::filesystem:
   }
   write_file(wanted, with_protocol_name(text, name),
              wanted == file ? Overwrite::allow : Overwrite::refuse);
-  if (wanted != file) std::filesystem::remove(file);
+  if (wanted == file) return file;
+  move_translations(file, wanted);
+  std::filesystem::remove(file);
   return wanted;
+}
+
+void move_translations(const std::filesystem::path& from, const std::filesystem::path& to) {
+  for (const ProtocolInLanguage& each : translations_of(from)) {
+    std::filesystem::rename(each.file, translation_called(to, each));
+  }
 }
 
 void delete_protocol(const Study& study, const std::filesystem::path& file) {
   require_never_run(study, file);
+  for (const ProtocolInLanguage& each : translations_of(file)) std::filesystem::remove(each.file);
   std::filesystem::remove(file);
 }
 

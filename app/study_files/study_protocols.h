@@ -1,4 +1,4 @@
-// Copies, renames and deletes the protocol files of a study.
+// Copies, renames and deletes the protocol files of a study, each with its translations.
 
 #pragma once
 
@@ -34,6 +34,10 @@ std::filesystem::path duplicate_protocol(const Study& study, const std::filesyst
 /// and for a protocol that was run; otherwise as for `duplicate_protocol`.
 std::filesystem::path rename_protocol(const Study& study, const std::filesystem::path& file,
                                       const std::string& name);
+
+/// Names the translations of the protocol in the file `from` after the file `to` in the same folder. Errors:
+/// std::filesystem::filesystem_error.
+void move_translations(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// Errors: PhrasedError for a protocol that was run; otherwise as for `duplicate_protocol`.
 void delete_protocol(const Study& study, const std::filesystem::path& file);

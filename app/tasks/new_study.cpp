@@ -10,6 +10,7 @@
 
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/program.h"
+#include "app/tasks/protocol_templates.h"
 #include "protocols/file/library_protocols.h"
 #include "renderers/recordings/relief_recording.h"
 #include "results_schema/files/folder_entries.h"
@@ -166,8 +167,7 @@ void fill_demo_study(const std::filesystem::path& folder,
         protocol.name != "semantic_differential" && !protocol.name.starts_with("roughness_")) {
       continue;
     }
-    write_file(folder / "protocols" / (std::string(protocol.name) + ".json"), protocol.text,
-               Overwrite::refuse);
+    write_library_protocol(folder, protocol, std::string(protocol.name));
   }
   // First: the last files made indicate whether the study is complete.
   for (const BodyRelief& relief : body_reliefs()) make_body_relief(relief, folder / "stimuli");

@@ -21,12 +21,14 @@
 #include "app/session/attempt_measures.h"
 #include "app/session/trial_attempt.h"
 #include "app/study_files/parameter_json.h"
+#include "app/study_files/protocol_languages.h"
 #include "app/tasks/new_study.h"
 #include "app/tasks/warnings/level_problems.h"
 #include "app/tasks/warnings/plugin_stimuli.h"
 #include "app/tasks/warnings/plugin_warnings.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
+#include "protocols/design/wording.h"
 #include "protocols/file/analysis_warnings.h"
 #include "protocols/file/design_warnings.h"
 #include "protocols/file/json_document.h"
@@ -48,16 +50,6 @@
 namespace asperity {
 
 namespace {
-
-std::filesystem::path found_file(const std::filesystem::path& file,
-                                 const std::optional<std::filesystem::path>& study) {
-  if (std::filesystem::exists(file) || !study) return file;
-  for (const auto& candidate : {*study / file, *study / "protocols" / file,
-                                *study / "protocols" / (file.string() + ".json")}) {
-    if (std::filesystem::is_regular_file(candidate)) return candidate;
-  }
-  return file;
-}
 
 /// Whether the file lies below the study, with links resolved.
 bool lies_in(const std::filesystem::path& study, const std::filesystem::path& file) {
@@ -346,16 +338,27 @@ std::vector<Diagnostic> problems_of_files(const CheckedProtocol& checked,
 
 }  // namespace
 
+std::filesystem::path found_protocol(const std::filesystem::path& file,
+                                     const std::optional<std::filesystem::path>& study) {
+  if (std::filesystem::exists(file) || !study) return file;
+  for (const auto& candidate : {*study / file, *study / "protocols" / file,
+                                *study / "protocols" / (file.string() + ".json")}) {
+    if (std::filesystem::is_regular_file(candidate)) return candidate;
+  }
+  return file;
+}
+
 Protocol load_protocol(const std::filesystem::path& file, const ModelRegistry& models,
                        const std::optional<std::filesystem::path>& study) {
-  const std::filesystem::path found = found_file(file, study);
-  return read_protocol(read_file(found, kProtocolFile), found.string(), declarations_of(models));
+  const std::filesystem::path found = found_protocol(file, study);
+  const ProtocolSource source = protocol_source(found);
+  return read_protocol(source.text, source.file.string(), declarations_of(models));
 }
 
 Protocol load_protocol_to_run(const std::filesystem::path& file, const std::filesystem::path& study,
                               StimulusBuilder& builder, RehearsalMemory* memory) {
   Protocol protocol = load_protocol(file, builder.models(), study);
-  const std::string found = found_file(file, study).string();
+  const std::string found = found_protocol(file, study).string();
   const CheckedProtocol checked(protocol, found);
   std::vector<Diagnostic> problems = problems_of_files(checked, study, builder);
   if (problems.empty()) problems = problems_of_plugin_stimuli(checked, builder);
@@ -429,6 +432,26 @@ RehearsedStimuli rehearse_with_warnings(const CheckedProtocol& checked, Stimulus
 
 namespace {
 
+/// A warning for every translation of the protocol that cannot be used.
+std::vector<Diagnostic> warnings_about_translations(const std::filesystem::path& file) {
+  std::vector<Diagnostic> warnings{};
+  for (const ProtocolInLanguage& each : languages_of_protocol(file)) {
+    try {
+      protocol_source(each.file);
+    } catch (const ProtocolError& error) {
+      const std::size_t count = error.diagnostics().size();
+      const Diagnostic& first = error.diagnostics().front();
+      warnings.push_back(
+          {file.string(), 1, 1, "",
+           "no session can run in the language " + in_quotes(each.language) + ": " +
+               each.file.filename().string() + " has " +
+               (count == 1 ? "a problem" : std::to_string(count) + " problems, the first") +
+               " at line " + std::to_string(first.line) + ": " + first.message});
+    }
+  }
+  return warnings;
+}
+
 /// For a protocol with other problems: the problems of files that are named in valid places.
 void add_problems_of_files(const ProtocolReading& reading, const std::filesystem::path& study,
                            const ModelRegistry& models, ProtocolCheck& check) {
@@ -448,17 +471,20 @@ void add_problems_of_files(const ProtocolReading& reading, const std::filesystem
 ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegistry& models,
                              const std::optional<std::filesystem::path>& study,
                              const std::optional<std::string>& device) {
-  const std::string found = found_file(file, study).string();
-  std::string text{};
+  const std::string found = found_protocol(file, study).string();
+  ProtocolCheck check{};
   try {
-    text = read_file(found, kProtocolFile);
+    const ProtocolSource source = protocol_source(found);
+    check = check_protocol_text(source.text, source.file.string(), models, study, device);
+    append(check.warnings, source.warnings);
+    if (found == source.file) append(check.warnings, warnings_about_translations(found));
+  } catch (const ProtocolError& error) {
+    check.diagnostics = error.diagnostics();
   } catch (const std::exception& error) {
-    ProtocolCheck check{};
-    check.file = found;
     check.diagnostics.push_back({found, 0, 0, "", message_of(error)});
-    return check;
   }
-  return check_protocol_text(text, found, models, study, device);
+  check.file = found;
+  return check;
 }
 
 ProtocolCheck check_protocol_text(const std::string& text, const std::string& file_name,

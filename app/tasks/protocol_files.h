@@ -22,8 +22,12 @@ namespace asperity {
 
 class Study;
 
-/// Reads and checks a protocol file. A name without a file is looked up in the study's
-/// `protocols/`.
+/// A name without a file is looked up in the study's `protocols/`; without a file there, the name itself.
+std::filesystem::path found_protocol(const std::filesystem::path& file,
+                                     const std::optional<std::filesystem::path>& study);
+
+/// Reads and checks the protocol that `found_protocol` finds; for the file of a translation, the protocol in its language
+/// (protocol_languages.h).
 ///
 /// Errors: ProtocolError; ResultsError when there is no such file.
 Protocol load_protocol(const std::filesystem::path& file, const ModelRegistry& models,
@@ -70,7 +74,8 @@ struct ProtocolCheck {
   bool is_valid() const noexcept { return protocol && diagnostics.empty(); }
 };
 
-/// Never throws because of the file's content. With a study, the files that the protocol names are
+/// Never throws because of the file's content. A translation that cannot be used is a problem of its own file, and a
+/// warning about the protocol's. With a study, the files that the protocol names are
 /// looked up and the height fields read; with a simulated device, its capability is compared.
 /// Errors: those of `simulated_settings` for the name of the device, which are no problems of the protocol.
 ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegistry& models,

@@ -1,45 +1,51 @@
 #include "app/tasks/protocol_templates.h"
 
 #include <stdexcept>
-#include <string>
 
 #include "app/study_files/study_protocols.h"
-#include "protocols/file/library_protocols.h"
 #include "results_schema/files/atomic_file.h"
 
 namespace asperity {
 
 namespace {
 
-const LibraryProtocol& library_protocol(std::string_view name, std::string_view language) {
+const LibraryProtocol& library_protocol(std::string_view name) {
   std::string names{};
-  for (const LibraryProtocol& protocol : library_protocols(language)) {
+  for (const LibraryProtocol& protocol : library_protocols()) {
     if (protocol.name == name) return protocol;
     names += (names.empty() ? "" : ", ") + std::string(protocol.name);
   }
-  throw std::invalid_argument(
-      "the library has no protocol \"" + std::string(name) + "\" in the language \"" +
-      std::string(language) + "\"; " +
-      (names.empty() ? "use the language en or de" : "choose one of: " + names));
+  throw std::invalid_argument("the library has no protocol \"" + std::string(name) +
+                              "\"; choose one of: " + names);
 }
 
 }  // namespace
 
 std::filesystem::path protocol_from_template(const std::filesystem::path& study,
-                                             std::string_view name, std::string_view language) {
-  const LibraryProtocol& protocol = library_protocol(name, language);
+                                             std::string_view name) {
+  const LibraryProtocol& protocol = library_protocol(name);
   const std::string first(name);
   std::string free_name = first;
-  const auto file_of = [&study](const std::string& stem) {
-    return study / "protocols" / (stem + ".json");
-  };
-  for (int number = 2; std::filesystem::exists(file_of(free_name)); ++number) {
+  for (int number = 2; std::filesystem::exists(study / "protocols" / (free_name + ".json"));
+       ++number) {
     free_name = first + '_' + std::to_string(number);
   }
+  return write_library_protocol(study, protocol, free_name);
+}
+
+std::filesystem::path write_library_protocol(const std::filesystem::path& study,
+                                             const LibraryProtocol& protocol,
+                                             const std::string& name) {
+  const std::filesystem::path folder = study / "protocols";
+  const std::filesystem::path file = folder / (name + ".json");
   const std::string text(protocol.text);
-  write_file(file_of(free_name), free_name == first ? text : with_protocol_name(text, free_name),
+  write_file(file, name == protocol.name ? text : with_protocol_name(text, name),
              Overwrite::refuse);
-  return file_of(free_name);
+  for (const LibraryTranslation& each : protocol.translations) {
+    write_file(folder / (name + '.' + std::string(each.language) + ".json"), each.text,
+               Overwrite::refuse);
+  }
+  return file;
 }
 
 }  // namespace asperity

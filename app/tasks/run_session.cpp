@@ -18,6 +18,7 @@
 #include "app/tasks/group_choice.h"
 #include "app/tasks/label_notice.h"
 #include "app/tasks/protocol_files.h"
+#include "app/tasks/session_language.h"
 #include "app/tasks/sitting.h"
 #include "app/tasks/unfinished_session.h"
 #include "app/words/reason.h"
@@ -191,6 +192,10 @@ void check_may_begin(const Study& study, const RunInputs& inputs, const Protocol
                               "participant %1 has an unfinished session %2 of this protocol; "
                               "resume it with --resume")
                            .with(inputs.participant, std::to_string(unfinished->session)));
+  }
+  if (const auto complaint =
+          complaint_about_language(study, protocol, inputs.participant, inputs.mode)) {
+    throw PhrasedError(*complaint);
   }
   if (inputs.mode == SessionMode::run && completed >= protocol.sessions) {
     throw PhrasedError(phrase("RunSession",

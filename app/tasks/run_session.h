@@ -25,7 +25,7 @@ namespace asperity {
 enum class RunPacing { stepped, real_time };
 
 struct RunInputs {
-  std::filesystem::path protocol{};
+  std::filesystem::path protocol{};  ///< or its translation, for a session in another language
   std::filesystem::path study{};
   std::string participant{};
   std::uint64_t seed = 0;
@@ -83,7 +83,7 @@ struct RunInputs {
 /// before anything is stored. `stop` requests the end of the session after the current trial.
 ///
 /// Errors: ProtocolError; ResultsError; std::runtime_error for a label that is not acceptable,
-/// missing consent, a session that cannot be resumed, one that is too old without a `late_reason`,
+/// missing consent, another language than the participant's earlier sessions, a session that cannot be resumed, one that is too old without a `late_reason`,
 /// an external program that is missing or cannot be used, a device that cannot be opened or that the protocol does not accept (rehearsed_device.h).
 SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Respondent* respondent,
                        const std::stop_token& stop,

@@ -20,6 +20,7 @@
 #include "app/session/session_setup.h"
 #include "app/session/stimulus_builder.h"
 #include "app/study_files/height_field_files.h"
+#include "app/study_files/protocol_languages.h"
 #include "app/study_files/textured_mesh_files.h"
 #include "app/tasks/unfinished_session.h"
 #include "device/simulated_device.h"
@@ -119,8 +120,7 @@ struct ProtocolFile {
 std::vector<ProtocolFile> sound_protocols(const std::filesystem::path& study,
                                           const ModelRegistry& models) {
   std::vector<ProtocolFile> protocols{};
-  for (const std::filesystem::path& file : files_in(study / "protocols")) {
-    if (file.extension() != ".json") continue;
+  for (const std::filesystem::path& file : protocol_files(study)) {
     try {
       protocols.push_back({file, load_protocol(file, models, study)});
     } catch (const std::exception&) {
@@ -251,12 +251,13 @@ bool is_blind(const Study& study, const SessionRow& row) {
 std::map<std::string, std::filesystem::path> protocol_files_by_text(
     const std::filesystem::path& study) {
   std::map<std::string, std::filesystem::path> files{};
-  for (const std::filesystem::path& file : files_in(study / "protocols")) {
-    if (file.extension() != ".json") continue;
-    try {
-      files.emplace(read_file(file, kProtocolFile), file);
-    } catch (const std::exception&) {
-      // Its problem is reported where protocols are listed.
+  for (const std::filesystem::path& protocol : protocol_files(study)) {
+    for (const ProtocolInLanguage& each : languages_of_protocol(protocol)) {
+      try {
+        files.emplace(protocol_source(each.file).text, each.file);
+      } catch (const std::exception&) {
+        // Its problem is reported where protocols are listed.
+      }
     }
   }
   return files;
@@ -302,9 +303,8 @@ std::vector<ProtocolOverview> protocol_overviews(const Study& study, const Model
   const std::vector<SessionRow> sessions = study.sessions();
 
   std::vector<ProtocolOverview> overviews{};
-  for (const std::filesystem::path& file : files_in(study.folder() / "protocols")) {
+  for (const std::filesystem::path& file : protocol_files(study.folder())) {
     if (stop.stop_requested()) break;
-    if (file.extension() != ".json") continue;
     ProtocolOverview overview{};
     overview.check = check_protocol(file, models, study.folder(), std::nullopt);
     if (overview.check.protocol) {

@@ -36,7 +36,8 @@ bool is_running(const Study& study, const SessionRow& row);
 /// a running session of mode `run`.
 bool is_blind(const Study& study, const SessionRow& row);
 
-/// The files of the study's `protocols/` by their texts; of equal ones the first by name.
+/// The files of the study's `protocols/` by the texts of the protocols that they stand for, translations included; of
+/// equal ones the first by name.
 std::map<std::string, std::filesystem::path> protocol_files_by_text(
     const std::filesystem::path& study);
 

@@ -9,15 +9,21 @@
 
 namespace asperity {
 
-/// A file of protocols/library/: NAME.json in English, NAME.de.json in German. Both have the same name and give the
-/// same plans; only texts differ.
+/// A file NAME.LANGUAGE.json of protocols/library/ (translation.h).
+struct LibraryTranslation {
+  std::string_view language{};
+  std::string_view text{};
+};
+
+/// A file NAME.json of protocols/library/, in English.
 struct LibraryProtocol {
   std::string_view name{};  ///< without folder and extension, e.g. "chapter_selection"
   std::string_view text{};  ///< the JSON, byte for byte
+  std::span<const LibraryTranslation> translations{};
 };
 
-/// All library protocols by name, in English ("en") or German ("de"); empty for another language.
-std::span<const LibraryProtocol> library_protocols(std::string_view language = "en") noexcept;
+/// All library protocols by name.
+std::span<const LibraryProtocol> library_protocols() noexcept;
 
 /// The schema of protocols (JSON Schema, draft-07), for the reader and for editors: that of the tables of keys
 /// (protocols/keys/tables.h).

@@ -79,7 +79,7 @@ TEST(Kinds, HaveAnAnalysisAndNoAnalysisIsWithoutAKind) {
 
 TEST(Kinds, HaveAProtocolInTheLibrary) {
   for (const ExperimentKind* const kind : experiment_kinds()) {
-    const auto library = library_protocols("en");
+    const auto library = library_protocols();
     EXPECT_TRUE(std::any_of(library.begin(), library.end(), [kind](const LibraryProtocol& each) {
       const std::string name(each.name);
       return read_protocol(each.text, name, declarations_of(built_in_models())).kind == kind->id;

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/study_files/protocol_languages.h"
 #include "app/tasks/protocol_templates.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
@@ -163,11 +164,13 @@ TEST(ProtocolFromTemplate, GetsANameOfItsOwnWhereTheStudyHasOneOfThatName) {
   EXPECT_EQ(load_protocol(first, models, std::nullopt).name, "chapter_matching");
   EXPECT_EQ(load_protocol(second, models, std::nullopt).name, "chapter_matching_2");
   EXPECT_THROW(protocol_from_template(folder.path() / "study", "nothing"), std::invalid_argument);
-  const auto german = protocol_from_template(folder.path() / "study", "photo_matching", "de");
-  EXPECT_EQ(german.filename(), "photo_matching.json");
-  EXPECT_EQ(load_protocol(german, models, std::nullopt).language, "de");
-  EXPECT_THROW(protocol_from_template(folder.path() / "study", "photo_matching", "fr"),
-               std::invalid_argument);
+  for (const std::filesystem::path& file : {first, second}) {
+    const std::filesystem::path german = protocol_in_language(file, "de");
+    EXPECT_EQ(german.filename(), file.stem().string() + ".de.json");
+    const Protocol read = load_protocol(german, models, std::nullopt);
+    EXPECT_EQ(read.language, "de");
+    EXPECT_EQ(read.name, file.stem().string());
+  }
 }
 
 }  // namespace

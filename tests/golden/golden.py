@@ -145,7 +145,7 @@ def name_of(path):
 def library():
     """Name → kind."""
     files = sorted((ROOT / "protocols" / "library").glob("*.json"))
-    return {path.stem: json.loads(path.read_text(encoding="utf-8"))["kind"] for path in files if not path.stem.endswith(".de")}
+    return {path.stem: json.loads(path.read_text(encoding="utf-8"))["kind"] for path in files if "." not in path.stem}
 
 
 def end_with(found, what):

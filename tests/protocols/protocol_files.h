@@ -14,6 +14,7 @@
 
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_problems.h"
+#include "protocols/file/translation.h"
 #include "protocols/plan/course.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
@@ -27,6 +28,22 @@ inline std::string library_text(std::string_view name) {
     if (each.name == name) return std::string(each.text);
   }
   throw std::invalid_argument("no such library protocol");
+}
+
+/// In another language; the translation is complete.
+inline std::string library_text(std::string_view name, std::string_view language) {
+  for (const LibraryProtocol& each : library_protocols()) {
+    for (const LibraryTranslation& one : each.translations) {
+      if (each.name != name || one.language != language) continue;
+      const std::string file = std::string(name) + '.' + std::string(language) + ".json";
+      TranslatedProtocol made =
+          translated(each.text, std::string(name), {one.text, file, std::string(language)});
+      append(made.problems, made.warnings);
+      for (const Diagnostic& problem : made.problems) ADD_FAILURE() << text_of(problem);
+      return made.text;
+    }
+  }
+  throw std::invalid_argument("no such library protocol in this language");
 }
 
 inline nlohmann::json library_file(std::string_view name) {

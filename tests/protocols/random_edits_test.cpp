@@ -15,6 +15,7 @@
 #include "protocols/design/json_pointer.h"
 #include "protocols/editing/edits.h"
 #include "protocols/file/library_protocols.h"
+#include "tests/protocols/protocol_files.h"
 
 namespace asperity {
 namespace {
@@ -120,9 +121,9 @@ void add_places(const Tree& tree, const std::string& pointer, std::vector<std::s
 const std::vector<Sample>& samples() {
   static const std::vector<Sample> made = [] {
     std::vector<Sample> result{};
-    for (const char* language : {"en", "de"}) {
-      for (const LibraryProtocol& each : library_protocols(language)) {
-        const std::string text(each.text);
+    for (const LibraryProtocol& each : library_protocols()) {
+      for (const std::string& text :
+           {std::string(each.text), test::library_text(each.name, "de")}) {
         const Tree tree = Tree::parse(text);
         const std::string commented = with_comments(tree).dump(1) + '\n';
         for (const std::string& styled : {text, with_crlf(text), with_tabs(text), on_one_line(text),

@@ -54,7 +54,8 @@ std::set<StrokeSetting> settings_of_library() {
   std::set<StrokeSetting> settings{};
   for (const auto& file : std::filesystem::directory_iterator(
            std::filesystem::path(ASPERITY_SOURCE_DIR) / "protocols/library")) {
-    if (file.path().extension() != ".json") continue;
+    const std::filesystem::path name = file.path().filename();
+    if (name.extension() != ".json" || name.stem().has_extension()) continue;  // a translation
     std::ifstream in(file.path());
     const nlohmann::json protocol = nlohmann::json::parse(in);
     if (!names_point_model(protocol.at("stimuli"), models) &&

@@ -32,10 +32,10 @@
 #include "app/plugins/stored_plugins.h"
 #include "app/profiles/profile_verdict.h"
 #include "app/session/rig/clock.h"
+#include "app/study_files/protocol_languages.h"
 #include "app/tasks/protocol_files.h"
 #include "device/simulated_models.h"
 #include "renderers/built_in_models.h"
-#include "results_schema/files/folder_entries.h"
 
 namespace asperity {
 
@@ -290,10 +290,9 @@ void DeviceTestPage::connect_run() {
 DeviceTestPage::Found DeviceTestPage::look_into(const Study& study, const WhichDevice& device) {
   Found found{.kept = profiles_in(study.folder(), device), .now_utc = SystemClock(0).utc()};
   const ModelRegistry models = with_stored_plugins(built_in_models(), study);
-  for (const auto& entry : entries_in(study.folder() / "protocols")) {
-    if (entry.path().extension() != ".json") continue;
+  for (const std::filesystem::path& file : protocol_files(study.folder())) {
     try {
-      const Protocol protocol = load_protocol(entry.path(), models, study.folder());
+      const Protocol protocol = load_protocol(file, models, study.folder());
       if (protocol.device_limits.empty()) continue;
       found.limits.push_back({.name = text(protocol.name + ' ' + protocol.version),
                               .rate_Hz = protocol.rate_Hz,

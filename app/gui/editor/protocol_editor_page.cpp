@@ -454,7 +454,10 @@ void ProtocolEditorPage::save(Agreed agreed) {
         saving.file = file_for_text(file, before, written);
         const bool is_new = saving.file != file;
         write_file(saving.file, written, is_new ? Overwrite::refuse : Overwrite::allow);
-        if (is_new) std::filesystem::remove(file);
+        if (is_new) {
+          move_translations(file, saving.file);
+          std::filesystem::remove(file);
+        }
         return saving;
       },
       [this](const Saving& saving) { end_saving(saving); },

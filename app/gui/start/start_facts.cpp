@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <set>
 #include <system_error>
 
 #include "app/study_files/dealt_places.h"
@@ -12,21 +11,12 @@
 #include "protocols/plan/course.h"
 #include "results_schema/error_text.h"
 #include "results_schema/files/atomic_file.h"
-#include "results_schema/files/folder_entries.h"
 #include "results_schema/hashes/sha256.h"
 #include "results_schema/study.h"
 
 namespace asperity {
 
 namespace {
-
-std::vector<std::filesystem::path> protocol_files(const std::filesystem::path& study) {
-  std::vector<std::filesystem::path> files{};
-  for (const auto& entry : entries_in(study / "protocols")) {
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
-  }
-  return files;
-}
 
 StartFacts::ProtocolFile described(const std::filesystem::path& file) {
   StartFacts::ProtocolFile described{.file = file, .name = file.stem().string()};
@@ -58,18 +48,21 @@ ChosenProtocol read_chosen(const std::filesystem::path& file, const std::filesys
 void read_sessions(StartFacts& facts, const Study& study) {
   const Protocol& protocol = *facts.chosen.protocol;
   std::map<std::int64_t, bool> is_this{};
-  std::set<std::int64_t> of_this_name{};
+  std::map<std::int64_t, std::string> languages{};  // of the protocols of this name
   for (const ProtocolRow& row : study.protocols()) {
     is_this[row.id] = row.source_sha256 == facts.chosen.sha256;
-    if (row.name == protocol.name) of_this_name.insert(row.id);
+    if (row.name == protocol.name) languages[row.id] = language_of(row.source);
   }
   for (const SessionRow& row : study.sessions()) {
+    const auto language = languages.find(row.protocol_id);
+    const bool is_of_this_name = language != languages.end();
     facts.sessions.push_back(
         {.participant = row.participant,
          .mode = row.mode,
          .state = row.state,
          .of_this_protocol = is_this[row.protocol_id],
-         .group = of_this_name.contains(row.protocol_id) ? row.group_level : std::nullopt});
+         .group = is_of_this_name ? row.group_level : std::nullopt,
+         .language = is_of_this_name ? std::optional(language->second) : std::nullopt});
   }
   facts.unfinished = unfinished_sessions(study, protocol);
   facts.has_dealt_places = !dealt_places(study.folder()).empty();
@@ -92,6 +85,7 @@ StartFacts read_start_facts(const std::filesystem::path& study, const ChosenProt
   if (!facts.chosen.file.empty() && !facts.chosen.is_read()) {
     facts.chosen = read_chosen(facts.chosen.file, study, models);
   }
+  if (!facts.chosen.file.empty()) facts.languages = languages_of_protocol(facts.chosen.file);
   const Study own = Study::open(study, Access::read_only);
   facts.people = own.participants();
   if (facts.chosen.protocol != nullptr) read_sessions(facts, own);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/study_files/protocol_languages.h"
 #include "app/tasks/unfinished_session.h"
 #include "protocols/design/protocol.h"
 #include "protocols/file/diagnostic.h"
@@ -20,7 +21,7 @@ namespace asperity {
 
 /// A protocol file as it was when somebody chose it.
 struct ChosenProtocol {
-  std::filesystem::path file{};                ///< empty: none is chosen
+  std::filesystem::path file{};                ///< or its translation; empty: none is chosen
   std::shared_ptr<const Protocol> protocol{};  ///< null: not read yet, or not valid
   std::string sha256{};                        ///< of its text
   PlanCost cost{};                             ///< of an example plan
@@ -38,7 +39,8 @@ struct StartFacts {
     SessionMode mode = SessionMode::run;
     SessionState state = SessionState::open;
     bool of_this_protocol = false;
-    std::optional<std::string> group{};  ///< of a session of this protocol, whatever its version
+    std::optional<std::string> group{};     ///< of a session of this protocol, whatever its version
+    std::optional<std::string> language{};  ///< the same
   };
 
   /// A file of the study's `protocols/`, and what it states of itself, as far as it can be read.
@@ -50,6 +52,7 @@ struct StartFacts {
 
   std::vector<ProtocolFile> files{};  ///< by file name
   ChosenProtocol chosen{};
+  std::vector<ProtocolInLanguage> languages{};  ///< of the chosen one, its own first
   std::vector<ParticipantRow> people{};
   std::vector<SessionBefore> sessions{};
   /// How often each counterbalancing row of the protocol was used, by mode; of a valid one.

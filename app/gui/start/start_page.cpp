@@ -138,6 +138,19 @@ void StartPage::make_protocol_card(QVBoxLayout& column) {
   ignore_wheel(*protocols_);
   row->addWidget(protocols_, 1);
   layout->addLayout(row);
+  languages_row_ = new QWidget(this);
+  auto* languages = new QHBoxLayout(languages_row_);
+  languages->setContentsMargins(0, 0, 0, 0);
+  languages->setSpacing(kMargin);
+  languages_ = new ChoiceBox(this);
+  languages_->setObjectName("languages");
+  ignore_wheel(*languages_);
+  QLabel* language_label = make_text(tr("Language of the participant"), languages_row_);
+  language_label->setBuddy(languages_);
+  languages->addWidget(language_label, 1);
+  languages->addWidget(languages_);
+  languages_row_->hide();
+  layout->addWidget(languages_row_);
   protocol_text_ = make_text({}, this);
   protocol_text_->setObjectName("protocol_text");
   protocol_text_->hide();
@@ -248,6 +261,9 @@ QWidget* StartPage::make_footer() {
 void StartPage::connect_parts() {
   connect(protocols_, &QComboBox::currentIndexChanged, this, [this](int index) {
     if (index >= 0) pick(protocols_->itemData(index).toString().toStdString());
+  });
+  connect(languages_, &QComboBox::currentIndexChanged, this, [this](int index) {
+    if (index >= 0) pick(languages_->itemData(index).toString().toStdString());
   });
   connect(participant_, &ParticipantCard::person_changed, this, [this] {
     consent_->forget();

@@ -131,6 +131,11 @@ class StartPage final : public QWidget {
   std::optional<std::string> group_before() const;
   /// Those among which the experimenter has to choose.
   std::vector<std::string> groups_to_choose() const;
+  /// That of the participant's earlier sessions of this protocol and mode.
+  std::optional<std::string> language_before() const;
+  void list_languages();
+  /// Reads the protocol in the language of the participant's earlier sessions, if it is in another one.
+  void keep_language();
 
   /// Null while there is none, or it is not valid.
   const Protocol* chosen() const noexcept { return facts_.chosen.protocol.get(); }
@@ -169,6 +174,8 @@ class StartPage final : public QWidget {
   QScrollArea* area_ = nullptr;
   QWidget* form_ = nullptr;
   QComboBox* protocols_ = nullptr;
+  QWidget* languages_row_ = nullptr;
+  QComboBox* languages_ = nullptr;
   QLabel* protocol_text_ = nullptr;
   StateLabel* protocol_state_ = nullptr;
   ParticipantCard* participant_ = nullptr;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <QtCore/QLocale>
 #include <QtCore/QSignalBlocker>
 #include <QtCore/QTimer>
 #include <QtWidgets/QApplication>
@@ -21,6 +22,18 @@
 #include "app/gui/start/start_page.h"
 
 namespace asperity {
+
+namespace {
+
+/// "English", "Deutsch"; the tag itself for a language that Qt does not know.
+QString language_name(const std::string& tag) {
+  const QLocale locale(QString::fromStdString(tag));
+  if (locale.language() == QLocale::C) return QString::fromStdString(tag);
+  if (locale.language() == QLocale::English) return QStringLiteral("English");
+  return locale.nativeLanguageName();
+}
+
+}  // namespace
 
 void StartPage::choose(const std::filesystem::path& protocol,
                        const std::optional<std::string>& participant,
@@ -67,6 +80,7 @@ void StartPage::take(StartFacts facts) {
   facts_ = std::move(facts);
   is_read_ = true;
   list_protocols();
+  list_languages();
   show_protocol();
   show_noise();
   if (const auto wish = std::exchange(wish_, std::nullopt)) {
@@ -169,7 +183,8 @@ void StartPage::list_protocols() {
                        ? name
                        : QString("%1 (%2)").arg(QString::fromStdString(each.title), name));
   }
-  const std::filesystem::path& chosen = facts_.chosen.file;
+  const std::filesystem::path& chosen =
+      facts_.languages.empty() ? facts_.chosen.file : facts_.languages.front().file;
   const auto is_chosen = [&chosen](const StartFacts::ProtocolFile& each) {
     return each.file == chosen;
   };
@@ -177,6 +192,40 @@ void StartPage::list_protocols() {
     add(chosen, QString::fromStdString(chosen.stem().string()));
   }
   protocols_->setCurrentIndex(protocols_->findData(QString::fromStdString(chosen.string())));
+}
+
+void StartPage::list_languages() {
+  const QSignalBlocker silent(languages_);
+  languages_->clear();
+  for (const ProtocolInLanguage& each : facts_.languages) {
+    languages_->addItem(language_name(each.language), QString::fromStdString(each.file.string()));
+  }
+  languages_->setCurrentIndex(
+      languages_->findData(QString::fromStdString(facts_.chosen.file.string())));
+  languages_row_->setVisible(facts_.languages.size() > 1);
+}
+
+std::optional<std::string> StartPage::language_before() const {
+  std::optional<std::string> before{};
+  if (participant_->is_new()) return before;
+  for (const StartFacts::SessionBefore& session : facts_.sessions) {
+    if (session.participant != participant_->label() || session.mode != mode_) continue;
+    if (session.language) before = session.language;
+  }
+  return before;
+}
+
+void StartPage::keep_language() {
+  const std::optional<std::string> before = language_before();
+  languages_->setEnabled(!before);
+  languages_->setToolTip(before ? tr("The participant keeps the language of the earlier sessions.")
+                                : QString{});
+  if (!before || !is_read_ || chosen() == nullptr || chosen()->language == *before) return;
+  for (const ProtocolInLanguage& each : facts_.languages) {
+    if (each.language != *before) continue;
+    // Not within the reading that led here.
+    QTimer::singleShot(0, this, [this, file = each.file] { pick(file); });
+  }
 }
 
 void StartPage::go_on(bool wanted) {

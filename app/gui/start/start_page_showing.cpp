@@ -196,6 +196,7 @@ void StartPage::show_person() {
     program_->set_protocol(takes_levels ? facts_.chosen.protocol : nullptr);
   }
   participant_->group().set_groups(groups_to_choose());
+  keep_language();
   participant_->set_session_text(session_text());
   if (resume_) {
     setup_->fix_hand(unfinished_->row.mirrored);

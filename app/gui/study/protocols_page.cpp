@@ -312,25 +312,17 @@ QWidget* ProtocolsPage::make_detail() {
 
 void ProtocolsPage::add_templates(QPushButton* button) {
   auto* menu = new QMenu(button);
-  const auto add = [this](QMenu* to, const std::string& language) {
-    for (const LibraryProtocol& protocol : library_protocols(language)) {
-      to->addAction(QString::fromUtf8(protocol.name.data(), qsizetype(protocol.name.size())), this,
-                    [this, name = std::string(protocol.name), language] {
-                      add_from_template(name, language);
-                    });
-    }
-  };
-  add(menu, "en");
-  menu->addSeparator();
-  add(menu->addMenu(tr("In German")), "de");
+  for (const LibraryProtocol& protocol : library_protocols()) {
+    menu->addAction(QString::fromUtf8(protocol.name.data(), qsizetype(protocol.name.size())), this,
+                    [this, name = std::string(protocol.name)] { add_from_template(name); });
+  }
   button->setMenu(menu);
 }
 
-void ProtocolsPage::add_from_template(const std::string& name, const std::string& language) {
+void ProtocolsPage::add_from_template(const std::string& name) {
   write_task_.run<std::filesystem::path>(
-      [name, language, folder = study().folder()](const std::stop_token&,
-                                                  const BackgroundTask::Progress&) {
-        return protocol_from_template(folder, name, language);
+      [name, folder = study().folder()](const std::stop_token&, const BackgroundTask::Progress&) {
+        return protocol_from_template(folder, name);
       },
       [this](const std::filesystem::path& file) {
         select_next_ = QString::fromStdString(file.string());

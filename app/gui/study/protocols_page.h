@@ -45,7 +45,7 @@ class ProtocolsPage final : public StudyPage {
   QWidget* make_detail();
   void share_height();
   void add_templates(QPushButton* button);
-  void add_from_template(const std::string& name, const std::string& language);
+  void add_from_template(const std::string& name);
   void show_protocols(const std::vector<ProtocolOverview>& protocols);
   void show_interrupted(const std::vector<InterruptedSession>& sessions);
   void examine_stimuli();

@@ -8250,6 +8250,13 @@
     </message>
 </context>
 <context>
+    <name>SessionLanguage</name>
+    <message>
+        <source>the earlier sessions of participant %1 were in the language &quot;%2&quot; and this one would be in &quot;%3&quot;; all sessions of a participant are in one language: choose &quot;%2&quot;, or another participant</source>
+        <translation>die früheren Sitzungen der Versuchsperson %1 waren in der Sprache „%2“, und diese wäre in „%3“; alle Sitzungen einer Versuchsperson sind in einer Sprache: „%2“ oder eine andere Versuchsperson wählen</translation>
+    </message>
+</context>
+<context>
     <name>SessionSetup</name>
     <message>
         <source>the protocol &quot;%1&quot; names the file %2, which is not in the study %3; copy the file into the study</source>
@@ -12195,10 +12202,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Version %1</translation>
     </message>
     <message>
-        <source>In German</source>
-        <translation>Auf Deutsch</translation>
-    </message>
-    <message>
         <source>A protocol defines stimuli, tasks and trial order. Begin with one from the library, or copy a protocol file into the study&apos;s folder “protocols”: it appears here at once.</source>
         <translation>Ein Protokoll legt Reize, Aufgaben und die Reihenfolge der Durchgänge fest. Mit einem aus der Bibliothek beginnen oder eine Protokolldatei in den Ordner „protocols“ der Studie kopieren: Sie erscheint hier sofort.</translation>
     </message>
@@ -13621,6 +13624,18 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>The stimuli are being examined; the session does not wait for this.</source>
         <translation>Die Reize werden untersucht; die Sitzung wartet nicht darauf.</translation>
+    </message>
+    <message>
+        <source>Language of the participant</source>
+        <translation>Sprache der Versuchsperson</translation>
+    </message>
+    <message>
+        <source>The participant keeps the language of the earlier sessions.</source>
+        <translation>Die Versuchsperson behält die Sprache der früheren Sitzungen.</translation>
+    </message>
+    <message>
+        <source>The earlier sessions of this participant were in the language “%1”: add this translation of the protocol, or choose another participant.</source>
+        <translation>Die früheren Sitzungen dieser Versuchsperson waren in der Sprache „%1“: diese Übersetzung des Protokolls hinzufügen oder eine andere Versuchsperson wählen.</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/study_files/protocol_languages.h"
 #include "app/tasks/protocol_files.h"
 #include "protocols/file/protocol_problems.h"
 #include "results_schema/hashes/sha256.h"
@@ -72,7 +73,7 @@ std::optional<SessionCheck> stimulus_warnings_check(const std::vector<Diagnostic
 }
 
 void require_unchanged(const std::filesystem::path& protocol, const std::string& sha256) {
-  const std::string now = sha256_of_file(protocol);
+  const std::string now = sha256_of(protocol_source(protocol).text);
   if (now == sha256) return;
   throw ProtocolChangedSinceCheck(
       phrase("SessionChecks",

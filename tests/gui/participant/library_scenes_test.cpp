@@ -1,6 +1,9 @@
 // What participants of the library's protocols read, word for word, from the real view.
 
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <QtCore/QRegularExpression>
 #include <gtest/gtest.h>
@@ -10,6 +13,7 @@
 #include "protocols/file/protocol_reader.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"
+#include "tests/protocols/protocol_files.h"
 
 namespace asperity {
 namespace {
@@ -82,13 +86,17 @@ void expect_to_fit(const ParticipantView& view) {
   }
 }
 
-class LibraryScenes : public testing::TestWithParam<LibraryProtocol> {};
+using NameAndLanguage = std::pair<std::string, std::string>;
+class LibraryScenes : public testing::TestWithParam<NameAndLanguage> {};
 
 TEST_P(LibraryScenes, SayNoNameAndFitBothSizes) {
   std::vector<ModelDeclaration> models{};
   const ModelRegistry registry = built_in_models();
   for (const ForceModel& model : registry.models()) models.push_back(model.declaration);
-  const Protocol protocol = read_protocol(GetParam().text, std::string(GetParam().name), models);
+  const auto& [name, language] = GetParam();
+  const std::string source =
+      language.empty() ? test::library_text(name) : test::library_text(name, language);
+  const Protocol protocol = read_protocol(source, name, models);
   const Plan plan = make_plan(protocol, {1, 0});
   const QRegularExpression names = names_in(protocol, plan);
 
@@ -114,13 +122,22 @@ TEST_P(LibraryScenes, SayNoNameAndFitBothSizes) {
   EXPECT_GT(texts, 10);
 }
 
-INSTANTIATE_TEST_SUITE_P(Protocols, LibraryScenes,
-                         testing::ValuesIn(library_protocols().begin(), library_protocols().end()),
-                         [](const auto& each) { return std::string(each.param.name); });
-INSTANTIATE_TEST_SUITE_P(InGerman, LibraryScenes,
-                         testing::ValuesIn(library_protocols("de").begin(),
-                                           library_protocols("de").end()),
-                         [](const auto& each) { return std::string(each.param.name); });
+/// The library's own texts with an empty language, then their translations.
+std::vector<NameAndLanguage> library_in_all_languages() {
+  std::vector<NameAndLanguage> all{};
+  for (const LibraryProtocol& each : library_protocols()) {
+    all.emplace_back(each.name, "");
+    for (const LibraryTranslation& one : each.translations) {
+      all.emplace_back(each.name, one.language);
+    }
+  }
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Protocols, LibraryScenes, testing::ValuesIn(library_in_all_languages()),
+                         [](const auto& each) {
+                           return each.param.first + '_' + each.param.second;
+                         });
 
 }  // namespace
 }  // namespace asperity

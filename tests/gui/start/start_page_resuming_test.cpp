@@ -24,6 +24,7 @@
 #include "tests/gui/start/the_start_page.h"
 #include "tests/gui/support/screenshot.h"
 #include "tests/gui/support/widgets.h"
+#include "tests/support/marked_translation.h"
 
 namespace asperity {
 namespace {
@@ -46,6 +47,35 @@ void store_old_session(const std::filesystem::path& folder, const std::filesyste
                   {.time_ns = 3, .kind = "masking_noise", .data_json = R"({"kind": "pink", "heard":
                    false, "measured_dBA": 64.5, "verified_by": "M. Wu"})"});
   study.end_session(session.row.id, SessionState::stopped, "2026-01-01T00:10:00.000Z");
+}
+
+TEST_F(TheStartPage, OffersTheLanguagesOfTheProtocolAndKeepsThatOfAParticipant) {
+  page->show();
+  choose(protocol);
+  EXPECT_FALSE(is_shown("languages")) << "there is only one";
+  const std::filesystem::path german = folder / "protocols" / "small.de.json";
+  write_file(german, marked_translation(protocol_with_questions(), "DE"), Overwrite::refuse);
+  page->check_again();
+  ASSERT_TRUE(wait_for_study());
+  ASSERT_TRUE(is_shown("languages"));
+  EXPECT_EQ(find<QComboBox>("protocols").count(), 1);
+  EXPECT_EQ(find<QComboBox>("languages").currentText(), "English");
+  EXPECT_EQ(page->order().inputs.protocol, protocol);
+  pick("languages", "Deutsch");
+  ASSERT_TRUE(wait_for_checks());
+  EXPECT_EQ(page->order().inputs.protocol, german);
+  EXPECT_EQ(find<QComboBox>("protocols").currentIndex(), 0);
+  EXPECT_TRUE(find<QLabel>("protocol_text").text().contains("DE A few short trials"));
+  EXPECT_FALSE(has_reason("changed since it was chosen")) << shown_reason();
+  take_screenshot(*page, "start-page-language");
+
+  store_old_session(folder, protocol);
+  page->set_mode(SessionMode::pilot);
+  choose(german, "P001");
+  EXPECT_TRUE(eventually([this] { return page->order().inputs.protocol == protocol; }));
+  ASSERT_TRUE(wait_for_study());
+  EXPECT_FALSE(find<QComboBox>("languages").isEnabled());
+  EXPECT_FALSE(has_reason("in the language")) << shown_reason();
 }
 
 TEST_F(TheStartPage, AsksForAReasonToResumeWhatIsOlderThanTheProtocolHasIt) {
