@@ -154,8 +154,15 @@ class StudyExport final {
     for (const ExportedParticipant& participant : participants_) {
       std::string mode{};
       std::string groups{};
+      std::string languages{};
+      std::set<std::string> languages_met{};
       std::set<std::pair<std::string, std::string>> groups_met{};
       for (const SessionRow& session : participant.sessions) {
+        const std::string& language =
+            vocabulary_.languages.at(protocols_.at(session.protocol_id).source_sha256);
+        if (languages_met.insert(language).second) {
+          languages += (languages.empty() ? "" : "; ") + language;
+        }
         if (session.group_level &&
             groups_met.insert({protocols_.at(session.protocol_id).name, *session.group_level})
                 .second) {
@@ -170,6 +177,7 @@ class StudyExport final {
       at.participant = &participant.listed;
       at.participant_mode = &mode;
       at.participant_groups = &groups;
+      at.participant_languages = &languages;
       at.answers = &answers;
       add("participants", at);
       std::set<SessionGroup> begun{};

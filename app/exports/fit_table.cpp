@@ -41,7 +41,7 @@ std::string levels_text_of_factors(const nlohmann::json& factors,
   return text;
 }
 
-Columns FitTable::columns() {
+Columns FitTable::columns() const {
   Columns columns{};
   const auto add = [&columns](const char* name, const char* type, const char* description) {
     columns.push_back(column(name, type, "", description, {}));
@@ -68,6 +68,9 @@ Columns FitTable::columns() {
   add("question", "text", "name of the question");
   add("factor", "text", "name of the numeric factor; x is its level");
   add("counted", "text", "responses counted in k: the correct ones, or those with this value");
+  if (vocabulary_.known_languages.size() > 1) {
+    add("language", "text", "language of the texts for the participant, a BCP 47 tag");
+  }
   columns[2].minimum = 0.0;
   columns[3].minimum = 1.0;
   columns[4].minimum = 0.0;
@@ -158,11 +161,24 @@ void FitTable::write(ExportFolder& folder, const std::string& name) const {
                                : chosen == count.chosen.end() ? 0
                                                               : chosen->second;
         const std::int64_t n = (is_judged ? count.judged : count.responses) + count.unsure;
-        file.add({condition, x, k, n, count.unsure,
-                  levels.alternatives == 0 ? Cell{}
-                                           : Cell{static_cast<std::int64_t>(levels.alternatives)},
-                  curve.participant, curve.protocol, curve.version, curve.question, curve.factor,
-                  what});
+        std::vector<Cell> row{condition,
+                              x,
+                              k,
+                              n,
+                              count.unsure,
+                              levels.alternatives == 0
+                                  ? Cell{}
+                                  : Cell{static_cast<std::int64_t>(levels.alternatives)},
+                              curve.participant,
+                              curve.protocol,
+                              curve.version,
+                              curve.question,
+                              curve.factor,
+                              what};
+        if (vocabulary_.known_languages.size() > 1) {
+          row.emplace_back(vocabulary_.languages.at(curve.source_sha256));
+        }
+        file.add(row);
       }
     }
   }

@@ -41,7 +41,8 @@ class FitTable final {
  public:
   explicit FitTable(const StudyVocabulary& vocabulary) : vocabulary_(vocabulary) {}
 
-  static std::vector<ExportColumn> columns();
+  /// With the column "language" in a study in several languages.
+  std::vector<ExportColumn> columns() const;
 
   /// `at` with a session, a trial, an attempt and one of its responses.
   void add(const ExportPlace& at);

@@ -160,7 +160,7 @@ void GroupFiles::finish_fit(CodebookFile& codebook, std::vector<Phrase>& not_wri
     return;
   }
   fit_->write(folder_, name);
-  codebook.add(name, FitTable::columns());
+  codebook.add(name, fit_->columns());
 }
 
 void GroupFiles::finish_wide(CodebookFile& codebook) {

@@ -88,6 +88,34 @@ TEST(ExportedFits, CountResponsesCannotTellNextToTheCorrectOnes) {
   }
 }
 
+TEST(ExportedLanguages, AreAColumnOfAStudyInSeveralLanguages) {
+  nlohmann::json protocol = discrimination_protocol("performance");
+  ExportedDiscrimination exported(protocol, trials_of_counts(true));
+  for (const char* const table : {"participants.tsv", "sessions.tsv", "fit.tsv"}) {
+    EXPECT_THAT(read_file(exported.out() / table), Not(HasSubstr("language"))) << table;
+  }
+  protocol["language"] = "de";
+  const std::int64_t german = exported.made.add_protocol("jnd", "discrimination", protocol.dump());
+  exported.made.add_person("p2", "");
+  exported.made.add_session("p2", german, trials_of_counts(true));
+  const fs::path out = exported.made.beside("out_2");
+  export_to(exported.made, out);
+  for (const char* const table : {"participants.tsv", "sessions.tsv"}) {
+    const Table rows = table_in(out, table);
+    ASSERT_EQ(rows.rows.size(), 2U);
+    EXPECT_EQ(cell_of(rows, 0, "language"), Cell{"en"}) << table;
+    EXPECT_EQ(cell_of(rows, 1, "language"), Cell{"de"}) << table;
+  }
+  const Table fit = table_in(out, "fit.tsv");
+  ASSERT_EQ(fit.rows.size(), 2 * kUnsureCounts.size());
+  for (std::size_t row = 0; row < fit.rows.size(); ++row) {
+    EXPECT_EQ(cell_of(fit, row, "language"),
+              Cell{cell_of(fit, row, "participant") == Cell{"p1"} ? "en" : "de"});
+  }
+  const std::string wide = read_file(out / "wide.csv");
+  EXPECT_THAT(wide.substr(0, wide.find('\n')), HasSubstr("language"));
+}
+
 // The points of subjective equality of the program and of the exported file are the same number, which is not that of counts
 // in which "cannot tell" is a choice of the standard.
 TEST(ExportedFits, AreFittedAsTheAnalysisDoes) {

@@ -27,6 +27,8 @@
 namespace asperity {
 namespace {
 
+using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::Not;
@@ -321,12 +323,41 @@ TEST(PaperText, StatesThatFilesInTwoLanguagesDifferInTextsOnly) {
   };
   add(R"({"language": "en", "title": "Which?"})");
   add(R"({"language": "de", "title": "Welche?"})");
-  EXPECT_THAT(design(), StartsWith("Two files have the name and version of this protocol. They "
-                                   "differ in language and texts only; "));
+  EXPECT_THAT(design(),
+              AllOf(StartsWith("Two texts have the name and version of this protocol. They "
+                               "differ in language and texts only; "),
+                    EndsWith(" Participants by language: 1 (de), 1 (en).")));
   EXPECT_THAT(results_of(made), Not(HasSubstr("different files")));
   add(R"({"language": "de", "title": "Welche?", "sessions": 2})");
-  EXPECT_THAT(design(), StartsWith("Three different files have the name and version"));
+  EXPECT_THAT(design(), StartsWith("Three different texts have the name and version"));
   EXPECT_THAT(results_of(made), HasSubstr("2 different files have this protocol name"));
+}
+
+TEST(PaperText, StatesThatScalesInTwoLanguagesWereNotCompared) {
+  MadeUpStudy made;
+  int sessions = 0;
+  const auto add = [&](const std::string& language, const std::string& label) {
+    const std::string participant = "p" + std::to_string(++sessions);
+    const std::string source = R"({"language": ")" + language +
+                               R"(", "questions": {"pain": {"prompt": "?", "form": "scale",
+                                   "scale": {"labels": [")" +
+                               label + R"(", "10"]}}}})";
+    made.add_person(participant, "F");
+    made.add_session(participant, made.add_protocol("which", "selection", source),
+                     {one_of_two("sinusoid"), one_of_two("height_map")});
+  };
+  const auto design = [&made] {
+    const ReportSection section = study_report(made.study(), {}).chapters.at(1).sections.front();
+    return std::get<ReportText>(section.parts.front()).text;
+  };
+  add("en", "none");
+  EXPECT_THAT(design(), Not(HasSubstr("by language")));
+  add("de", "keine");
+  add("de", "keine");
+  EXPECT_THAT(design(),
+              EndsWith(" Participants by language: 2 (de), 1 (en). The scales have labels "
+                       "in words; whether they are equivalent in these languages was not "
+                       "tested."));
 }
 
 TEST(PaperText, DoesNotCallUndeclaredWhatFilesDeclareDifferently) {

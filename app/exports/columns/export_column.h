@@ -25,8 +25,9 @@ struct TimedEvent;
 /// are null.
 struct ExportPlace {
   const ParticipantRow* participant = nullptr;
-  const std::string* participant_mode = nullptr;    ///< of all sessions together
-  const std::string* participant_groups = nullptr;  ///< of all sessions; empty: none
+  const std::string* participant_mode = nullptr;       ///< of all sessions together
+  const std::string* participant_groups = nullptr;     ///< of all sessions; empty: none
+  const std::string* participant_languages = nullptr;  ///< the same
   const SessionRow* session = nullptr;
   const ProtocolRow* protocol = nullptr;
   const PlannedTrialRow* trial = nullptr;

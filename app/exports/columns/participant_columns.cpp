@@ -54,6 +54,14 @@ Columns participant_columns(const StudyVocabulary& vocabulary) {
                                      "groups of several protocols are separated by \"; \"",
                                      [](const Place& at) { return *at.participant_groups; })));
   }
+  if (vocabulary.known_languages.size() > 1) {
+    // The same in all sessions of a protocol; of several protocols they can be two, which are no level.
+    columns.push_back(missing("no session yet",
+                              column("language", "text", "",
+                                     "language of the texts in the participant's sessions, a BCP "
+                                     "47 tag; several languages are separated by \"; \"",
+                                     [](const Place& at) { return *at.participant_languages; })));
+  }
   columns.push_back(dropped(column("created_utc", "utc_time", "", "when the participant was added",
                                    [](const Place& at) { return at.participant->created_utc; })));
   columns.push_back(column("withdrawn", "boolean", "",

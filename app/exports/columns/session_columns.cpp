@@ -107,6 +107,14 @@ Columns session_columns(const StudyVocabulary& vocabulary) {
                        [](const Place& at) { return optional_cell(at.session->group_level); })),
         {vocabulary.groups.begin(), vocabulary.groups.end()}));
   }
+  if (vocabulary.known_languages.size() > 1) {
+    add(with_levels(
+        column("language", "text", "", "language of the texts for the participant, a BCP 47 tag",
+               [languages = vocabulary.languages](const Place& at) {
+                 return Cell{languages.at(at.protocol->source_sha256)};
+               }),
+        vocabulary.known_languages));
+  }
   add_senses(vocabulary, columns);
   add(column("mirrored", "boolean", "", "1: the workspace was laid out for a left hand",
              [](const Place& at) { return boolean(at.session->mirrored); }));

@@ -221,15 +221,20 @@ StudyVocabulary vocabulary_of(const Study& study, const ModelRegistry& loaded) {
     std::set<std::string> languages{};
   };
   std::map<std::tuple<std::string, std::string, std::string>, Wordings> translations{};
+  std::set<std::string> known_languages{};
   for (const ProtocolRow& protocol : study.protocols()) {
     learn_from_protocol(protocol, vocabulary);
     Wordings& wordings =
         translations[{protocol.name, protocol.version, without_texts(protocol.source)}];
     if (wordings.languages.empty()) wordings.first_sha256 = protocol.source_sha256;
-    const bool is_new = wordings.languages.insert(language_of(protocol.source)).second;
+    const std::string language = language_of(protocol.source);
+    const bool is_new = wordings.languages.insert(language).second;
+    vocabulary.languages[protocol.source_sha256] = language;
+    known_languages.insert(language);
     vocabulary.first_wording[protocol.source_sha256] =
         is_new ? wordings.first_sha256 : protocol.source_sha256;
   }
+  vocabulary.known_languages = {known_languages.begin(), known_languages.end()};
   return vocabulary;
 }
 

@@ -86,6 +86,9 @@ struct StudyVocabulary {
   /// By the SHA-256 of a protocol file, that of the first file that differs from it in texts only, which may be
   /// the file itself.
   std::map<std::string, std::string> first_wording{};
+  /// By the SHA-256 of a protocol file, the language of its texts.
+  std::map<std::string, std::string> languages{};
+  std::vector<std::string> known_languages{};  ///< those, each once
   /// Questions of questionnaires that were named to be published.
   std::set<std::string> for_public{};
   /// In place of the ages; absent: the ages are exported.

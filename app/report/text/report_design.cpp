@@ -11,6 +11,7 @@
 #include "app/findings/outcome/study_analysis.h"
 #include "app/findings/outcome/task_words.h"
 #include "app/report/text/report_arrangement.h"
+#include "app/report/text/report_languages.h"
 #include "app/report/text/report_order.h"
 #include "app/report/text/report_roughness.h"
 #include "app/report/text/report_sections.h"
@@ -393,14 +394,18 @@ ReportSection design_section(const ReportFacts& facts) {
   const ProtocolCheck& check = facts.file;
   if (facts.sources.size() > 1) {
     const std::string files = capitalised(count_in_words(facts.sources.size()));
+    const std::string languages = languages_text(facts);
     section.parts.emplace_back(
         facts.are_translations
-            ? ReportText{files + " files have the name and version of this protocol. They differ "
-                                 "in language and texts only; the texts below are from the first."}
+            ? ReportText{files +
+                         " texts have the name and version of this protocol. They differ in "
+                         "language and texts only; the texts below are from the first." +
+                         languages}
             : ReportText{
                   files +
-                      " different files have the name and version of this protocol; "
-                      "their responses are pooled, and the description below is from the first.",
+                      " different texts have the name and version of this protocol; "
+                      "their responses are pooled, and the description below is from the first." +
+                      languages,
                   ReportText::Tone::notice});
   }
   if (!check.protocol) {

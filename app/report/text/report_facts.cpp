@@ -338,6 +338,7 @@ std::vector<ReportFacts> report_facts(const Study& study,
     }
     const auto [stored, is_new] = specified.try_emplace(of.id);
     if (is_new) stored->second = stored_protocol(of.source).protocol;
+    facts.languages[stored->second.language].insert(person.label);
     count_session(study, sessions[i], stored->second, facts);
   }
   std::vector<ReportFacts> all{};

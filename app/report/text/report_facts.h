@@ -104,6 +104,8 @@ struct ReportFacts {
       declared_models{};  ///< the built-in ones, and the declared ones of the study's plug-ins
   std::set<std::string> sources{};  ///< SHA-256 of all files of this name and version
   bool are_translations = true;     ///< those files are one protocol in several languages
+  /// The participants with a session in each language, by their labels.
+  std::map<std::string, std::set<std::string>> languages{};
   AnswerGroup group = AnswerGroup::people;
   std::vector<ParticipantRow> participants{};  ///< by label
   std::vector<ReportedSession> sessions{};     ///< by participant, session

@@ -13,6 +13,7 @@
 #include "app/findings/outcome/study_analysis.h"
 #include "app/findings/outcome/task_words.h"
 #include "app/report/text/report_arrangement.h"
+#include "app/report/text/report_languages.h"
 #include "app/report/text/report_paper.h"
 #include "app/report/text/report_paper_trials.h"
 #include "app/report/text/report_parameters.h"
@@ -358,6 +359,7 @@ std::vector<std::string> paper_procedure(const ReportFacts& facts, const StudyMe
                              " versions that differ in language and texts only."
                        : "The protocol has " + count_in_words(facts.sources.size()) +
                              " files of this version; the description below is from the first.");
+    task.back() += languages_text(facts);
   }
   task.push_back(factors_sentence(protocol));
   task.push_back(with_citations(paper_task(facts), sources));
