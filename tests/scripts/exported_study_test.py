@@ -65,9 +65,14 @@ def one_study_in_depth(folder):
     return study, len(theirs)
 
 
+def protocols_in(folder):
+    """Without translations, NAME.LANGUAGE.json."""
+    return [path for path in sorted(folder.glob("*.json")) if "." not in path.stem]
+
+
 def add_every_protocol(study):
     """The library's protocols with two virtual participants each; pictures that it fetches from elsewhere are made up."""
-    for path in sorted((ROOT / "protocols" / "library").glob("*.json")):
+    for path in protocols_in(ROOT / "protocols" / "library"):
         text = path.read_text(encoding="utf-8")
         for name in set(re.findall(r'"stimuli/(\w+)\.png"', text)):
             if name.endswith("_photo") or (study / "stimuli" / f"{name}.png").exists():
@@ -79,7 +84,7 @@ def add_every_protocol(study):
         if path.stem != "chapter_selection":
             asperity("simulate", study / "protocols" / path.name, "--study", study, "--participants", "2", "--seed", "7",
                      "--recordings", "none")
-    return len(list((study / "protocols").glob("*.json")))
+    return len(protocols_in(study / "protocols"))
 
 
 def ours_of(outcome):

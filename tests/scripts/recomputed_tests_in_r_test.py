@@ -37,6 +37,8 @@ def write_declarations(study, path):
         rows = csv.writer(file)
         rows.writerow(("protocol", "family", "target", "condition", "conditions"))
         for source in sorted((study / "protocols").glob("*.json")):
+            if "." in source.stem:  # a translation
+                continue
             protocol = json.loads(source.read_text(encoding="utf-8"))
             analysis = protocol.get("analysis", {})
             family = analysis.get("family", [USUAL_FAMILY[protocol["kind"]]])
