@@ -56,13 +56,11 @@ class Repairer final {
   /// default of its key.
   std::optional<json> fitted(const json& value, const ValueShape& shape, const std::string& pointer,
                              const json& standard = {}) {
-    const std::vector<std::string> types = types_of(shape);
-    const bool has_type =
-        std::any_of(types.begin(), types.end(),
-                    [&value](const std::string& type) { return is_of_type(value, type); });
+    const ValueShape* const applied = shape_of(shape, value);
     auto made =
-        has_type ? std::visit([&](const auto& one) { return part_of(value, one, pointer); }, shape)
-                 : std::nullopt;
+        applied == nullptr
+            ? std::nullopt
+            : std::visit([&](const auto& one) { return part_of(value, one, pointer); }, *applied);
     return made ? made : replaced(shape, pointer, standard);
   }
 
@@ -139,24 +137,6 @@ class Repairer final {
     }
     if (!table.may_be_empty && made.empty()) return {};
     return decide(made, table, pointer) ? std::optional(std::move(made)) : std::nullopt;
-  }
-
-  std::optional<json> part_of(const json& value, const BoundShape& shape,
-                              const std::string& pointer) {
-    if (value.is_object()) return part_of(value, ObjectShape{&kBindingTable}, pointer);
-    return fitted(value, *shape.value, pointer);
-  }
-
-  std::optional<json> part_of(const json& value, const FormsShape& shape,
-                              const std::string& pointer) {
-    for (const ValueShape& form : shape.forms) {
-      const std::vector<std::string> types = types_of(form);
-      if (std::any_of(types.begin(), types.end(),
-                      [&value](const std::string& type) { return is_of_type(value, type); })) {
-        return fitted(value, form, pointer);
-      }
-    }
-    return {};
   }
 
   /// Leaves one of the keys of which an object has exactly one, such as the kinds of a step of the flow.

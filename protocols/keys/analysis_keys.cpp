@@ -8,7 +8,7 @@ namespace asperity {
 
 namespace {
 
-constexpr ValueShape kScaleName = NameShape{};
+constexpr ValueShape kScaleName = NameShape{kAnswerNames};
 constexpr ValueShape kTest = TextShape{.longest = 64};
 
 constexpr auto kConstructKeys = keys_of(
@@ -35,7 +35,8 @@ constexpr std::array<std::string_view, 2> kExclusions{"more_catch_errors_than",
 
 constexpr auto kAnalysisKeys = keys_of(
     member_key<&AnalysisDeclaration::target>(
-        "target", "Target", "Selection: the item that is tested against the others.", NameShape{}),
+        "target", "Target", "Selection: the item that is tested against the others.",
+        NameShape{kItemNames}),
     member_key<&AnalysisDeclaration::family>(
         "family", "Family of tests",
         "Tests whose p values are Holm-corrected together: the confirmatory tests of the study. "

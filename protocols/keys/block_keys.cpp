@@ -16,12 +16,12 @@ using nlohmann::json;
 
 constexpr NumberShape kRepetitions{.minimum = 1.0, .maximum = 10'000.0, .is_whole = true};
 constexpr NumberShape kPause{.minimum = 0.0, .maximum = 600.0, .unit = "s"};
-constexpr ValueShape kFactorEntry = NameShape{"factors"};
+constexpr ValueShape kFactorEntry = kFactorName;
 constexpr ListShape kFactors{
     .entry = &kFactorEntry, .meaning = kNameMeaning, .shortest = 1, .longest = 256};
-constexpr MapShape kLevelsByFactor{.entry = &kLevelShape, .meaning = kLevelMeaning, .shortest = 1};
-constexpr ValueShape kRow = kLevelsByFactor;
-constexpr ValueShape kFormula = TextShape{};
+constexpr ValueShape kRow = kSomeLevels;
+constexpr ValueShape kFormula = TextShape{.name = kFactorName, .is_formula = true};
+constexpr ValueShape kExplorationName = NameShape{"explorations"};
 constexpr ValueShape kTrialsInARow = kRepetitions;
 constexpr ValueShape kDistance = NumberShape{.minimum = 2.0, .maximum = 10'000.0, .is_whole = true};
 
@@ -126,6 +126,7 @@ constexpr auto kBlockKeys = keys_of(
         MapShape{.entry = &kFormula,
                  .meaning = "A formula of numbers, factors, +, -, *, / and parentheses, such as "
                             "speed / spacing.",
+                 .key = {.registry = kFactorNames, .is_declared = true},
                  .shortest = 1}),
     list_key<&Block::repetitions_of, kRowRepetitionsTable>(
         "repetitions_of", "Repetitions of some trials",
@@ -157,7 +158,7 @@ constexpr auto kBlockKeys = keys_of(
         "anchor", "Anchor",
         "Anchors, reference trials of every run of the block whose responses are stored and not "
         "analysed: factor and level, that of \"vary\" in its measure.",
-        kLevelsByFactor),
+        kSomeLevels),
     member_key<&Block::anchor_pair>(
         "anchor_pair", "Levels of the anchor",
         "With \"all_pairs\": the levels of the two surfaces of an anchor.",
@@ -177,12 +178,12 @@ constexpr auto kBlockKeys = keys_of(
     member_key<&Block::maximum_in_a_row>(
         "maximum_in_a_row", "At most in a row",
         "For a factor: largest number of consecutive trials with the same level.",
-        MapShape{.entry = &kTrialsInARow, .meaning = "Trials in a row."}),
+        MapShape{.entry = &kTrialsInARow, .meaning = "Trials in a row.", .key = kFactorName}),
     member_key<&Block::minimum_distance>(
         "minimum_distance", "Smallest distance",
         "For a factor: smallest difference of the positions of two trials with the same level; 2 "
         "excludes adjacent trials.",
-        MapShape{.entry = &kDistance, .meaning = "Difference of positions."}),
+        MapShape{.entry = &kDistance, .meaning = "Difference of positions.", .key = kFactorName}),
     list_key<&Block::fixed_positions, kFixedPositionTable>(
         "fixed_positions", "Fixed positions", "Positions whose trial has certain levels.",
         {.shortest = 1, .longest = 256}),
@@ -228,7 +229,8 @@ constexpr auto kBlockKeys = keys_of(
                       TruthShape{}),
                   [](const ProtocolKey&) { return json(true); }),
     required_key(member_key<&Block::exploration>("exploration", "Exploration",
-                                                 "The name of the exploration.", kNameOrFactor)),
+                                                 "The name of the exploration.",
+                                                 BoundShape{&kExplorationName})),
     custom_key<&store_arrangement>("arrangement", "Arrangement", "",
                                    ObjectShape{&kArrangementTable}),
     member_key<&Block::equal_roughness>("equal_roughness", "Equal roughness", kEqualRoughnessTable),

@@ -14,8 +14,7 @@ using nlohmann::json;
 
 constexpr NumberShape kCount{.minimum = 1.0, .maximum = 10'000.0, .is_whole = true};
 constexpr NumberShape kSeconds{.minimum = 0.0, .maximum = 600.0, .unit = "s"};
-constexpr MapShape kLevels{.entry = &kLevelShape, .meaning = kLevelMeaning};
-constexpr MapShape kSomeLevels{.entry = &kLevelShape, .meaning = kLevelMeaning, .shortest = 1};
+constexpr MapShape kLevels{.entry = &kLevelShape, .meaning = kLevelMeaning, .key = kFactorName};
 
 constexpr auto kOnFailures = words_of<Criterion::OnFailure>(
     {{"continue_flagged", Criterion::OnFailure::continue_flagged, "the session continues, flagged"},
@@ -135,7 +134,8 @@ constexpr auto kArrangementKeys = keys_of(
 
 constexpr auto kAllPairsKeys = keys_of(
     required_key(member_key<&Block::AllPairs::factor>(
-        "factor", "Factor", "The factor whose levels are paired.", NameShape{"factors"})),
+        "factor", "Factor", "The factor whose levels are paired.",
+        NameShape{.registry = kFactorNames, .governs_levels = true})),
     member_key<&Block::AllPairs::in_both_orders>(
         "in_both_orders", "In both orders",
         "true: every pair twice, with either level first; false: every pair once, in the order "
@@ -189,7 +189,7 @@ constexpr auto kPresentedKeys = keys_of(
         "item", "Item",
         "Name of the surface in the responses, if the model (selection) or the texture does not "
         "distinguish the surfaces.",
-        NameShape{}));
+        NameShape{.registry = kItemNames, .is_declared = true}));
 
 }  // namespace
 

@@ -21,14 +21,15 @@ inline constexpr TextShape kDescription{
     .longest = 8000, .is_long = true, .translated = Translated::if_present};
 
 inline constexpr ValueShape kLevelNumber = NumberShape{};
-inline constexpr ValueShape kLevelText = TextShape{.may_be_empty = true};
+inline constexpr ValueShape kLevelText = TextShape{.may_be_empty = true, .name = {kLevelNames}};
 inline constexpr std::array kLevelForms{kLevelNumber, kLevelText};
 inline constexpr FormsShape kLevel{kLevelForms};
 inline constexpr ValueShape kLevelShape = kLevel;
 inline constexpr std::string_view kLevelMeaning = "A level: a number or a name.";
 
-inline constexpr ValueShape kBoundName = NameShape{};
-inline constexpr BoundShape kNameOrFactor{&kBoundName};
+inline constexpr NameShape kFactorName{kFactorNames};
+inline constexpr MapShape kSomeLevels{
+    .entry = &kLevelShape, .meaning = kLevelMeaning, .key = kFactorName, .shortest = 1};
 
 /// The ids of the kinds of experiment (protocols/kinds/experiment_kind.h).
 inline constexpr std::array<KeyWord, 8> kKinds{

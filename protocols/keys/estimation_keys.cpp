@@ -29,7 +29,7 @@ constexpr std::array<KeyWord, 12> kPredictors{
 constexpr ValueShape kValueOfLevel = NumberShape{};
 
 constexpr ValueShape kStandardNumber = NumberShape{};
-constexpr ValueShape kStandardText = TextShape{.longest = 64};
+constexpr ValueShape kStandardText = TextShape{.longest = 64, .name = {kLevelNames}};
 constexpr std::array kStandardForms{kStandardNumber, kStandardText};
 
 void store_standard(const json& value, EstimationModulus& modulus) {
@@ -67,12 +67,12 @@ constexpr auto kEstimationKeys = keys_of(
         "spacing", "Spacings",
         "The factor whose levels are spacings: numbers in metres, or textures with a spacing_m. "
         "Either spacing or factor.",
-        NameShape{"factors"}),
+        NameShape{.registry = kFactorNames, .governs_levels = true, .levels = "textures"}),
     member_key<&Estimation::items>(
         "factor", "Factor",
         "The factor whose levels are the estimated stimuli, whatever they are, or the parameter "
         "that the blocks vary. Each level is an item of the responses.",
-        NameShape{"factors"}),
+        NameShape{.registry = kFactorNames, .governs_levels = true}),
     member_key<&Estimation::predictor>(
         "predictor", "Predictor",
         "With factor: the physical quantity of the power function: the level itself, the values "
@@ -87,6 +87,7 @@ constexpr auto kEstimationKeys = keys_of(
         MapShape{.entry = &kValueOfLevel,
                  .meaning = "The value of a level.",
                  .has_names = false,
+                 .key = {kLevelNames},
                  .shortest = 1,
                  .longest = 256}),
     member_key<&Estimation::predictor_unit>(
@@ -109,7 +110,7 @@ constexpr auto kEstimationKeys = keys_of(
     member_key<&Estimation::condition>(
         "condition", "Condition",
         "The factor that is constant within a block: the probe, the force, the speed.",
-        NameShape{"factors"}));
+        kFactorName));
 
 }  // namespace
 

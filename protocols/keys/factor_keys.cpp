@@ -10,10 +10,15 @@ namespace {
 
 constexpr ValueShape kTags = TextShape{.longest = 2000};
 
+constexpr ValueShape kOwnText =
+    TextShape{.may_be_empty = true, .name = {.registry = kLevelNames, .is_declared = true}};
+constexpr std::array kOwnForms{kLevelNumber, kOwnText};
+constexpr ValueShape kOwnLevel = FormsShape{kOwnForms};
+
 constexpr auto kFactorKeys = keys_of(
     required_key(member_key<&Factor::levels>(
         "levels", "Levels", "The levels: all numbers or all names.",
-        ListShape{.entry = &kLevelShape, .meaning = kLevelMeaning, .shortest = 1, .longest = 256})),
+        ListShape{.entry = &kOwnLevel, .meaning = kLevelMeaning, .shortest = 1, .longest = 256})),
     member_key<&Factor::meaning>("meaning", "Meaning", "Meaning of the factor, for the codebook.",
                                  kDescription),
     member_key<&Factor::unit>("unit", "Unit", "SI unit of numeric levels, such as N or m.",
@@ -21,7 +26,11 @@ constexpr auto kFactorKeys = keys_of(
     member_key<&Factor::hed>(
         "hed", "HED tags",
         "HED tags of levels, by level (hedtags.org), for the sidecars of exports.",
-        MapShape{.entry = &kTags, .has_names = false, .longest_name = 200, .longest = 256}));
+        MapShape{.entry = &kTags,
+                 .has_names = false,
+                 .key = {kLevelNames},
+                 .longest_name = 200,
+                 .longest = 256}));
 
 constexpr NumberShape kContact_s{.above = 0.0, .maximum = 600.0, .unit = "s"};
 constexpr NumberShape kLimit{.minimum = 0.0};
@@ -53,7 +62,10 @@ constexpr double kTurn_rad = 6.283185307179586;
 constexpr auto kExplorationKeys = keys_of(
     member_key<&Exploration::direction_rad>(
         "direction_rad", "Direction", "Direction of the stroke, from +x towards +y.",
-        NumberShape{.minimum = -kTurn_rad, .maximum = kTurn_rad, .unit = "rad"}),
+        NumberShape{.minimum = -kTurn_rad,
+                    .maximum = kTurn_rad,
+                    .unit = "rad",
+                    .display = {.unit = "°", .factor = kTurn_rad / 360.0}}),
     member_key<&Exploration::stroke_length_m>(
         "stroke_length_m", "Length of a stroke", kBandTable,
         "Length of one stroke; the mean length of the strokes on a surface has to be in the band."),

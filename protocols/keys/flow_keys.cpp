@@ -41,7 +41,7 @@ constexpr auto kStepKeys = keys_of(
                        "for_each", "For each level of",
                        "With run: a factor; the block runs once per level, in the "
                        "counterbalanced order.",
-                       NameShape{"factors"}))),
+                       kFactorName))),
     needing("run", alternative_of<Step>(member_key<&Run::break_every_trials>(
                        "break_every_trials", "Trials between breaks",
                        "With run: the number of trials after which there is a break.", kTrials))),

@@ -10,18 +10,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/rounded_text.h"
+
 namespace asperity {
-
-namespace {
-
-constexpr ProtocolKey kBoundFactor{.name = "factor",
-                                   .meaning = kNameMeaning,
-                                   .shape = NameShape{.registry = "factors"},
-                                   .is_required = true};
-
-}  // namespace
-
-constinit const KeyTable kBindingTable{.keys = {&kBoundFactor, 1}};
 
 bool is_name(std::string_view text) {
   if (text.empty() || text.size() > kMaximumNameLength || text[0] < 'a' || text[0] > 'z')
@@ -89,6 +81,70 @@ std::vector<std::string> types_of(const ValueShape& shape) {
     }
   };
   return std::visit(Types{}, shape);
+}
+
+namespace {
+
+constexpr ProtocolKey kFactorOfBinding{.name = "factor",
+                                       .meaning = kNameMeaning,
+                                       .shape = NameShape{kFactorNames},
+                                       .is_required = true};
+constexpr KeyTable kBindingTable{.keys = {&kFactorOfBinding, 1}};
+constexpr ValueShape kBinding = ObjectShape{&kBindingTable};
+
+}  // namespace
+
+const ValueShape* shape_of(const ValueShape& shape, const nlohmann::json& value) {
+  if (const auto* const bound = std::get_if<BoundShape>(&shape)) {
+    return value.is_object() ? &kBinding : shape_of(*bound->value, value);
+  }
+  const auto* const choice = std::get_if<FormsShape>(&shape);
+  if (choice != nullptr) {
+    for (const ValueShape& form : choice->forms) {
+      if (const ValueShape* const found = shape_of(form, value)) return found;
+    }
+    return nullptr;
+  }
+  const std::vector<std::string> types = types_of(shape);
+  const bool has_type = std::any_of(types.begin(), types.end(), [&value](const std::string& type) {
+    return is_of_type(value, type);
+  });
+  return has_type ? &shape : nullptr;
+}
+
+std::optional<ValueShape> shape_at(const KeyTable& table, const nlohmann::json& root,
+                                   const std::string& pointer) {
+  const nlohmann::json::json_pointer path(pointer);
+  if (path.empty()) return ObjectShape{&table};
+  const std::string container = path.parent_pointer().to_string();
+  const std::optional<ValueShape> outer = shape_at(table, root, container);
+  const nlohmann::json& value = root.at(path.parent_pointer());
+  const ValueShape* const shape = outer ? shape_of(*outer, value) : nullptr;
+  if (shape == nullptr) return {};
+  if (const auto* const object = std::get_if<ObjectShape>(shape)) {
+    const ProtocolKey* const key = object->table->find(path.back());
+    return key == nullptr ? std::nullopt : std::optional(key->shape);
+  }
+  if (const auto* const map = std::get_if<MapShape>(shape)) {
+    return is_comment(path.back()) ? std::nullopt : std::optional(*map->entry);
+  }
+  if (const auto* const list = std::get_if<ListShape>(shape)) return *list->entry;
+  return {};
+}
+
+std::optional<std::string> number_in_file(const NumberShape& shape, std::string_view displayed) {
+  if (shape.display.factor == 1.0) return shifted_decimal(displayed, shape.display.power);
+  const std::optional<std::string> number = shifted_decimal(displayed, 0);
+  if (!number) return {};
+  return number_text(nlohmann::json::parse(*number).get<double>() * shape.display.factor);
+}
+
+std::optional<std::string> displayed_number(const NumberShape& shape, std::string_view in_file) {
+  if (shape.display.factor == 1.0) return shifted_decimal(in_file, -shape.display.power);
+  const std::optional<std::string> number = shifted_decimal(in_file, 0);
+  if (!number) return {};
+  const double value = nlohmann::json::parse(*number).get<double>() / shape.display.factor;
+  return number_text(without_rounding_errors(value));
 }
 
 void read_keys(const KeyTable& table, const nlohmann::json& valid, void* owner) {

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,6 +42,10 @@ nlohmann::json default_of(const ProtocolKey& key);
 std::string_view meaning_of(const ValueShape& shape, std::string_view own);
 std::string_view meaning_of(const ProtocolKey& key);
 
+/// The shape that applies to a value: of several forms that of its type; of a value that can be bound that of the
+/// binding, an object, or that of the value. Null if the value has none of their types.
+const ValueShape* shape_of(const ValueShape& shape, const nlohmann::json& value);
+
 /// The keys of an object, in the order in which files and forms have them.
 ///
 /// Every object also permits comments: "$comment" and keys that begin with "x-".
@@ -57,8 +62,11 @@ struct KeyTable {
   const ProtocolKey* find(std::string_view name) const;
 };
 
-/// The keys of {"factor": NAME}.
-extern const KeyTable kBindingTable;
+/// The shape of the value at a JSON pointer in `root`, an object of the table, or of a value that can be inserted there.
+/// nullopt where the table states no shape: for comments, unknown keys, what they contain, and other types than the
+/// permitted ones. Errors: nlohmann::json::out_of_range if the container of the value does not exist.
+std::optional<ValueShape> shape_at(const KeyTable& table, const nlohmann::json& root,
+                                   const std::string& pointer);
 
 /// Stores the value of every key in its member; members without a key keep their value. `valid` is the part of an object
 /// that has the form of the table.

@@ -63,14 +63,14 @@ constexpr auto kDimensionKeys = keys_of(
         TextShape{.longest = 64, .pattern = "^[a-z][A-Za-z0-9_]*$"})),
     member_key<&Dimension::factor>(
         "factor", "Factor", "Name of the factor in the data; the name of the parameter by default.",
-        NameShape{}),
+        NameShape{.registry = kFactorNames, .is_declared = true}),
     required_key(member_key<&Dimension::role>(
-        "of", "Of", "Role of the surface whose parameter is varied.", NameShape{})),
+        "of", "Of", "Role of the surface whose parameter is varied.", NameShape{kRoleNames})),
     member_key<&Dimension::standard_role>(
         "relative_to", "Relative to",
         "Role of the surface to which levels refer; its stimulus states the parameter, unless this "
         "is \"relative_amplitude\".",
-        NameShape{}),
+        NameShape{kRoleNames}),
     custom_key<&store_levels<LevelMeasure::value>>(
         "levels", "Values",
         "Values of the parameter, in its unit: a list, or a grid of equal steps.",

@@ -17,11 +17,12 @@ struct KeyTable;
 
 inline constexpr std::size_t kMaximumNameLength = 64;
 
-/// A unit for display: one `unit` is 10^`power` of the unit in the file. The power is an integer, so that a number is
-/// converted as a decimal: 2.3 mm is 0.0023 m exactly.
+/// A unit for display: one `unit` is `factor` · 10^`power` of the unit in the file. Without a factor a number is converted
+/// as a decimal: 2.3 mm is 0.0023 m exactly.
 struct DisplayUnit {
   std::string_view unit{};
   int power = 0;
+  double factor = 1.0;  ///< of degrees: π / 180
 };
 
 /// A finite number. Limits that are absent do not apply.
@@ -38,6 +39,11 @@ struct NumberShape {
 
 /// Whether the number is within the limits.
 bool lies_within(const NumberShape& shape, double number);
+
+/// The number in the unit of the file, of one in the unit for display, and the reverse, as texts. Where the unit has a
+/// factor, a displayed number has at most 12 digits. nullopt if the text is not a number of JSON.
+std::optional<std::string> number_in_file(const NumberShape& shape, std::string_view displayed);
+std::optional<std::string> displayed_number(const NumberShape& shape, std::string_view in_file);
 
 /// true or false.
 struct TruthShape {};
@@ -59,6 +65,25 @@ enum class Translated {
   always       ///< participants read it
 };
 
+// The registries of names: every map at the top of a protocol, by its key ("factors", "blocks"), and these.
+inline constexpr std::string_view kFactorNames = "factors";
+inline constexpr std::string_view kModelNames = "force models";  ///< of the program
+inline constexpr std::string_view kRoleNames = "roles";          ///< of surfaces: of the program
+inline constexpr std::string_view kAnswerNames = "answers";      ///< the questions of trials
+inline constexpr std::string_view kItemNames = "items";          ///< surfaces in the responses
+/// The levels of a factor: of the one by whose name the value is stored (levels by factor), or else of the one that a key
+/// with `governs_levels` states.
+inline constexpr std::string_view kLevelNames = "levels";
+
+/// A name, and what it refers to. Entries of one registry with the same name are one thing.
+struct NameShape {
+  std::string_view registry{};  ///< empty: nothing refers to the name
+  bool is_declared = false;     ///< what has the name is declared here; otherwise elsewhere
+  /// Of a factor: levels in this object, and those next to it, are its levels.
+  bool governs_levels = false;
+  std::string_view levels{};  ///< of a factor: the registry in which its levels are names
+};
+
 /// A text for people, or in a form that a pattern states.
 struct TextShape {
   bool may_be_empty = false;
@@ -69,11 +94,9 @@ struct TextShape {
   Translated translated = Translated::never;
   /// The text is stored as well: a translation makes it {"value": the text, "text": the translation}.
   bool is_value = false;
-};
-
-/// What a name refers to: an entry of the protocol's object with this key ("factors", "blocks"), or a new name.
-struct NameShape {
-  std::string_view registry{};  ///< empty: the name is declared here
+  /// With a registry: the text is a name that can have any characters.
+  NameShape name{};
+  bool is_formula = false;  ///< it contains such names instead (arithmetic.h)
 };
 
 struct ListShape {
@@ -89,6 +112,7 @@ struct MapShape {
   const ValueShape* entry = nullptr;
   std::string_view meaning{};  ///< of an entry
   bool has_names = true;       ///< its keys are names; otherwise any texts
+  NameShape key{};             ///< what its keys refer to; at the top of a protocol they declare
   std::size_t longest_name = kMaximumNameLength;
   std::size_t shortest = 0;
   std::optional<std::size_t> longest{};

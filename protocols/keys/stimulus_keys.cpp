@@ -9,12 +9,16 @@ namespace asperity {
 namespace {
 
 constexpr ValueShape kParameter = BoundShape{&kLevelShape};
+constexpr ValueShape kModelName = NameShape{kModelNames};
+constexpr ValueShape kTextureName = NameShape{"textures"};
+constexpr ValueShape kBodyName = NameShape{"bodies"};
 
 constexpr auto kEqualForceKeys = keys_of(
     member_key<&EqualForce::rms_N>("rms_N", "RMS", "Target RMS of the texture force.",
                                    NumberShape{.above = 0.0, .maximum = 20.0, .unit = "N"}),
     member_key<&EqualForce::to_model>("to_model", "Model",
-                                      "The model whose texture force is the target.", NameShape{}),
+                                      "The model whose texture force is the target.",
+                                      NameShape{kModelNames}),
     member_key<&EqualForce::band_low_Hz>("band_low_Hz", "From",
                                          "Lower limit of the band in which the RMS is computed.",
                                          NumberShape{.minimum = 0.0, .unit = "Hz"}),
@@ -31,16 +35,19 @@ constexpr auto kStimulusMaterialKeys =
 
 constexpr auto kStimulusKeys = keys_of(
     required_key(member_key<&StimulusTemplate::model>(
-        "model", "Force model", "A force model, or the factor whose level it is.", kNameOrFactor)),
-    member_key<&StimulusTemplate::texture>(
-        "texture", "Texture", "A texture, or the factor whose level it is.", kNameOrFactor),
+        "model", "Force model", "A force model, or the factor whose level it is.",
+        BoundShape{&kModelName})),
+    member_key<&StimulusTemplate::texture>("texture", "Texture",
+                                           "A texture, or the factor whose level it is.",
+                                           BoundShape{&kTextureName}),
     member_key<&StimulusTemplate::surface>(
         "surface", "Surface",
         "The body that is touched: by the tool of a model that requires bodies, or by the point of "
         "any other model, in place of the plane.",
-        kNameOrFactor),
-    member_key<&StimulusTemplate::tool>(
-        "tool", "Tool", "The body in the hand, for a model that requires bodies.", kNameOrFactor),
+        BoundShape{&kBodyName}),
+    member_key<&StimulusTemplate::tool>("tool", "Tool",
+                                        "The body in the hand, for a model that requires bodies.",
+                                        BoundShape{&kBodyName}),
     member_key<&StimulusTemplate::parameters>(
         "parameters", "Parameters",
         "Parameters of the force model by name (see `asperity models`); a missing parameter has "

@@ -49,8 +49,9 @@ void store_line(const json& value, Template& question) {
 }
 
 constexpr auto kListedQuestionKeys = keys_of(
-    required_key(member_key<&Template::name>("name", "Name", "Name of the response in the data.",
-                                             NameShape{})),
+    required_key(
+        member_key<&Template::name>("name", "Name", "Name of the response in the data.",
+                                    NameShape{.registry = kAnswerNames, .is_declared = true})),
     required_key(member_key<&Template::prompt>(
         "prompt", "Question", "The question as the participant reads it.", kShownParagraph)),
     member_key<&Template::pictures>(
@@ -69,7 +70,8 @@ constexpr auto kListedQuestionKeys = keys_of(
         TruthShape{}),
     member_key<&Template::correct_factor>(
         "correct_factor", "Factor of the correct picture",
-        "Recognition: the factor whose level is the correct picture.", NameShape{"factors"}),
+        "Recognition: the factor whose level is the correct picture.",
+        NameShape{.registry = kFactorNames, .levels = "textures"}),
     member_key<&Template::judgement>(
         "judgement", "Judgement",
         "Discrimination: performance: the comparison is the correct response; comparison: no "
@@ -86,7 +88,7 @@ constexpr auto kListedQuestionKeys = keys_of(
         "confidence_of", "Confidence of",
         "Of a scale in a block of a discrimination: the earlier question whose response it rates "
         "the confidence of.",
-        NameShape{}),
+        NameShape{kAnswerNames}),
     with_standard(
         member_key<&Template::rates>("rates", "Rates",
                                      "Similarity: whether the scale increases with the "

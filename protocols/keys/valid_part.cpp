@@ -184,17 +184,14 @@ class Walk final {
   }
 
   std::optional<json> part_of(const BoundShape& shape, const Place& place) {
-    if (!place.value.is_object())
-      return part(place.value, *shape.value, place.meaning, place.pointer);
-    auto bound = part_of(ObjectShape{&kBindingTable}, place);
-    return bound && bound->contains("factor") ? bound : std::nullopt;
+    auto bound = part(place.value, *shape_of(shape, place.value), place.meaning, place.pointer);
+    const bool is_binding = place.value.is_object();
+    return is_binding && bound && !bound->contains("factor") ? std::nullopt : std::move(bound);
   }
 
   std::optional<json> part_of(const FormsShape& shape, const Place& place) {
-    const auto form = std::find_if(
-        shape.forms.begin(), shape.forms.end(),
-        [&place](const ValueShape& one) { return is_of_types(place.value, types_of(one)); });
-    return part(place.value, *form, place.meaning, place.pointer);  // one matches: see `part`
+    // One form has the type: see `part`.
+    return part(place.value, *shape_of(shape, place.value), place.meaning, place.pointer);
   }
 
   bool has_permitted_size(std::size_t shortest, const std::optional<std::size_t>& longest,

@@ -74,6 +74,24 @@ TEST(KeyShapes, OfNumbersHaveLimits) {
   EXPECT_THAT(examined(kOpen, "1").first, ElementsAre(HasSubstr("less than 1")));
 }
 
+TEST(KeyShapes, OfNumbersHaveAUnitForDisplay) {
+  const NumberShape length{.unit = "m", .display = {.unit = "mm", .power = -3}};
+  EXPECT_EQ(number_in_file(length, "2.3"), "0.0023");
+  EXPECT_EQ(number_in_file(length, "5e-05"), "5e-8");
+  EXPECT_EQ(displayed_number(length, "0.0023"), "2.3");
+  EXPECT_EQ(displayed_number(length, "5e-05"), "0.05");
+  EXPECT_EQ(number_in_file(length, "2,3"), std::nullopt);
+  const NumberShape other{};
+  EXPECT_EQ(number_in_file(other, "5e-05"), "5e-05");
+  EXPECT_EQ(displayed_number(other, "1.50"), "1.50");
+  const NumberShape angle{.unit = "rad", .display = {.unit = "°", .factor = 0.017453292519943295}};
+  EXPECT_EQ(number_in_file(angle, "90"), "1.5707963267948966");
+  EXPECT_EQ(displayed_number(angle, "1.5707963267948966"), "90");
+  EXPECT_EQ(displayed_number(angle, "0.7871434926494426"), "45.1");
+  EXPECT_EQ(number_in_file(angle, "45.1"), "0.7871434926494426");
+  EXPECT_EQ(displayed_number(angle, "east"), std::nullopt);
+}
+
 TEST(KeyShapes, OfTextsCountCharacters) {
   constexpr ValueShape kShort = TextShape{.longest = 3};
   EXPECT_THAT(examined(kShort, R"("äöü")").first, IsEmpty());

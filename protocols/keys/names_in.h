@@ -1,0 +1,39 @@
+// Declares the search for all names in a protocol, by its tables.
+
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace asperity {
+
+/// A place that contains a name: the key of the member at `pointer`, or its value.
+struct NameUse {
+  std::string pointer{};
+  bool is_key = false;
+  bool is_in_formula = false;  ///< the value is a formula that contains the name
+  std::string registry{};      ///< as in NameShape; of a level, that of its factor (levels_of)
+  std::string name{};
+  bool is_declared = false;  ///< the thing that has the name is here
+};
+
+/// All names of a protocol that refer to something or that something can refer to.
+struct ProtocolNames {
+  std::vector<NameUse> uses{};  ///< in the order of the walk, which is that of the tables
+  /// Two registries in which a name is the same thing: the levels of a factor are textures where the texture of a stimulus
+  /// is bound to the factor.
+  std::vector<std::pair<std::string, std::string>> links{};
+};
+
+/// The registry of the levels of a factor.
+std::string levels_of(std::string_view factor);
+
+/// The names of a protocol, in one walk over its values. The protocol may be invalid: values without the form of their key
+/// contain no names.
+ProtocolNames names_in(const nlohmann::json& protocol);
+
+}  // namespace asperity
