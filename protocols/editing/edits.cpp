@@ -6,21 +6,18 @@
 #include <optional>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "protocols/design/json_pointer.h"
 #include "protocols/editing/text_entries.h"
 #include "protocols/editing/text_layout.h"
+#include "protocols/keys/tables.h"
 
 namespace asperity {
 
 namespace {
 
 constexpr const char* kNewValue = "the new value";
-
-[[noreturn]] void refuse(const JsonDocument& document, const std::string& pointer,
-                         std::string message) {
-  throw ProtocolError({document.at(pointer, std::move(message))});
-}
 
 /// The key in quotation marks. Errors: ProtocolError for one that a reader refuses.
 std::string quoted_key(std::string_view key) {
@@ -103,6 +100,18 @@ TextChanges insert_member(const JsonDocument& document, const std::string& objec
   return filled(gap, name + gap.colon + laid_out(given, gap, name));
 }
 
+TextChanges insert_member(const JsonDocument& protocol, const std::string& object,
+                          std::string_view key, std::string_view value) {
+  const nlohmann::json& value_of_object = value_at(protocol, object);
+  const std::optional<ValueShape> shape = shape_at(kProtocolTable, protocol.root(), object);
+  const ValueShape* const found = shape ? shape_of(*shape, value_of_object) : nullptr;
+  std::vector<std::string_view> order{};
+  if (const auto* const declared = std::get_if<ObjectShape>(found)) {
+    for (const ProtocolKey& each : declared->table->keys) order.push_back(each.name);
+  }
+  return insert_member(protocol, object, key, value, order);
+}
+
 TextChanges insert_entry(const JsonDocument& document, const std::string& array, std::size_t index,
                          std::string_view value) {
   const TextContainer container = container_at(document, array, false);
@@ -158,40 +167,6 @@ TextChanges duplicate_entry(const JsonDocument& document, const std::string& poi
     entry.replace(0, before.find_last_of('"') + 1, quoted_key(key));
   }
   return filled(gap, entry);
-}
-
-TextChanges replace_name(const JsonDocument& document, const std::vector<NameUse>& uses,
-                         std::string_view before, std::string_view after) {
-  if (before == after) return {};
-  const std::string name = quoted_key(after);
-  TextChanges changes{};
-  for (const NameUse& use : uses) {
-    std::optional<std::string> found{};
-    const nlohmann::json& value = value_at(document, use.pointer);
-    JsonPlace place = document.place_of(use.pointer).value();
-    if (use.is_key) {
-      const auto [container, index] = entry_at(document, use.pointer);
-      if (container.is_object()) found = container.entries()[index].key;
-      require_free(document, container, after);
-      place.value = place.key;
-      place.end = place.key + container.text_before_value(index).find_last_of('"') + 1;
-    } else if (value.is_string()) {
-      found = value.get<std::string>();
-    }
-    if (found != before) {
-      refuse(document, use.pointer,
-             "the name " + json_string(before) + " is not used here; read the text again");
-    }
-    changes.push_back({place.value, place.end - place.value, name});
-  }
-  std::sort(changes.begin(), changes.end(), [](const TextChange& one, const TextChange& other) {
-    return one.offset < other.offset;
-  });
-  const auto repeated = std::unique(
-      changes.begin(), changes.end(),
-      [](const TextChange& one, const TextChange& other) { return one.offset == other.offset; });
-  changes.erase(repeated, changes.end());
-  return changes;
 }
 
 }  // namespace asperity

@@ -59,6 +59,10 @@ struct EntryOfContainer {
 /// Errors: ProtocolError if there is no such value, or if it is the complete document, which has no container.
 EntryOfContainer entry_at(const JsonDocument& document, const std::string& pointer);
 
+/// Throws ProtocolError with the place of the value, or of its nearest ancestor.
+[[noreturn]] void refuse(const JsonDocument& document, const std::string& pointer,
+                         std::string message);
+
 /// The value at `pointer`. Errors: ProtocolError at its nearest ancestor if there is none.
 const nlohmann::json& value_at(const JsonDocument& document, const std::string& pointer);
 

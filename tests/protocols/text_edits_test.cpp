@@ -8,6 +8,7 @@
 
 #include "protocols/editing/edits.h"
 #include "tests/support/refusal.h"
+#include "tests/support/replaced.h"
 
 namespace asperity {
 namespace {
@@ -133,23 +134,29 @@ TEST(TextEdits, ACopyHasTheSameCharacters) {
   EXPECT_EQ(duplicated("[1.0, 2]", "/0"), "[1.0, 1.0, 2]");
 }
 
-TEST(TextEdits, ANameIsReplacedWhereItIsUsedOnly) {
-  const std::string text =
-      R"({"stimuli": {"a": 1, "b": 2}, "use": ["a", "b"], "with": {"a": "a"}, "text": "a"})";
-  const JsonDocument document(text, "a.json");
-  EXPECT_EQ(
-      changed(text, replace_name(document, {{"/use/0"}, {"/stimuli/a", true}, {"/with/a", true}},
-                                 "a", "grating")),
-      R"({"stimuli": {"grating": 1, "b": 2}, "use": ["grating", "b"], )"
-      R"("with": {"grating": "a"}, "text": "a"})");
-  EXPECT_TRUE(replace_name(document, {{"/stimuli/a", true}}, "a", "a").empty());
-  EXPECT_EQ(refusal_of([&] {
-              replace_name(document, {{"/stimuli/a", true}}, "a", "b");
-            }),
-            "a.json:1:22: error: the key \"b\" occurs already in this object; choose another name "
-            "(/stimuli/b)");
-  EXPECT_EQ(refusal_of([&] { replace_name(document, {{"/use/1"}}, "a", "c"); }),
-            "a.json:1:44: error: the name \"a\" is not used here; read the text again (/use/1)");
+TEST(TextEdits, AMemberOfAProtocolIsInsertedInTheOrderOfItsTable) {
+  const std::string text = R"({
+  "device": {"rate_Hz": 1000, "limits": {"x-note": 1, "latency_s": 1}},
+  "textures": {"b": {"picture": "b.png"}},
+  "blocks": {"main": {"vary": {"parameter": "a", "levels": {"lowest": 1, "step": 2}}, "exploration": {}}}
+})";
+  const auto inserted_by_table = [&text](const std::string& object, std::string_view key) {
+    return changed(text, insert_member(JsonDocument(text, "a.json"), object, key, "3"));
+  };
+  EXPECT_EQ(inserted_by_table("", "bodies"),
+            replaced(text, "\n  \"blocks\"", "\n  \"bodies\": 3,\n  \"blocks\""));
+  EXPECT_EQ(inserted_by_table("/device", "force_limit_N"),
+            replaced(text, "1000,", "1000, \"force_limit_N\": 3,"));
+  EXPECT_EQ(inserted_by_table("/device/limits", "friction_N"),
+            replaced(text, "\"latency_s\"", "\"friction_N\": 3, \"latency_s\""));
+  EXPECT_EQ(inserted_by_table("/textures", "a"),
+            replaced(text, "\"b.png\"}", "\"b.png\"}, \"a\": 3"));
+  EXPECT_EQ(inserted_by_table("/textures/b", "code"),
+            replaced(text, "\"picture\"", "\"code\": 3, \"picture\""));
+  EXPECT_EQ(inserted_by_table("/blocks/main/vary/levels", "highest"),
+            replaced(text, "\"lowest\": 1,", "\"lowest\": 1, \"highest\": 3,"));
+  EXPECT_EQ(inserted_by_table("/blocks/main/exploration", "factor"),
+            replaced(text, "\"exploration\": {", "\"exploration\": {\"factor\": 3"));
 }
 
 TEST(TextEdits, AreRefusedWithThePlace) {

@@ -1,0 +1,121 @@
+// Implements renaming by the names that the tables of a protocol find.
+
+#include "protocols/editing/renaming.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "protocols/editing/edits.h"
+#include "protocols/editing/text_entries.h"
+#include "protocols/keys/names_in.h"
+#include "protocols/keys/shape.h"
+
+namespace asperity {
+
+namespace {
+
+bool is_of_levels(const std::string& registry) { return registry.starts_with(levels_of("")); }
+
+bool has_name(const ProtocolNames& names, const std::string& registry, std::string_view name) {
+  return std::any_of(names.uses.begin(), names.uses.end(), [&](const NameUse& use) {
+    return use.registry == registry && use.name == name;
+  });
+}
+
+/// The registries in which the name is the same thing.
+std::set<std::string> registries_of(const ProtocolNames& names, const std::string& registry,
+                                    std::string_view name) {
+  std::set<std::string> found{registry};
+  for (std::size_t before = 0; before != found.size();) {
+    before = found.size();
+    for (const auto& [levels, other] : names.links) {
+      // A level is a name of the other registry; the reverse only if the factor has this level.
+      if (found.contains(levels)) found.insert(other);
+      if (found.contains(other) && has_name(names, levels, name)) found.insert(levels);
+    }
+  }
+  return found;
+}
+
+bool is_part_of_name(char c) { return is_name(std::string{'a', c}); }
+
+/// A formula with `after` in place of the name.
+std::string renamed_formula(std::string_view formula, std::string_view name,
+                            std::string_view after) {
+  std::string made{};
+  std::size_t copied = 0;
+  for (std::size_t at = 0; (at = formula.find(name, at)) != std::string_view::npos;) {
+    const std::size_t end = at + name.size();
+    const bool begins = at == 0 || !is_part_of_name(formula[at - 1]);
+    const bool ends = end == formula.size() || !is_part_of_name(formula[end]);
+    if (begins && ends) {
+      made.append(formula.substr(copied, at - copied)).append(after);
+      copied = end;
+    }
+    at = end;
+  }
+  return made.append(formula.substr(copied));
+}
+
+TextChange renamed_use(const JsonDocument& protocol, const NameUse& use, std::string_view after) {
+  const JsonPlace place = protocol.place_of(use.pointer).value();
+  if (use.is_key) {
+    const auto [container, index] = entry_at(protocol, use.pointer);
+    const std::string_view key = container.text_before_value(index);
+    return {place.key, key.find_last_of('"') + 1, json_string(after)};
+  }
+  const auto text = value_at(protocol, use.pointer).get<std::string>();
+  return {
+      place.value, place.end - place.value,
+      json_string(use.is_in_formula ? renamed_formula(text, use.name, after) : std::string(after))};
+}
+
+}  // namespace
+
+TextChanges rename(const JsonDocument& protocol, const std::string& registry, std::string_view name,
+                   std::string_view after) {
+  if (name == after) return {};
+  ProtocolNames names = names_in(protocol.root());
+  // An error is reported at a declaration if there is one.
+  std::stable_partition(names.uses.begin(), names.uses.end(),
+                        [](const NameUse& use) { return use.is_declared; });
+  const std::set<std::string> registries = registries_of(names, registry, name);
+  std::set<std::string> undeclared = registries;
+  std::optional<std::string> declaration{};  // the place of the first one
+  std::optional<std::string> taken{};        // the first place with the new name
+  TextChanges changes{};
+  for (const NameUse& use : names.uses) {
+    if (!registries.contains(use.registry)) continue;
+    if (use.name == after && !taken) taken = use.pointer;
+    if (use.name != name) continue;
+    if (use.is_declared) undeclared.erase(use.registry);
+    if (use.is_declared && !declaration) declaration = use.pointer;
+    changes.push_back(renamed_use(protocol, use, after));
+  }
+  const std::string place = declaration.value_or("");
+  if (!undeclared.empty()) {
+    refuse(protocol, place,
+           "the protocol does not declare " + json_string(name) + " in " + *undeclared.begin() +
+               ", so that it cannot be renamed");
+  }
+  if (taken) {
+    refuse(protocol, *taken,
+           "the name " + json_string(after) + " is used here; choose another name");
+  }
+  if (!is_name(after) && !std::all_of(registries.begin(), registries.end(), is_of_levels)) {
+    refuse(protocol, place,
+           json_string(after) +
+               " is not a name: use lower-case letters, digits and underscores, starting with a "
+               "letter");
+  }
+  std::sort(changes.begin(), changes.end(), [](const TextChange& one, const TextChange& other) {
+    return one.offset < other.offset;
+  });
+  return changes;
+}
+
+}  // namespace asperity
