@@ -81,13 +81,7 @@ class Walk {
   }
 
   void texts_of(const FormsShape& shape, const Place& place) {
-    for (const ValueShape& form : shape.forms) {
-      const std::vector<std::string> types = types_of(form);
-      const bool is_of_form =
-          std::any_of(types.begin(), types.end(),
-                      [&place](const std::string& type) { return is_of_type(place.value, type); });
-      if (is_of_form) return visit(form, place);
-    }
+    if (const ValueShape* const form = shape_of(shape, place.value)) visit(*form, place);
   }
 
   // These have no texts for people.
