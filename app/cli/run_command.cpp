@@ -161,10 +161,11 @@ void add_run(CLI::App& program, Job& job) {
           [&requests] { requests.emergency_stop(); });
       // Before the protocol's files are missed in what is no study. Closed before the session: SQLite refuses to write while
       // the process has the database open for reading only.
-      inputs.protocol = protocol_for_participant(
-          Study::open(inputs.study, Access::read_only),
-          found_protocol(inputs.protocol, inputs.study), inputs.participant,
-          inputs.is_virtual ? SessionMode::simulate : inputs.mode, options->language);
+      std::optional<SessionMode> mode = inputs.is_virtual ? SessionMode::simulate : inputs.mode;
+      if (inputs.resume) mode.reset();  // that of the session
+      inputs.protocol = protocol_for_participant(Study::open(inputs.study, Access::read_only),
+                                                 found_protocol(inputs.protocol, inputs.study),
+                                                 inputs.participant, mode, options->language);
       const ModelRegistry models = models_with(options->plugins);
       if (!options->plugins.empty()) {
         warn_of_other_builds(inputs, Study::open(inputs.study, Access::read_only), models);

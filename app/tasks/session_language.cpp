@@ -10,14 +10,16 @@
 namespace asperity {
 
 std::optional<std::string> language_before(const Study& study, const std::string& protocol,
-                                           const std::string& participant, SessionMode mode) {
+                                           const std::string& participant,
+                                           std::optional<SessionMode> mode) {
   std::map<std::int64_t, std::string> languages{};
   for (const ProtocolRow& row : study.protocols()) {
     if (row.name == protocol) languages[row.id] = language_of(row.source);
   }
   std::optional<std::string> latest{};
   for (const SessionRow& row : study.sessions()) {
-    if (row.participant != participant || row.mode != mode) continue;
+    if (row.participant != participant) continue;
+    if (mode ? row.mode != *mode : row.state == SessionState::completed) continue;
     if (const auto found = languages.find(row.protocol_id); found != languages.end()) {
       latest = found->second;
     }
@@ -27,7 +29,8 @@ std::optional<std::string> language_before(const Study& study, const std::string
 
 std::filesystem::path protocol_for_participant(const Study& study,
                                                const std::filesystem::path& file,
-                                               const std::string& participant, SessionMode mode,
+                                               const std::string& participant,
+                                               std::optional<SessionMode> mode,
                                                const std::optional<std::string>& stated) {
   if (stated) return protocol_in_language(file, *stated);
   const std::filesystem::path own = protocol_of(file);

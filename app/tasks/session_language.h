@@ -12,17 +12,20 @@
 
 namespace asperity {
 
-/// Of the participant's latest session of a protocol with this name, in this mode; nothing without one.
+/// Of the participant's latest session of a protocol with this name, in this mode; without a mode, of the latest one that
+/// is not completed, which can be resumed. Nothing without such a session.
 std::optional<std::string> language_before(const Study& study, const std::string& protocol,
-                                           const std::string& participant, SessionMode mode);
+                                           const std::string& participant,
+                                           std::optional<SessionMode> mode);
 
 /// The file of the protocol in the language of the participant's next session: `stated`; otherwise that of the earlier
-/// sessions; otherwise `file` itself, which may be a translation.
+/// sessions (`mode` as in `language_before`); otherwise `file` itself, which may be a translation.
 ///
 /// Errors: std::invalid_argument for a language that the protocol does not have; ResultsError as for Study.
 std::filesystem::path protocol_for_participant(const Study& study,
                                                const std::filesystem::path& file,
-                                               const std::string& participant, SessionMode mode,
+                                               const std::string& participant,
+                                               std::optional<SessionMode> mode,
                                                const std::optional<std::string>& stated);
 
 /// Why the participant cannot begin a session in the protocol's language; nothing if it is that of the earlier ones.

@@ -44,7 +44,7 @@ class SessionLanguage : public testing::Test {
   Study study() const { return Study::open(study_folder_, Access::read_only); }
   std::filesystem::path file_for(const std::string& participant,
                                  const std::optional<std::string>& stated = {},
-                                 SessionMode mode = SessionMode::pilot) const {
+                                 std::optional<SessionMode> mode = SessionMode::pilot) const {
     return protocol_for_participant(study(), file_, participant, mode, stated);
   }
   SessionEnd run(const std::string& participant, const std::filesystem::path& file) {
@@ -85,6 +85,26 @@ TEST_F(SessionLanguage, IsStatedOrThatOfTheEarlierSessionsOrOfTheProtocol) {
   EXPECT_EQ(run("p2", file_).state, SessionState::completed);
   EXPECT_THAT(refusal_of<std::invalid_argument>([this] { file_for("p1", "fr"); }),
               HasSubstr("is not available in the language \"fr\"; choose \"en\" or \"de\""));
+}
+
+TEST_F(SessionLanguage, OfAResumedSessionIsThatOfTheUnfinishedOne) {
+  ASSERT_EQ(run("p1", file_).state, SessionState::completed);
+  EXPECT_EQ(file_for("p1", {}, std::nullopt), file_);
+  {
+    Study opened = Study::open(study_folder_, Access::read_write);
+    const Protocol german = load_protocol(german_, models_, study_folder_);
+    const OpenSession session = begin_session(opened, german, "p1",
+                                              {.mode = SessionMode::run,
+                                               .seed = 5,
+                                               .pacing = "real_time",
+                                               .scheduling = "none",
+                                               .started_utc = "2026-01-01T00:00:00.000Z",
+                                               .clock_zero_ns = 1},
+                                              this_program());
+    opened.end_session(session.row.id, SessionState::stopped, "2026-01-01T00:10:00.000Z");
+  }
+  EXPECT_EQ(file_for("p1", {}, std::nullopt), german_) << "in any mode";
+  EXPECT_EQ(file_for("p1"), file_) << "in its own mode";
 }
 
 TEST_F(SessionLanguage, IsStoredWithTheTextsThatTheParticipantRead) {
