@@ -34,6 +34,7 @@ constexpr int kFormWidth = 960;       // longer lines are hard to follow
 constexpr int kCheckListWidth = 328;  // at least
 constexpr int kChoiceWidth = 320;
 constexpr int kModeWidth = 160;
+constexpr int kLanguageWidth = 240;
 constexpr const char* kTall = "min-height: 46px;";
 constexpr int kFooterHeight = 80;  // whatever the reason says
 
@@ -144,6 +145,7 @@ void StartPage::make_protocol_card(QVBoxLayout& column) {
   languages->setSpacing(kMargin);
   languages_ = new ChoiceBox(this);
   languages_->setObjectName("languages");
+  languages_->setMinimumWidth(kLanguageWidth);
   ignore_wheel(*languages_);
   QLabel* language_label = make_text(tr("Language of the participant"), languages_row_);
   language_label->setBuddy(languages_);
