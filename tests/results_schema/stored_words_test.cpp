@@ -3,8 +3,10 @@
 #include "results_schema/stored_words.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/results_schema/rows_for_tests.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {
@@ -27,6 +29,15 @@ struct OneSession {
 TEST(StoredWords, ThatWereTypedAreAString) {
   EXPECT_EQ(StoredWords("a \"cough\"").json, R"("a \"cough\"")");
   EXPECT_NO_THROW(StoredWords("\xff"));
+}
+
+/// As events without codes have them.
+TEST(StoredWords, WithoutACodeAreTheirText) {
+  const StoredWords plain{"iti", ""};
+  EXPECT_EQ(plain.item(), nlohmann::ordered_json("iti"));
+  EXPECT_EQ(joined(joined(plain, "a cough"), kLimited).json,
+            R"({"code":"list","arguments":["iti","a cough",)" + kLimited.json + "]}");
+  EXPECT_EQ(joined(std::nullopt, plain), plain);
 }
 
 TEST(StoredWords, AreReadAsTheyWereStored) {

@@ -1,10 +1,12 @@
 // Who may open what: reading writes nothing, writing needs a study of ours, on a disk of ours.
 
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <map>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,6 +17,7 @@
 
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/files/file_system.h"
+#include "results_schema/migrations.h"
 #include "results_schema/study.h"
 #include "tests/results_schema/rows_for_tests.h"
 #include "tests/support/refusal.h"
@@ -229,6 +232,25 @@ TEST(StudyOnReadOnlyDisk, IsReadAndNotWritten) {
     }
     make_writable(folder / "s");
   }
+}
+
+// An older study lies on such a medium more often than any other.
+TEST(StudyOnReadOnlyDisk, IsReadWhereItsSchemaIsOlder) {
+  const std::array<Migration, 2> versions{
+      Migration{.version = 101, .sql = migrations().back().sql},
+      Migration{.version = 102, .sql = "UPDATE study SET name = name || ' in room 7'"}};
+  const std::span<const Migration> newer(versions);
+  const TemporaryFolder folder;
+  Study::create(folder / "s", "some study", newer.first(1));
+  make_read_only(folder / "s");
+  {
+    const AsSomebodyElse somebody_else;
+    EXPECT_EQ(Study::open(folder / "s", Access::read_only, newer).name(), "some study in room 7");
+    EXPECT_THAT(
+        refusal_of<ResultsError>([&] { Study::open(folder / "s", Access::read_write, newer); }),
+        HasSubstr("is read-only here"));
+  }
+  make_writable(folder / "s");
 }
 
 TEST(StudyWriting, IsPossibleWhereFolderAndStoreCanBeWritten) {
