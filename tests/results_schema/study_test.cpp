@@ -394,6 +394,8 @@ TEST(Study, OrdersAttemptsByTrialAndAttemptNotByTheirWriting) {
     order.push_back(std::to_string(row.trial) + "." + std::to_string(row.attempt));
     EXPECT_EQ(row.responses.size(), 2U);
     EXPECT_EQ(row.responses[0].time_ns, row.offset_ns);  // hung on the right one
+    const bool is_aborted = row.trial == 1 && row.attempt == 1;
+    EXPECT_EQ(row.outcome, is_aborted ? AttemptOutcome::aborted : AttemptOutcome::answered);
   }
   EXPECT_THAT(order, ElementsAre("1.1", "1.2", "2.1", "3.1"));
 }
