@@ -2,14 +2,23 @@
 
 #include "protocols/file/form_check.h"
 
-#include <algorithm>
-#include <utility>
-
+#include "protocols/file/protocol_problems.h"
 #include "protocols/keys/form_sentences.h"
 #include "protocols/keys/tables.h"
 #include "protocols/keys/valid_part.h"
 
 namespace asperity {
+
+std::vector<Diagnostic> check_form(const JsonDocument& document, const KeyTable& table) {
+  std::vector<Diagnostic> found{};
+  const ValueShape shape = ObjectShape{&table};
+  for (FormProblem& problem : valid_part(document.root(), shape, "", "").problems) {
+    found.push_back(problem.is_at_key ? document.at_key(problem.pointer, problem.message)
+                                      : document.at(problem.pointer, problem.message));
+  }
+  sort_by_line(found);
+  return found;
+}
 
 std::vector<Diagnostic> check_form(const JsonDocument& document) {
   if (!document.root().is_object()) {
@@ -18,15 +27,7 @@ std::vector<Diagnostic> check_form(const JsonDocument& document) {
                                 "{…} that begins with \"format\": "
                                 "\"asperity.protocol/1\"")};
   }
-  std::vector<Diagnostic> found{};
-  for (FormProblem& problem : valid_part(document.root(), kProtocolTable, "").problems) {
-    found.push_back(problem.is_at_key ? document.at_key(problem.pointer, problem.message)
-                                      : document.at(problem.pointer, problem.message));
-  }
-  std::stable_sort(found.begin(), found.end(), [](const Diagnostic& a, const Diagnostic& b) {
-    return std::pair(a.line, a.column) < std::pair(b.line, b.column);
-  });
-  return found;
+  return check_form(document, kProtocolTable);
 }
 
 bool has_form_of_protocol(const nlohmann::json& root) {

@@ -8,8 +8,12 @@
 
 #include "protocols/file/diagnostic.h"
 #include "protocols/file/json_document.h"
+#include "protocols/keys/key.h"
 
 namespace asperity {
+
+/// All locations at which the document does not have the form of the table, in the order of the text.
+std::vector<Diagnostic> check_form(const JsonDocument& document, const KeyTable& table);
 
 /// All locations at which the document does not have the form that the tables of keys declare, in the order of the text.
 std::vector<Diagnostic> check_form(const JsonDocument& document);

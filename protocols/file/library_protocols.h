@@ -25,7 +25,7 @@ struct LibraryProtocol {
 /// All library protocols by name.
 std::span<const LibraryProtocol> library_protocols() noexcept;
 
-/// The schema of protocols (JSON Schema, draft-07), for the reader and for editors: that of the tables of keys
+/// The schema of protocols (JSON Schema, draft-07), for editors and validators: that of the tables of keys
 /// (protocols/keys/tables.h).
 const nlohmann::json& protocol_schema();
 

@@ -13,6 +13,7 @@
 
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"
+#include "protocols/file/form_check.h"
 #include "protocols/file/json_document.h"
 #include "protocols/file/protocol_problems.h"
 #include "protocols/file/translatable_texts.h"
@@ -203,17 +204,6 @@ class Translator final {
   std::vector<Replacement> replacements_{};
 };
 
-std::vector<Diagnostic> problems_of_form(const JsonDocument& translation) {
-  std::vector<Diagnostic> found{};
-  const ValueShape shape = ObjectShape{&kTranslationTable};
-  for (FormProblem& problem : valid_part(translation.root(), shape, "", "").problems) {
-    found.push_back(problem.is_at_key ? translation.at_key(problem.pointer, problem.message)
-                                      : translation.at(problem.pointer, problem.message));
-  }
-  sort_by_line(found);
-  return found;
-}
-
 }  // namespace
 
 bool is_translation(std::string_view text) {
@@ -229,7 +219,7 @@ TranslatedProtocol translated(std::string_view protocol, const std::string& file
   const JsonDocument source(protocol, file);
   try {
     const JsonDocument overlay(translation.text, translation.name);
-    std::vector<Diagnostic> problems = problems_of_form(overlay);
+    std::vector<Diagnostic> problems = check_form(overlay, kTranslationTable);
     if (!problems.empty()) return {.text = std::string(protocol), .problems = std::move(problems)};
     Translator translator(source, overlay);
     translator.translate_all();
