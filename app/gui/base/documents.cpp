@@ -1,3 +1,5 @@
+// Renders the Markdown files of the program in a QTextBrowser, whose headings are made into anchors of links.
+
 #include "app/gui/base/documents.h"
 
 #include <QtCore/QCoreApplication>

@@ -1,3 +1,5 @@
+// Loads the plug-ins into the registry of built-in force models, and collects the message of each that fails.
+
 #include "app/gui/base/loaded_models.h"
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Opens the study for reading, and notes whether it can also be written.
+
 #include "app/gui/base/open_study.h"
 
 #include <utility>

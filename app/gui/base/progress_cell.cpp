@@ -1,3 +1,5 @@
+// Stores the fraction in an item role, from which a delegate paints the bar next to the words.
+
 #include "app/gui/base/progress_cell.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Builds a row with a suitable field for each question; the mouse wheel scrolls the page, not a field.
+
 #include "app/gui/base/question_form.h"
 
 #include <algorithm>

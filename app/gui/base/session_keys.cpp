@@ -1,3 +1,5 @@
+// Implements an event filter of the application that maps key presses of both windows to session verbs.
+
 #include "app/gui/base/session_keys.h"
 
 #include <optional>

@@ -1,3 +1,5 @@
+// Reads and writes QSettings: recent studies, theme, language, phrases, plug-ins, devices and geometry.
+
 #include "app/gui/base/settings.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Formats paths, times, levels, durations, kinds, vision and noise for the pages of a study.
+
 #include "app/gui/base/shown_text.h"
 
 #include <algorithm>

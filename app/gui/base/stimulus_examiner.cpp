@@ -1,3 +1,5 @@
+// Keeps a queue of requests by page; a background task examines one protocol at a time.
+
 #include "app/gui/base/stimulus_examiner.h"
 
 #include <algorithm>

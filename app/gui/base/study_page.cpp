@@ -1,3 +1,5 @@
+// Repeats its reads when the study changes, those for the visible page only while it is shown.
+
 #include "app/gui/base/study_page.h"
 
 #include <utility>

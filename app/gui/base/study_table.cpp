@@ -1,3 +1,5 @@
+// Builds the table on a sorting and filtering proxy model; a row shown contains every typed word.
+
 #include "app/gui/base/study_table.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Computes the outcomes in the background, shows the chosen one, and exports the tables and figures.
+
 #include "app/gui/data/analysis_page.h"
 
 #include <algorithm>

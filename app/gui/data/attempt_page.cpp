@@ -1,3 +1,5 @@
+// Reads the recording in the background, and writes flags and exclusions of the attempt through a form.
+
 #include "app/gui/data/attempt_page.h"
 
 #include <memory>

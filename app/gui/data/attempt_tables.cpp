@@ -1,3 +1,5 @@
+// Fills the tables of measures and of history from the stored rows, with quantities in the units of windows.
+
 #include "app/gui/data/attempt_tables.h"
 
 #include <QtWidgets/QHeaderView>

@@ -1,3 +1,5 @@
+// Composes title, summary and validity of an attempt from its rows, in the words of the windows.
+
 #include "app/gui/data/attempt_words.h"
 
 #include "analysis/numbers/number_text.h"

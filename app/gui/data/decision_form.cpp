@@ -1,3 +1,5 @@
+// Enables the button only with a reason, and adds the decision to the study in a background task.
+
 #include "app/gui/data/decision_form.h"
 
 #include <QtGui/QKeyEvent>

@@ -1,3 +1,5 @@
+// Asks for a file, writes the figure as SVG, PDF or PNG by its ending, and copies figures.
+
 #include "app/gui/data/figure_saver.h"
 
 #include <QtCore/QMimeData>

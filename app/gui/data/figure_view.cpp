@@ -1,3 +1,5 @@
+// Draws a figure on a canvas in the colours of the theme.
+
 #include "app/gui/data/figure_view.h"
 
 #include <cmath>

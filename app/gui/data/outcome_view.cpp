@@ -1,3 +1,5 @@
+// Builds a column of widgets from an outcome, with long texts no wider than is legible and details folded.
+
 #include "app/gui/data/outcome_view.h"
 
 #include <algorithm>

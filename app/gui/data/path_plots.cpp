@@ -1,3 +1,5 @@
+// Plots the path of each surface with equal scales along x and y, and the spectrum of its force in decades.
+
 #include "app/gui/data/path_plots.h"
 
 #include <algorithm>

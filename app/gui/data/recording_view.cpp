@@ -1,3 +1,5 @@
+// Connects the choice of a surface, the zoom and the plots, or shows the reason why there is no recording.
+
 #include "app/gui/data/recording_view.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Writes the report in a background task, with a banner for its result.
+
 #include "app/gui/data/report_saving.h"
 
 #include <filesystem>

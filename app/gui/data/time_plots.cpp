@@ -1,3 +1,5 @@
+// Draws strips on one time axis with bands, contacts and marks; zooming changes the stretch of all strips.
+
 #include "app/gui/data/time_plots.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Shows the overview before and after a test and the course during it, which runs on another thread.
+
 #include "app/gui/devices/device_test_page.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Runs the measurement in a background task; question, answer and motion are exchanged under a mutex.
+
 #include "app/gui/devices/device_test_run.h"
 
 #include <condition_variable>

@@ -1,3 +1,5 @@
+// Makes a line for each part of the test and axis, with a mark for done, current or pending.
+
 #include "app/gui/devices/device_test_steps.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Plots position and force over time, and the path of the handle from above and from the front.
+
 #include "app/gui/devices/motion_picture.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Builds rows of title, number, limit and result in groups, followed by the plot of the response.
+
 #include "app/gui/devices/profile_view.h"
 
 #include <QtWidgets/QBoxLayout>

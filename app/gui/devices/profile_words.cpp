@@ -1,3 +1,5 @@
+// Holds a table of titles and units by the name of the item, and groups items by subject.
+
 #include "app/gui/devices/profile_words.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Plots the response of each axis on logarithmic axes, with lines of different widths so that none is hidden.
+
 #include "app/gui/devices/response_plot.h"
 
 #include <algorithm>

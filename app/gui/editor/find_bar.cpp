@@ -1,3 +1,5 @@
+// Searches forwards and backwards from the cursor, and states the number of matches.
+
 #include "app/gui/editor/find_bar.h"
 
 #include <QtGui/QKeyEvent>

@@ -1,3 +1,5 @@
+// Highlights each line by its JSON tokens, in the colours of the theme.
+
 #include "app/gui/editor/json_colors.h"
 
 namespace asperity {

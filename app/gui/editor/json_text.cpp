@@ -1,3 +1,5 @@
+// Scans the text for tokens without a parser, so that incomplete JSON has places and brackets too.
+
 #include "app/gui/editor/json_text.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Starts a check after a pause in typing, and discards the result of an older text.
+
 #include "app/gui/editor/live_check.h"
 
 #include <utility>

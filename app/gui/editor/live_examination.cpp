@@ -1,3 +1,5 @@
+// Requests an examination from the shared examiner after a pause, and withdraws an outdated request.
+
 #include "app/gui/editor/live_examination.h"
 
 #include <utility>

@@ -1,3 +1,5 @@
+// Joins text field, live check and plan preview, and saves the text after a comparison with the file on disk.
+
 #include "app/gui/editor/protocol_editor_page.h"
 
 #include <utility>

@@ -1,3 +1,5 @@
+// Paints line numbers and problems in a margin, underlines problems, and indents JSON while it is typed.
+
 #include "app/gui/editor/protocol_text_edit.h"
 
 #include <algorithm>

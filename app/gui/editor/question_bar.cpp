@@ -1,3 +1,5 @@
+// Makes a button for each answer when a question is asked, and hides the bar after one is pressed.
+
 #include "app/gui/editor/question_bar.h"
 
 #include "app/gui/look/controls.h"

@@ -1,3 +1,5 @@
+// Follows the place of a key through the references of the JSON schema, and composes type, range and default.
+
 #include "app/gui/editor/schema_help.h"
 
 #include <algorithm>

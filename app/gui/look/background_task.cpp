@@ -1,3 +1,5 @@
+// Runs the work on a thread with a stop token, and delivers progress and result to the GUI thread.
+
 #include "app/gui/look/background_task.h"
 
 #include <exception>

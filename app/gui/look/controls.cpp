@@ -1,3 +1,5 @@
+// Makes labels, buttons, cards, state labels and banners with the sizes and colours of the theme.
+
 #include "app/gui/look/controls.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Replaces a typed point by the decimal point of the locale before Qt validates and converts the text.
+
 #include "app/gui/look/decimal_field.h"
 
 #include <QtCore/QLocale>

@@ -1,3 +1,5 @@
+// Runs one work at a time on a thread, and delivers its result only if no newer one has been requested.
+
 #include "app/gui/look/newest_work.h"
 
 #include <exception>

@@ -1,3 +1,5 @@
+// Translates outcomes, reasons, faults and events by their phrases, and shortens long responses.
+
 #include "app/gui/look/outcome_words.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Derives tickers of QCustomPlot that write a minus sign, and limits ticks to the room of their labels.
+
 #include "app/gui/look/plot_ticks.h"
 
 #include <algorithm>

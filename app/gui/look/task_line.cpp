@@ -1,3 +1,5 @@
+// Appears only if the task lasts for a moment, and shows its progress as a bar with a button to cancel.
+
 #include "app/gui/look/task_line.h"
 
 #include <QtWidgets/QBoxLayout>

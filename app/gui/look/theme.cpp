@@ -1,3 +1,5 @@
+// Holds the light and the dark theme, and composes palette and style sheet of the application from one.
+
 #include "app/gui/look/theme.h"
 
 #include <array>

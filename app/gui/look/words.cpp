@@ -1,3 +1,5 @@
+// Looks phrases up in the translations of Qt, with the decimal point of the locale.
+
 #include "app/gui/look/words.h"
 
 #include <algorithm>

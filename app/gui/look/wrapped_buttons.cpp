@@ -1,3 +1,5 @@
+// Places buttons row by row; the height follows from the width by the same computation.
+
 #include "app/gui/look/wrapped_buttons.h"
 
 #include <utility>

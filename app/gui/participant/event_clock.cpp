@@ -1,3 +1,5 @@
+// Relates the stamps of events to the steady clock by the smallest difference of the last minutes.
+
 #include "app/gui/participant/event_clock.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Draws bars with bands and ticks and the moving target, from the hand's measures that the monitor publishes.
+
 #include "app/gui/participant/live_guide.h"
 
 #include <algorithm>

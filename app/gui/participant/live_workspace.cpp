@@ -1,3 +1,5 @@
+// Reads the monitor by a timer, and loads the bodies of a surface in the background when it changes.
+
 #include "app/gui/participant/live_workspace.h"
 
 #include <stop_token>

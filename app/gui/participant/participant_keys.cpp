@@ -1,3 +1,5 @@
+// Recognises digits by scan codes, and asks the page of the scene for the action of any other key.
+
 #include "app/gui/participant/participant_keys.h"
 
 #include <QtGui/QKeyEvent>

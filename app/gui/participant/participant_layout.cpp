@@ -1,3 +1,5 @@
+// Lays the page of a scene out again until the number of its screen pages no longer changes.
+
 #include "app/gui/participant/participant_layout.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Draws the items of a layout in their order, and the letter of an option that is being dragged.
+
 #include "app/gui/participant/participant_painter.h"
 
 #include <QtGui/QPainter>

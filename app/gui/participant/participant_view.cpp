@@ -1,3 +1,5 @@
+// Lays the current scene out, draws it, and converts keys, clicks and drags to inputs with their time.
+
 #include "app/gui/participant/participant_view.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Covers the chosen screen, or stands next to the session window where there is only one.
+
 #include "app/gui/participant/participant_window.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Decodes and scales the requested squares in a background task, and keeps a limited number of sizes.
+
 #include "app/gui/participant/picture_shelf.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Lays out the questions of each trial, and collects the names of their pictures by size in pixels.
+
 #include "app/gui/participant/plan_pictures.h"
 
 #include <algorithm>

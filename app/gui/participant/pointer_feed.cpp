@@ -1,3 +1,5 @@
+// Filters mouse and pen events of the view, and converts positions to metres on the surface that is shown.
+
 #include "app/gui/participant/pointer_feed.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Filters the key events of the application, and greys the experimenter's fields during a response.
+
 #include "app/gui/participant/response_keys.h"
 
 #include <QtGui/QInputMethodEvent>

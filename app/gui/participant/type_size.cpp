@@ -1,3 +1,5 @@
+// Computes the size from the physical measures of a screen where these are plausible.
+
 #include "app/gui/participant/type_size.h"
 
 #include <algorithm>

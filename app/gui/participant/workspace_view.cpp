@@ -1,3 +1,5 @@
+// Paints the tool at the probe, with its shadow, over the picture of the object.
+
 #include "app/gui/participant/workspace_view.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Makes the plan for the chosen seed, row and group, and lists its steps and its cost.
+
 #include "app/gui/plan/plan_preview.h"
 
 #include <algorithm>

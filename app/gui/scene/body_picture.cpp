@@ -1,3 +1,5 @@
+// Rasterises the triangles of a mesh, with normals from its displacements and weights in perspective.
+
 #include "app/gui/scene/body_picture.h"
 
 #include <algorithm>

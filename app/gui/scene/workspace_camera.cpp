@@ -1,3 +1,5 @@
+// Implements a perspective projection whose measures are multiples of the patch, and its inverse.
+
 #include "app/gui/scene/workspace_camera.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Shades each pixel of the slab by the slope of its relief, with dithering and soft shadows.
+
 #include "app/gui/scene/workspace_picture.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Writes the last response in large letters and up to four earlier ones in a muted line.
+
 #include "app/gui/session/answers_panel.h"
 
 #include <QtCore/QStringList>

@@ -1,3 +1,5 @@
+// Counts the reasons for flagged and invalid attempts, and offers the next actions as buttons.
+
 #include "app/gui/session/end_summary.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Places text and button next to or below each other, as the width allows.
+
 #include "app/gui/session/fault_panel.h"
 
 #include <QtCore/QEvent>

@@ -1,3 +1,5 @@
+// Composes device, rate, lateness, losses and masking noise into one line with a state.
+
 #include "app/gui/session/health_line.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Appends the bins of the monitor to curves, and redraws a plot as a whole only if an axis changes.
+
 #include "app/gui/session/live_plots.h"
 
 #include <algorithm>

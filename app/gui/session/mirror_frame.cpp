@@ -1,3 +1,5 @@
+// Puts the mirror into a layout under its heading.
+
 #include "app/gui/session/mirror_frame.h"
 
 #include <QtWidgets/QBoxLayout>

@@ -1,3 +1,5 @@
+// Emits the typed or chosen note, and offers as many phrases as there is room for.
+
 #include "app/gui/session/notes_panel.h"
 
 #include <algorithm>

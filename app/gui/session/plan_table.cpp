@@ -1,3 +1,5 @@
+// Implements a table model of headings and trials, with codes for a blind experimenter.
+
 #include "app/gui/session/plan_table.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Offers the ready-made reasons as buttons, and passes the chosen or typed reason to the caller.
+
 #include "app/gui/session/reason_form.h"
 
 #include <utility>

@@ -1,3 +1,5 @@
+// Takes the clock of the machine in real time and that of the snapshot otherwise, and adds the time of day.
+
 #include "app/gui/session/session_clock.h"
 
 #include <algorithm>

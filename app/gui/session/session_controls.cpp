@@ -1,3 +1,5 @@
+// Writes verb, key and reason of each button by the state of the session, at a width that does not change.
+
 #include "app/gui/session/session_controls.h"
 
 #include <algorithm>

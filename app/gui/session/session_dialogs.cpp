@@ -1,3 +1,5 @@
+// Builds both dialogs; the one for aborting contains the form for the reason.
+
 #include "app/gui/session/session_dialogs.h"
 
 #include <utility>

@@ -1,3 +1,5 @@
+// Updates labels only if their text is new, and shortens the protocol's title to the width.
+
 #include "app/gui/session/session_header.h"
 
 #include <algorithm>

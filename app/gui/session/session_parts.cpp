@@ -1,3 +1,5 @@
+// Places the parts by the form of the window, with switches where only one is visible.
+
 #include "app/gui/session/session_parts.h"
 
 #include <algorithm>

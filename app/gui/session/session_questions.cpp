@@ -1,3 +1,5 @@
+// Opens the form or dialog for each question, and passes the reason to the requests of the session.
+
 #include "app/gui/session/session_questions.h"
 
 #include <utility>

@@ -1,3 +1,5 @@
+// Runs the session in a std::jthread, and turns attempts, messages and the end into signals.
+
 #include "app/gui/session/session_runner.h"
 
 #include <cassert>

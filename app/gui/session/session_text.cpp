@@ -1,3 +1,5 @@
+// Composes texts from a snapshot, a plan and attempts, with veiled names for a blind experimenter.
+
 #include "app/gui/session/session_text.h"
 
 #include <algorithm>

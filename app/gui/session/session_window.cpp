@@ -1,3 +1,5 @@
+// Updates the parts from the monitor at each frame, and turns keys and buttons into requests.
+
 #include "app/gui/session/session_window.h"
 
 #include <utility>

@@ -1,3 +1,5 @@
+// Counts down from the last estimate while the session runs, and adds the time of day of its end.
+
 #include "app/gui/session/time_left.h"
 
 #include <algorithm>

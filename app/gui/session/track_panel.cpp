@@ -1,3 +1,5 @@
+// Paints the levels of each track as marks on common axes, with one line of text per track.
+
 #include "app/gui/session/track_panel.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Determines the trial from the phase and number in the snapshot, the plan and the pending requests.
+
 #include "app/gui/session/trial_under_way.h"
 
 #include <cstddef>

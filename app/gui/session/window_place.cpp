@@ -1,3 +1,5 @@
+// Places the window once more when the window manager has reported its frame, for at most two seconds.
+
 #include "app/gui/session/window_place.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Resamples forces from a ring buffer by cubic interpolation, with fades, and removes slow changes.
+
 #include "app/gui/sound/force_speaker.h"
 
 #include <algorithm>

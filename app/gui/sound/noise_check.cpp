@@ -1,3 +1,5 @@
+// Plays the noise at the gain of the slider, and shows the required level and reservations about it.
+
 #include "app/gui/sound/noise_check.h"
 
 #include <algorithm>

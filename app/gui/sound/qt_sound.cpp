@@ -1,3 +1,5 @@
+// Fills a sound stream with the samples of the masking sound, cues and tones, and describes itself as JSON.
+
 #include "app/gui/sound/qt_sound.h"
 
 #include <string_view>

@@ -1,3 +1,5 @@
+// Implements outputs for a sound card by QAudioSink and for none by a clock, in the best format of the card.
+
 #include "app/gui/sound/sound_output.h"
 
 #include <algorithm>

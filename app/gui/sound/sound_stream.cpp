@@ -1,3 +1,5 @@
+// Opens and watches the output on a worker thread, and reopens it after a loss.
+
 #include "app/gui/sound/sound_stream.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Decodes 16-bit PCM of limited length, and averages two channels.
+
 #include "app/gui/sound/speech_file.h"
 
 #include <cstdint>

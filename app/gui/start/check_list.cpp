@@ -1,3 +1,5 @@
+// Shows a line with state and remedy for each check, and the progress of those still running.
+
 #include "app/gui/start/check_list.h"
 
 #include <algorithm>

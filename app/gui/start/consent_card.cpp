@@ -1,3 +1,5 @@
+// Shows the statement, a checkbox with its time, and the name of the person who saw the consent.
+
 #include "app/gui/start/consent_card.h"
 
 #include <QtCore/QLocale>

@@ -1,3 +1,5 @@
+// Offers the groups of the protocol in a list without a preselection.
+
 #include "app/gui/start/group_chooser.h"
 
 #include <QtCore/QSignalBlocker>

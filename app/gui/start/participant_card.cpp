@@ -1,3 +1,5 @@
+// Switches between fields for a new participant and the list of known ones, and lists what is missing.
+
 #include "app/gui/start/participant_card.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Takes the file and its arguments, and shows the complaint about a program that cannot be used.
+
 #include "app/gui/start/program_chooser.h"
 
 #include <utility>

@@ -1,3 +1,5 @@
+// Offers device, hand and screen, and remembers screen and keyboard in the settings.
+
 #include "app/gui/start/setup_card.h"
 
 #include <QtCore/QSettings>

@@ -1,3 +1,5 @@
+// Reads protocol files, the chosen protocol and the sessions of a study in one function.
+
 #include "app/gui/start/start_facts.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Builds the cards, and repeats the checklist after a pause when one of them changes.
+
 #include "app/gui/start/start_page.h"
 
 #include <any>

@@ -1,3 +1,5 @@
+// Builds the dialog from labels with version, licence and the folder of the documents.
+
 #include "app/gui/study/about_dialog.h"
 
 #include <QtWidgets/QBoxLayout>

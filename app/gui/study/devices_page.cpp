@@ -1,3 +1,5 @@
+// Surveys the drivers in the background, and shows a card with facts or the blocker for each device.
+
 #include "app/gui/study/devices_page.h"
 
 #include <algorithm>

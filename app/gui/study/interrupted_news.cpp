@@ -1,3 +1,5 @@
+// Shows the first session with the number of others, and restricts the button to a session that can resume.
+
 #include "app/gui/study/interrupted_news.h"
 
 #include <utility>

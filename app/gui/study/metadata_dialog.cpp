@@ -1,3 +1,5 @@
+// Puts the fields into a form with Cancel and Save, and emits the metadata when they are saved.
+
 #include "app/gui/study/metadata_dialog.h"
 
 #include <QtWidgets/QFormLayout>

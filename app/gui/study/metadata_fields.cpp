@@ -1,3 +1,5 @@
+// Adds the fields to a form; an empty field is stored as no statement.
+
 #include "app/gui/study/metadata_fields.h"
 
 #include <QtWidgets/QComboBox>

@@ -1,3 +1,5 @@
+// Composes the folder from name and place, and states why a study cannot be created there.
+
 #include "app/gui/study/new_study_dialog.h"
 
 #include <system_error>

@@ -1,3 +1,5 @@
+// Fills a table with the participants, shows the answers of the selected one, and opens the withdrawal.
+
 #include "app/gui/study/participants_page.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Loads the plug-ins in a background task; after an error the built-in models remain available.
+
 #include "app/gui/study/plugin_loading.h"
 
 #include <optional>

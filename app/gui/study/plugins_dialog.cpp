@@ -1,3 +1,5 @@
+// Lists the files in rows whose long paths are shortened in the middle.
+
 #include "app/gui/study/plugins_dialog.h"
 
 #include <QtWidgets/QFileDialog>

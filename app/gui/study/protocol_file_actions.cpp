@@ -1,3 +1,5 @@
+// Asks in place, and renames or deletes a file only if no session has run its protocol.
+
 #include "app/gui/study/protocol_file_actions.h"
 
 #include <utility>

@@ -1,3 +1,5 @@
+// Fills a table and a detail view from the overviews, and adds the examination of stimuli when it arrives.
+
 #include "app/gui/study/protocols_page.h"
 
 #include <algorithm>

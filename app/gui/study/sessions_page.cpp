@@ -1,3 +1,5 @@
+// Fills a table with one row per session, and offers actions for the selected one.
+
 #include "app/gui/study/sessions_page.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// States who can read the study at present, and offers the groups of the user in a list.
+
 #include "app/gui/study/share_study_dialog.h"
 
 #include <string>

@@ -1,3 +1,5 @@
+// Reads the stimuli and their pictures, and fills a table with kind, size and resolution.
+
 #include "app/gui/study/stimuli_page.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Fills a table with one row per attempt; a blind session shows only its progress.
+
 #include "app/gui/study/trials_page.h"
 
 #include <algorithm>

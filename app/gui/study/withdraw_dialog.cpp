@@ -1,3 +1,5 @@
+// Counts the data, lists outputs that contain them, and keeps or deletes the data as chosen.
+
 #include "app/gui/study/withdraw_dialog.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Paints name, count and bar by a delegate, and widens the list to its longest name.
+
 #include "app/gui/window/navigation_list.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Creates the application, turns fatal errors of Qt into a sentence, and shows the study window.
+
 #include "app/gui/window/program_window.h"
 
 #include <cstdio>

@@ -1,3 +1,5 @@
+// Creates start page, runner, session window and participant window in turn, and reacts to lost screens.
+
 #include "app/gui/window/session_desk.h"
 
 #include <algorithm>

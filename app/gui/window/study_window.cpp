@@ -1,3 +1,5 @@
+// Makes some pages only when they are shown, and compares the state of the store to find changes.
+
 #include "app/gui/window/study_window.h"
 
 #include <exception>

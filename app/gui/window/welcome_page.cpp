@@ -1,3 +1,5 @@
+// Lists recent studies, searches them for interrupted sessions, and makes the demo in background tasks.
+
 #include "app/gui/window/welcome_page.h"
 
 #include <exception>

@@ -1,3 +1,5 @@
+// Builds the renderers of the chosen models, advances the stroke, and shows forces and Welch spectra.
+
 #include "app/gui/workbench/force_comparison.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Renders the relief, for some models as a plate, at 1 kHz along the path of the mouse hand.
+
 #include "app/gui/workbench/force_stroke.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Takes the nearest row of heights, and computes its spectrum by Welch's method.
+
 #include "app/gui/workbench/line_profile.h"
 
 #include <algorithm>

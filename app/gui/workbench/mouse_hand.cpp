@@ -1,3 +1,5 @@
+// Moves the probe to the mouse as a critically damped system in steps of 1 ms, at a depth below the body.
+
 #include "app/gui/workbench/mouse_hand.h"
 
 namespace asperity {

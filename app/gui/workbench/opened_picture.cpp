@@ -1,3 +1,5 @@
+// Distinguishes height fields, measured surfaces and photographs, and refuses files it cannot use.
+
 #include "app/gui/workbench/opened_picture.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Makes a slider, field or list for each parameter, and shows few digits without losing any.
+
 #include "app/gui/workbench/parameter_form.h"
 
 #include <algorithm>

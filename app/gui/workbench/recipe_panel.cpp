@@ -1,3 +1,5 @@
+// Groups the controls into cards, and recommends a method from the statements about the photograph.
+
 #include "app/gui/workbench/recipe_panel.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Averages the field down to a mesh, and fills its triangles with diffuse light.
+
 #include "app/gui/workbench/relief_picture.h"
 
 #include <algorithm>

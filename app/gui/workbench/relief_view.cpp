@@ -1,3 +1,5 @@
+// Draws the relief at two qualities, and maps mouse and keys to its view, its light or a stroke.
+
 #include "app/gui/workbench/relief_view.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Computes the whole texture in a background task, and writes it with its photograph under the chosen name.
+
 #include "app/gui/workbench/save_panel.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Fits linear or logarithmic axes to the series, with few ticks in a narrow plot.
+
 #include "app/gui/workbench/signal_plots.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Makes a button with caption and thumbnail for each step, scaled to the width of the strip.
+
 #include "app/gui/workbench/step_strip.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Makes the mesh of a shape or reads one from a file, once, when its surface is first requested.
+
 #include "app/gui/workbench/stroked_body.h"
 
 #include <stdexcept>

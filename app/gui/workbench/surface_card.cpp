@@ -1,3 +1,5 @@
+// Declares material, depth and ball as parameters of a form, and asks for the mesh of a body.
+
 #include "app/gui/workbench/surface_card.h"
 
 #include <utility>

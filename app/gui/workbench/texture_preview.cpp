@@ -1,3 +1,5 @@
+// Draws the steps that changed and the relief on several threads, and reuses the other pictures.
+
 #include "app/gui/workbench/texture_preview.h"
 
 #include <algorithm>

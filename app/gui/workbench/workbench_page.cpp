@@ -1,3 +1,5 @@
+// Joins the panels, and recomputes the preview in the background for the newest recipe only.
+
 #include "app/gui/workbench/workbench_page.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Lays out the surfaces as chips next to the pictures or above them, with the given picture in each.
+
 #include "app/gui/participant/pages/assignment_page.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Lays out options as pictures, letters or words, as large as the room allows, next to a standard.
+
 #include "app/gui/participant/pages/choice_page.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Lays out the instruction, the guide, the workspace and the pictures around it, and draws surfaces as chips.
+
 #include "app/gui/participant/pages/feel_page.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Chooses list, pad or text field by the kind of the question, and composes the answer from the draft.
+
 #include "app/gui/participant/pages/form_page.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Determines the rows from the requested guidance and its bands, and places ticks at round steps.
+
 #include "app/gui/participant/pages/guide_rows.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Draws the line from its fixed end, and converts the pointer and the arrow keys to its length.
+
 #include "app/gui/participant/pages/line_page.h"
 
 #include <algorithm>

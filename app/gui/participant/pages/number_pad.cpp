@@ -1,3 +1,5 @@
+// Lays out the keys of the pad, and edits the typed digits; a number that cannot be read is not confirmed.
+
 #include "app/gui/participant/pages/number_pad.h"
 
 #include <array>

@@ -1,3 +1,5 @@
+// Combines the number pad with the controls of a trial, and sends the typed number on confirmation.
+
 #include "app/gui/participant/pages/number_page.h"
 
 #include "app/gui/participant/pages/number_pad.h"

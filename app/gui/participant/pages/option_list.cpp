@@ -1,3 +1,5 @@
+// Finds the fewest columns that fit the height, and otherwise divides the options into pages.
+
 #include "app/gui/participant/pages/option_list.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Selects the page by the kind of the scene, and for a question by its form of answer.
+
 #include "app/gui/participant/pages/page_for.h"
 
 #include <variant>

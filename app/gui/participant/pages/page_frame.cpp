@@ -1,3 +1,5 @@
+// Reserves the rooms of progress, cue and controls, so that no page moves when they appear or disappear.
+
 #include "app/gui/participant/pages/page_frame.h"
 
 namespace asperity {

@@ -1,3 +1,5 @@
+// Draws boxes, badges, texts, pictures, options and controls in the participant's colours.
+
 #include "app/gui/participant/pages/participant_brush.h"
 
 #include <algorithm>

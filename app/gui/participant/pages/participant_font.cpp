@@ -1,3 +1,5 @@
+// Takes the general font of the system at a size in pixels, so that letters scale with the layout.
+
 #include "app/gui/participant/pages/participant_font.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Implements the default page, which draws common items and passes most actions on as inputs.
+
 #include "app/gui/participant/pages/participant_page.h"
 
 #include "app/gui/participant/pages/participant_brush.h"

@@ -1,3 +1,5 @@
+// Looks up the phrase of a message in the language of the protocol; a text of the protocol stays as written.
+
 #include "app/gui/participant/pages/participant_words.h"
 
 #include "app/gui/look/words.h"

@@ -1,3 +1,5 @@
+// Finds the number of columns with the largest squares, and places each picture with its key.
+
 #include "app/gui/participant/pages/picture_grid.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Shows the draft as a scale of one row, whose mark is moved as in a trial until it is confirmed.
+
 #include "app/gui/participant/pages/scale_form_page.h"
 
 #include <algorithm>

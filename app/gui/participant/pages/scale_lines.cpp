@@ -1,3 +1,5 @@
+// Divides scales into pages of rows, draws lines, points and marks, and converts positions to values.
+
 #include "app/gui/participant/pages/scale_lines.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Delegates layout, drawing, keys and pointer to the functions of scales, and adds the controls of a trial.
+
 #include "app/gui/participant/pages/scale_page.h"
 
 #include "app/gui/participant/pages/page_frame.h"

@@ -1,3 +1,5 @@
+// Declares the actions of Return and Space in a trial, and adds the controls that show them.
+
 #include "app/gui/participant/pages/trial_controls.h"
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Centres the text, with the remaining time of a rest and a control that continues.
+
 #include "app/gui/participant/pages/words_page.h"
 
 #include "app/gui/participant/pages/page_frame.h"
