@@ -1,3 +1,5 @@
+// Joins steps of five years until each band has enough participants, human and virtual ones apart.
+
 #include "app/exports/age_bands.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Writes _beh, _events and physiological files with sidecars, and places recorded ticks in regular streams.
+
 #include "app/exports/bids.h"
 
 #include <algorithm>

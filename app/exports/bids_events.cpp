@@ -1,3 +1,5 @@
+// Derives the columns from those of attempts and events, renamed where BIDS has names of its own.
+
 #include "app/exports/bids_events.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Collects the columns of each added file, and describes its own columns and those of MANIFEST.tsv too.
+
 #include "app/exports/codebook_file.h"
 
 #include <array>

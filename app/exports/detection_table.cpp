@@ -1,3 +1,5 @@
+// Counts hits and false alarms while attempts are added, and writes the rows at the end.
+
 #include "app/exports/detection_table.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Writes a folder next to the target with MANIFEST.tsv, syncs all of it at once and puts it in place.
+
 #include "app/exports/export_folder.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Names the formats, and selects those of an export without options.
+
 #include "app/exports/export_options.h"
 
 namespace asperity {

@@ -1,3 +1,5 @@
+// Composes the text from the options, the warnings and the description of a public export.
+
 #include "app/exports/export_readme.h"
 
 namespace asperity {

@@ -1,3 +1,5 @@
+// Walks through the study once in the order of its keys, and adds each row to every table and dataset.
+
 #include "app/exports/export_study.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Gives new labels in a relabelled export, and sorts the participants by them.
+
 #include "app/exports/exported_participants.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Counts responses by participant, condition and level, and states why there are none.
+
 #include "app/exports/fit_table.h"
 
 #include <algorithm>

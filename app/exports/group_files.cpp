@@ -1,3 +1,5 @@
+// Passes rows to the datasets, the wide tables and the tables of counts of one group.
+
 #include "app/exports/group_files.h"
 
 #include <utility>

@@ -1,3 +1,5 @@
+// Draws five letters with equal probabilities from random bits, and omits labels that are taken.
+
 #include "app/exports/new_labels.h"
 
 #include <cctype>

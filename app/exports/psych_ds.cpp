@@ -1,3 +1,5 @@
+// Writes one data file per session, and the description of the dataset at the end.
+
 #include "app/exports/psych_ds.h"
 
 #include <cctype>

@@ -1,3 +1,5 @@
+// Lists the columns by kind of publication, and composes the sentences from these lists.
+
 #include "app/exports/publication.h"
 
 #include <map>

@@ -1,3 +1,5 @@
+// Spools rows into a temporary file, and writes them when the longest text of each column is known.
+
 #include "app/exports/sav_table.h"
 
 #include <algorithm>

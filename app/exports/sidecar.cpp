@@ -1,3 +1,5 @@
+// Spells units as BIDS does, and adds the meanings and HED tags of levels.
+
 #include "app/exports/sidecar.h"
 
 #include <cctype>

@@ -1,3 +1,5 @@
+// Collects the force of each stimulus while attempts are added, and copies files whose checksum is unchanged.
+
 #include "app/exports/stimulus_table.h"
 
 #include <algorithm>

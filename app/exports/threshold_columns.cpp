@@ -1,3 +1,5 @@
+// Collects choices by participant and task, fits them, and makes the columns of each threshold.
+
 #include "app/exports/threshold_columns.h"
 
 #include <algorithm>

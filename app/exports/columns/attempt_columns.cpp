@@ -1,3 +1,5 @@
+// Declares the columns of attempts.tsv: outcome, times, reasons as text and codes, and recorded noise.
+
 #include <algorithm>
 #include <optional>
 #include <string>

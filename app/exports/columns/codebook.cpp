@@ -1,3 +1,5 @@
+// Writes the levels of a column in one cell, separated by |, and its publication in words.
+
 #include "app/exports/columns/codebook.h"
 
 #include "app/exports/columns/column_making.h"

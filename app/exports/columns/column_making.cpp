@@ -1,3 +1,5 @@
+// Builds columns from a name, a type and a function, and adds levels, limits or publication to them.
+
 #include "app/exports/columns/column_making.h"
 
 #include <utility>

@@ -1,3 +1,5 @@
+// Declares the columns of compliance.tsv: required band, and what was achieved, of each quantity.
+
 #include <optional>
 #include <utility>
 

@@ -1,3 +1,5 @@
+// Declares the columns of events.tsv; a public export has only those data that the kind of event permits.
+
 #include <algorithm>
 #include <string>
 #include <string_view>

@@ -1,3 +1,5 @@
+// Selects the function and the columns of an audience; withheld cells are missing.
+
 #include "app/exports/columns/export_column.h"
 
 #include <utility>

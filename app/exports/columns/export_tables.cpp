@@ -1,3 +1,5 @@
+// Lists the tables in the order of their keys, and joins trials, attempts and responses to one table.
+
 #include "app/exports/columns/export_tables.h"
 
 #include <cstddef>

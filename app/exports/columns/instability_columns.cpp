@@ -1,3 +1,5 @@
+// Declares the columns of perceived instability of a surface, missing where none was computed.
+
 #include <functional>
 #include <optional>
 #include <string>

@@ -1,3 +1,5 @@
+// Declares the columns of participants.tsv; a public export has bands in place of ages.
+
 #include <utility>
 
 #include "app/exports/columns/column_making.h"

@@ -1,3 +1,5 @@
+// Declares the columns of presentations.tsv from the plan and the stored rows, with counts of limits.
+
 #include <algorithm>
 #include <cstddef>
 #include <map>

@@ -1,3 +1,5 @@
+// Declares the columns of responses.tsv, and lists all questions with their options in a description.
+
 #include <string>
 #include <utility>
 

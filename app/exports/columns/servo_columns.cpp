@@ -1,3 +1,5 @@
+// Declares the columns of servo_quality.tsv: rate, periods, delays and counted ticks of each attempt.
+
 #include "app/exports/columns/column_making.h"
 #include "app/exports/columns/table_columns.h"
 

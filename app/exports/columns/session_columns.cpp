@@ -1,3 +1,5 @@
+// Declares the columns of sessions.tsv, with the protocol's statements about the participant's senses.
+
 #include <utility>
 
 #include <nlohmann/json.hpp>

@@ -1,3 +1,5 @@
+// Reads the protocols of all sessions and the declarations of force models, and merges their names.
+
 #include "app/exports/columns/study_vocabulary.h"
 
 #include <algorithm>

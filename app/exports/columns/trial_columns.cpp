@@ -1,3 +1,5 @@
+// Declares the columns of trials.tsv, with one column for each factor, spacing and kind of catch trial.
+
 #include <algorithm>
 #include <cstdint>
 #include <utility>

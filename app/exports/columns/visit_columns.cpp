@@ -1,3 +1,5 @@
+// Declares the columns of visits.tsv: times, force and speed of each visit to a surface.
+
 #include "app/exports/columns/column_making.h"
 #include "app/exports/columns/table_columns.h"
 
