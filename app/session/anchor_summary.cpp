@@ -1,3 +1,5 @@
+// Lists the valid responses of each block in their order, and states the change from the first to the last.
+
 #include "app/session/anchor_summary.h"
 
 #include <algorithm>

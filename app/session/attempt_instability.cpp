@@ -1,3 +1,5 @@
+// Replays each surface on a worker thread, which is given up if a renderer does not return in time.
+
 #include "app/session/attempt_instability.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Selects the ticks in contact, and compares fractions, means and strokes with the bands of the protocol.
+
 #include "app/session/attempt_measures.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Implements a loop over the steps of the plan, in which a step is repeated after a fault.
+
 #include "app/session/conductor.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Fits a line to the readings: its slope is the drift, and its residuals are the noise.
+
 #include "app/session/drift_check.h"
 
 #include <algorithm>

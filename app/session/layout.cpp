@@ -1,3 +1,5 @@
+// Mirrors patches and directions about the plane x = 0.
+
 #include "app/session/layout.h"
 
 #include <numbers>

@@ -1,3 +1,5 @@
+// Writes one row per answer, and several for a multiple choice; a question not asked has a row too.
+
 #include "app/session/questionnaire_rows.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Collects the counted answers of each track, and estimates thresholds by reversals or by the posterior.
+
 #include "app/session/running_track.h"
 
 #include <algorithm>

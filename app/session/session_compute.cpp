@@ -1,3 +1,5 @@
+// Opens the first compute device, with a deadline of 400 µs in real time, and stores its name as JSON.
+
 #include "app/session/session_compute.h"
 
 #include <chrono>

@@ -1,3 +1,5 @@
+// Waits in slices, in each of which the recorder, the device, requests and the monitor are attended to.
+
 #include "app/session/session_course.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Copies snapshots and bins under a mutex, and derives codes of conditions from a seed.
+
 #include "app/session/session_monitor.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Estimates the pace from the duration of completed trials and the costs of the planned ones.
+
 #include "app/session/session_progress.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Stores requests under a mutex until the session takes them; an emergency stop reaches the rig at once.
+
 #include "app/session/session_requests.h"
 
 #include <stdexcept>

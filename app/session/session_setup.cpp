@@ -1,3 +1,5 @@
+// Stores a session with its plan, and recomputes the plan to compare it when the session is resumed.
+
 #include "app/session/session_setup.h"
 
 #include <algorithm>

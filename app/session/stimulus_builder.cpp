@@ -1,3 +1,5 @@
+// Caches files, bodies and matched forces by checksums, and fills in the parameters of the model.
+
 #include "app/session/stimulus_builder.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Presents the surfaces in their arrangement, waits for contact and answers, and judges the records.
+
 #include "app/session/trial_attempt.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Translates a stored attempt to the outcome and the answer that a course takes, and replays all of them.
+
 #include "app/session/trial_outcome.h"
 
 #include <algorithm>

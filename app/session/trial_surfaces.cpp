@@ -1,3 +1,5 @@
+// Makes one renderer per surface, or one for all where surfaces lie side by side.
+
 #include "app/session/trial_surfaces.h"
 
 #include <utility>

@@ -1,3 +1,5 @@
+// Keeps the attempts by trial, and derives which trial comes next, criteria and repetitions.
+
 #include "app/session/trial_tally.h"
 
 #include <algorithm>

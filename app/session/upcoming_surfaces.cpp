@@ -1,3 +1,5 @@
+// Makes surfaces on a thread of the batch policy, ahead of time while memory is available.
+
 #include "app/session/upcoming_surfaces.h"
 
 #include <algorithm>

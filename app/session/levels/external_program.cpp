@@ -1,3 +1,5 @@
+// Finds the blocks with an external procedure, and stores path, arguments and checksum of the program.
+
 #include "app/session/levels/external_program.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Writes the messages as one line of JSON each, and validates every member of a reply.
+
 #include "app/session/levels/level_messages.h"
 
 #include <cmath>

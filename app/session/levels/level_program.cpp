@@ -1,3 +1,5 @@
+// Runs the program as a child process with limits for lines, waits and its log of errors.
+
 #include "app/session/levels/level_program.h"
 
 #include <algorithm>

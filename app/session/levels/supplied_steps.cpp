@@ -1,3 +1,5 @@
+// Stores each step as JSON of an event, and supplies a course with them in the stored order.
+
 #include "app/session/levels/supplied_steps.h"
 
 #include <algorithm>

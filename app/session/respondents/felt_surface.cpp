@@ -1,3 +1,5 @@
+// Strokes the surface on a stepped rig until the contact is long enough, and extracts its force features.
+
 #include "app/session/respondents/felt_surface.h"
 
 #include "app/session/rig/recorder.h"

@@ -1,3 +1,5 @@
+// Accepts options by value, text or number, and numbers with either decimal separator.
+
 #include "app/session/respondents/form_answer.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Describes inputs as text for the store, and interprets buttons by their number and duration.
+
 #include "app/session/respondents/participant_input.h"
 
 #include "analysis/numbers/number_text.h"

@@ -1,3 +1,5 @@
+// Builds a scene for each state of a trial, and holds the English phrase of every message.
+
 #include "app/session/respondents/participant_scene.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Polls a queue of inputs, judges each by the current scene, and publishes the changed scene.
+
 #include "app/session/respondents/person_at_window.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Implements the default for the eye mask: a text that is read.
+
 #include "app/session/respondents/respondent.h"
 
 namespace asperity {

@@ -1,3 +1,5 @@
+// Polls for typed lines, so that faults and pauses end a wait, and hands each to the dialogue.
+
 #include "app/session/respondents/terminal_respondent.h"
 
 #include <algorithm>

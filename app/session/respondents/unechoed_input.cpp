@@ -1,3 +1,5 @@
+// Restores the echo in handlers of all signals that would end the program.
+
 #include "app/session/respondents/unechoed_input.h"
 
 #include <array>

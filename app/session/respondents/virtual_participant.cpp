@@ -1,3 +1,5 @@
+// Takes force features or true heights as expectations, and lets the observer of the protocol answer.
+
 #include "app/session/respondents/virtual_participant.h"
 
 #include <algorithm>

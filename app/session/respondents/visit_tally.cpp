@@ -1,3 +1,5 @@
+// Searches the positions in turn after the last one, for a missing or a permitted visit.
+
 #include "app/session/respondents/visit_tally.h"
 
 namespace asperity {

@@ -1,3 +1,5 @@
+// Adds an offset to the monotonic clock, so that the time of a resumed session never decreases.
+
 #include "app/session/rig/clock.h"
 
 #include <algorithm>

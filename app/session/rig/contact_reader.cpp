@@ -1,3 +1,5 @@
+// Computes force and speed of a tick, accumulates them while in contact, and derives the guide tone.
+
 #include "app/session/rig/contact_reader.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Compares each complaint with the last one, and limits how often other words are reported.
+
 #include "app/session/rig/device_complaints.h"
 
 namespace asperity {

@@ -1,3 +1,5 @@
+// Summarises ticks in bins and in statistics of the loop, and collects changes of buttons.
+
 #include "app/session/rig/record_watch.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Takes the probe states of a recording, and drops a second state with the same time.
+
 #include "app/session/rig/recorded_hand.h"
 
 #include <stdexcept>

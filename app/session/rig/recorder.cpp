@@ -1,3 +1,5 @@
+// Rounds each tick to what a recording stores, passes it to the watch, and keeps it until the attempt ends.
+
 #include "app/session/rig/recorder.h"
 
 #include <utility>

@@ -1,3 +1,5 @@
+// Holds the list of columns with units, in the order of the floats.
+
 #include "app/session/rig/recording_columns.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Steps the loop on a simulated clock, or runs it in a thread in real time and drains its ring in slices.
+
 #include "app/session/rig/rig.h"
 
 #include <chrono>

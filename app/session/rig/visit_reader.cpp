@@ -1,3 +1,5 @@
+// Starts a visit when another surface is touched, and updates its mean and deviation with every record.
+
 #include "app/session/rig/visit_reader.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Names the cues for the store.
+
 #include "app/session/sound/sound.h"
 
 namespace asperity {

@@ -1,3 +1,5 @@
+// Selects the dialogue by the form of the answer.
+
 #include "app/session/respondents/dialogues/answer_dialogue.h"
 
 #include "app/session/respondents/dialogues/line_dialogue.h"

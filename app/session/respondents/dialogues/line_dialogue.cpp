@@ -1,3 +1,5 @@
+// Accepts a row of the sign "-", and scales the number of signs to the steps of a drawn line.
+
 #include "app/session/respondents/dialogues/line_dialogue.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Accepts a number, and asks again for one that is not above 0 or has an ambiguous separator.
+
 #include "app/session/respondents/dialogues/number_dialogue.h"
 
 #include "app/session/respondents/form_answer.h"

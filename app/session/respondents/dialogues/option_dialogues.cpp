@@ -1,3 +1,5 @@
+// Accepts the number of an option; an assignment takes one number for each surface in turn.
+
 #include "app/session/respondents/dialogues/option_dialogues.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Lists the labelled points, and accepts a number that is a point of the scale.
+
 #include "app/session/respondents/dialogues/scale_dialogue.h"
 
 #include <cstddef>

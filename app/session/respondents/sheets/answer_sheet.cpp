@@ -1,3 +1,5 @@
+// Selects the sheet by the form of the answer.
+
 #include "app/session/respondents/sheets/answer_sheet.h"
 
 #include "app/session/respondents/sheets/assignment_sheet.h"

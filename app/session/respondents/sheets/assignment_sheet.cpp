@@ -1,3 +1,5 @@
+// Moves a current surface from one without an option to the next; an option can be given only once.
+
 #include "app/session/respondents/sheets/assignment_sheet.h"
 
 namespace asperity {

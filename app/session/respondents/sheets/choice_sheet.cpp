@@ -1,3 +1,5 @@
+// Accepts options by number and steps through them by button; a confirmation needs a choice.
+
 #include "app/session/respondents/sheets/choice_sheet.h"
 
 namespace asperity {

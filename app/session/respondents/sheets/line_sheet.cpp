@@ -1,3 +1,5 @@
+// Sets the length by pointer, or changes it in strides by key and button.
+
 #include "app/session/respondents/sheets/line_sheet.h"
 
 #include <algorithm>

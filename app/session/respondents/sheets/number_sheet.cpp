@@ -1,3 +1,5 @@
+// Parses the typed text on confirmation, and refuses one that is ambiguous or not above 0.
+
 #include "app/session/respondents/sheets/number_sheet.h"
 
 #include "app/session/respondents/form_answer.h"

@@ -1,3 +1,5 @@
+// Keeps a step for each scale of the page and the current scale; a confirmation needs all marks.
+
 #include "app/session/respondents/sheets/scale_sheet.h"
 
 #include <algorithm>
