@@ -1,3 +1,5 @@
+// Reads and simplifies the mesh, bakes the texture, moves it into its role, and stores the provenance.
+
 #include "app/tasks/bake_mesh.h"
 
 #include <span>

@@ -1,3 +1,5 @@
+// Replays attempts on several threads, and accumulates differences and energies in bands by surface.
+
 #include "app/tasks/compare_replays.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Compares the stated group with those of the protocol and with the participant's earlier one.
+
 #include "app/tasks/group_choice.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Finds sessions that are open without a running program, and matches protocol files by their text.
+
 #include "app/tasks/interrupted_sessions.h"
 
 #include <algorithm>

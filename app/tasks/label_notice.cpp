@@ -1,3 +1,5 @@
+// Composes a notice from the newest session under the label, its origin and the kind of its data.
+
 #include "app/tasks/label_notice.h"
 
 #include "app/session/rig/clock.h"

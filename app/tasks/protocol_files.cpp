@@ -1,3 +1,5 @@
+// Reads the file, then checks files, assets and shapes, and strokes each surface with a simulated hand.
+
 #include "app/tasks/protocol_files.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Finds the first free name, and changes the name in the protocol accordingly.
+
 #include "app/tasks/protocol_templates.h"
 
 #include <stdexcept>

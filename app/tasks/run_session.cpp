@@ -1,3 +1,5 @@
+// Checks the participant, makes the rig and the respondent, stores a new participant, and runs the session.
+
 #include "app/tasks/run_session.h"
 
 #include <algorithm>

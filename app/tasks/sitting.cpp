@@ -1,3 +1,5 @@
+// Begins or reopens the session, stores its conditions and device, and passes it to a conductor.
+
 #include "app/tasks/sitting.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Reads the store and the folders, and collects the problems, progress and users of each file.
+
 #include "app/tasks/study_overview.h"
 
 #include <algorithm>

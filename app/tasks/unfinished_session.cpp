@@ -1,3 +1,5 @@
+// Computes the age of a session from its stored events, and compares it with the protocol's maximum.
+
 #include "app/tasks/unfinished_session.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Creates the folder by mkdtemp in the temporary folder or at a place, and removes it in the destructor.
+
 #include "app/tasks/work_folder.h"
 
 #include <cerrno>

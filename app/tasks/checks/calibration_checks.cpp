@@ -1,3 +1,5 @@
+// Groups the warnings of a rehearsal by kind, and shows the first of each with the number of others.
+
 #include "app/tasks/checks/calibration_checks.h"
 
 #include <algorithm>

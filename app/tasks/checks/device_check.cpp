@@ -1,3 +1,5 @@
+// Opens the device, and compares it with the requirements and with the device of the session so far.
+
 #include "app/tasks/checks/device_check.h"
 
 #include <optional>

@@ -1,3 +1,5 @@
+// Estimates the size of a session from rate and duration, and compares it with the free space.
+
 #include "app/tasks/checks/disk_check.h"
 
 #include <cstdint>

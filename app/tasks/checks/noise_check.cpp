@@ -1,3 +1,5 @@
+// Compares the sound output and the stated level with the noise, cues and tones of the protocol.
+
 #include "app/tasks/checks/noise_check.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Checks label, lock, kind, withdrawal and earlier sessions, in this order.
+
 #include "app/tasks/checks/participant_check.h"
 
 #include <optional>

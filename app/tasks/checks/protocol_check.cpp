@@ -1,3 +1,5 @@
+// Compares the checksum of the file with the one that was shown, and summarises warnings.
+
 #include "app/tasks/checks/protocol_check.h"
 
 #include <utility>

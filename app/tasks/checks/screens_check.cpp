@@ -1,3 +1,5 @@
+// Compares the number of screens with the two windows of a session.
+
 #include "app/tasks/checks/screens_check.h"
 
 #include <string>

@@ -1,3 +1,5 @@
+// Runs the loop on the device for a moment, and compares rate and delays with the protocol.
+
 #include "app/tasks/checks/servo_loop_checks.h"
 
 #include <exception>

@@ -1,3 +1,5 @@
+// Runs the checks in their order; an error of one becomes a result that prevents the session.
+
 #include "app/tasks/checks/session_checks.h"
 
 #include <exception>

@@ -1,3 +1,5 @@
+// Reads the files, and compares their checksums with those that a session to resume began with.
+
 #include "app/tasks/checks/stimuli_check.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Takes a lock in the folder as a test, and states whether every user can read the study.
+
 #include "app/tasks/checks/study_check.h"
 
 #include <filesystem>

@@ -1,3 +1,5 @@
+// Divides the participants among threads, and recognises the batch of an interrupted simulation.
+
 #include "app/tasks/simulation/simulation.h"
 
 #include <algorithm>

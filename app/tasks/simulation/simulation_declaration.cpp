@@ -1,3 +1,5 @@
+// Lists participants, seed, recordings, device, protocols and force models as JSON.
+
 #include "app/tasks/simulation/simulation_declaration.h"
 
 #include <filesystem>

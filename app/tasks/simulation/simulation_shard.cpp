@@ -1,3 +1,5 @@
+// Copies the study, simulates into the copy, and renames it when it is complete.
+
 #include "app/tasks/simulation/simulation_shard.h"
 
 #include <cerrno>

@@ -1,3 +1,5 @@
+// Compares each stored value within its tolerance, including that of replayed forces.
+
 #include "app/tasks/verify/verify_instability.h"
 
 #include <algorithm>

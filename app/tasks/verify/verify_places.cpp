@@ -1,3 +1,5 @@
+// Compares stored groups and rows with the allocation at each place, and finds places with several stations.
+
 #include "app/tasks/verify/verify_places.h"
 
 #include <algorithm>

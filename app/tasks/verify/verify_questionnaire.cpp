@@ -1,3 +1,5 @@
+// Follows the conditions of the questions, and compares each answer with the options.
+
 #include "app/tasks/verify/verify_questionnaire.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Checks checksum, database, files and rows, and replays the recorded hands of each session.
+
 #include "app/tasks/verify/verify_study.h"
 
 #include <algorithm>

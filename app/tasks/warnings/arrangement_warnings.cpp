@@ -1,3 +1,5 @@
+// Compares stroke, patch size and period of each surface, and the step of force between neighbours.
+
 #include "app/tasks/warnings/arrangement_warnings.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Takes the highest frequency from the band of the force model, and adds a remedy by model.
+
 #include "app/tasks/warnings/band_warnings.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Expands the possible trials once, and places diagnostics at bodies and stimuli of the file.
+
 #include "app/tasks/warnings/checked_protocol.h"
 
 #include "protocols/design/json_pointer.h"

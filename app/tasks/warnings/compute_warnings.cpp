@@ -1,3 +1,5 @@
+// Opens the first compute device, and warns if there is none or if it is not a GPU.
+
 #include "app/tasks/warnings/compute_warnings.h"
 
 #include "app/session/session_compute.h"

@@ -1,3 +1,5 @@
+// Strokes each stimulus at the requested force and speed, and divides its drag by that of Coulomb.
+
 #include "app/tasks/warnings/drag_of_stimuli.h"
 
 #include <algorithm>

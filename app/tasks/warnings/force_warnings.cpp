@@ -1,3 +1,5 @@
+// Presses the probe to increasing depths at several places, and takes the largest mean normal force.
+
 #include "app/tasks/warnings/force_warnings.h"
 
 #include <algorithm>

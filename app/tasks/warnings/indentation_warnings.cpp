@@ -1,3 +1,5 @@
+// Passes the intended normal force to the law of indentation of each model, which states a problem.
+
 #include "app/tasks/warnings/indentation_warnings.h"
 
 #include <memory>

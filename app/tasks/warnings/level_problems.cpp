@@ -1,3 +1,5 @@
+// Compares levels after rounding to 12 significant digits, and finds levels that scale a flat relief.
+
 #include "app/tasks/warnings/level_problems.h"
 
 #include <algorithm>

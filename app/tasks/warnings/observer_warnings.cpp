@@ -1,3 +1,5 @@
+// Lets virtual hands feel the extreme levels, and tests whether the observer's magnitude changes.
+
 #include "app/tasks/warnings/observer_warnings.h"
 
 #include <algorithm>

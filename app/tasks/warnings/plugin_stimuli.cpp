@@ -1,3 +1,5 @@
+// Renders a path across each stimulus, and reports the error that a session would meet.
+
 #include "app/tasks/warnings/plugin_stimuli.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Compares the checksum of each loaded plug-in with those stored with the attempts.
+
 #include "app/tasks/warnings/plugin_warnings.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Runs the checks that need renderers, and appends their problems and warnings to those of a protocol.
+
 #include "app/tasks/warnings/stimulus_examination.h"
 
 #include <utility>

@@ -1,3 +1,5 @@
+// Calls each kind of warning in turn, and divides the progress between the two longest.
+
 #include "app/tasks/warnings/stimulus_warnings.h"
 
 #include <array>

@@ -1,3 +1,5 @@
+// Compares declared spacings, sizes and directions with the provenance of each height field.
+
 #include "app/tasks/warnings/texture_warnings.h"
 
 #include <cmath>
