@@ -1,3 +1,5 @@
+// Runs jobs with their output held where they have a lasting effect, or in a process that is watched.
+
 #include "app/cli/command.h"
 
 #include <exception>

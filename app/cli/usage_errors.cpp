@@ -1,3 +1,5 @@
+// Recognises the parser's messages by the words around a name, and composes sentences from option types.
+
 #include "app/cli/usage_errors.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Composes the scripts of an array job and a gather job for sbatch, and one line for GNU parallel.
+
 #include "app/cluster/batch_scripts.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Holds the table of commands, and finds the declaration and the result of one by its words.
+
 #include "app/cluster/divided_commands.h"
 
 #include <algorithm>

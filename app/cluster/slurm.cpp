@@ -1,3 +1,5 @@
+// Runs squeue, sbatch and scancel as child processes, and parses their output.
+
 #include "app/cluster/slurm.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Stores the submission as JSON in its folder, and derives the name of its jobs from a checksum.
+
 #include "app/cluster/submission.h"
 
 #include <algorithm>

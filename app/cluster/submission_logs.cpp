@@ -1,3 +1,5 @@
+// Takes the last line from the end of the newest log of a shard or of the gather job.
+
 #include "app/cluster/submission_logs.h"
 
 #include <algorithm>

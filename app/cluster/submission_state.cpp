@@ -1,3 +1,5 @@
+// Combines existing files with the active or latest task of each shard, and lists the shards to submit.
+
 #include "app/cluster/submission_state.h"
 
 #include <algorithm>

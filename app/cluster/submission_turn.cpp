@@ -1,3 +1,5 @@
+// Locks a file in the submission's folder by flock, for a limited time of waiting.
+
 #include "app/cluster/submission_turn.h"
 
 #include <cerrno>

@@ -1,3 +1,5 @@
+// Submits what is missing until the result exists or a shard has failed too often.
+
 #include "app/cluster/submission_watch.h"
 
 #include <map>

@@ -1,3 +1,5 @@
+// Submits an array job for the missing shards and a gather job that waits for it.
+
 #include "app/cluster/submit_jobs.h"
 
 namespace asperity {

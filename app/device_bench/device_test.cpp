@@ -1,3 +1,5 @@
+// Runs the parts of a test in their order; later parts use the results of earlier ones.
+
 #include "app/device_bench/device_test.h"
 
 #include <stdexcept>

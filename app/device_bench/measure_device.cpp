@@ -1,3 +1,5 @@
+// Locks out sessions and other measurements, tests the device, and writes the profile into the study.
+
 #include "app/device_bench/measure_device.h"
 
 #include "analysis/numbers/number_text.h"

@@ -1,3 +1,5 @@
+// Keeps several builds of a model by the checksum of their files, and makes registries of chosen builds.
+
 #include "app/plugins/plugin_builds.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Loads a private copy of each library, reads its description, and runs the conformance suite.
+
 #include "app/plugins/plugin_files.h"
 
 #include <cstdlib>

@@ -1,3 +1,5 @@
+// Forks, passes signals on to the child, and names the plug-in whose call ended it or does not return.
+
 #include "app/plugins/plugin_process.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Stores each plug-in's declaration as JSON of an event, and compares it with the loaded builds.
+
 #include "app/plugins/stored_plugins.h"
 
 #include <exception>

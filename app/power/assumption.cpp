@@ -1,3 +1,5 @@
+// Reads assumptions from a JSON file, checking names, units and ranges, and writes them with their sources.
+
 #include "app/power/assumption.h"
 
 #include <filesystem>

@@ -1,3 +1,5 @@
+// Sets each assumption that the analysis of the study's responses estimates, with the study as its source.
+
 #include "app/power/calibration.h"
 
 #include <algorithm>

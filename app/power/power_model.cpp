@@ -1,3 +1,5 @@
+// Collects the parameters of all response tables as assumptions, and requires a value for each.
+
 #include "app/power/power_model.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Selects the response table of each question, and refuses blocks whose power cannot be simulated.
+
 #include "app/power/power_tables.h"
 
 #include <algorithm>

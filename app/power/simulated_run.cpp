@@ -1,3 +1,5 @@
+// Simulates a study, analyses it as a stored one, and reduces its tests to their outcomes.
+
 #include "app/power/simulated_run.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Follows the course of a session trial by trial, with random numbers that belong to the trial.
+
 #include "app/power/simulated_session.h"
 
 #include <algorithm>

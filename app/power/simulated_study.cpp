@@ -1,3 +1,5 @@
+// Splits random numbers by participant and session, and gathers the responses as from a store.
+
 #include "app/power/simulated_study.h"
 
 #include <cstdint>

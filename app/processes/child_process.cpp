@@ -1,3 +1,5 @@
+// Starts the program with posix_spawn, and moves data through non-blocking pipes by poll.
+
 #include "app/processes/child_process.h"
 
 #include <array>

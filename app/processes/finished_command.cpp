@@ -1,3 +1,5 @@
+// Pumps a child process until it ends; a failure quotes the first line of its errors.
+
 #include "app/processes/finished_command.h"
 
 #include <stdexcept>

@@ -1,3 +1,5 @@
+// Recognises simulated devices by their settings and "mouse" by its name; others are attached.
+
 #include "app/profiles/device_kind.h"
 
 #include <stdexcept>

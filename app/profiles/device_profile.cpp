@@ -1,3 +1,5 @@
+// Holds the table of measured quantities, and converts profiles to JSON and back.
+
 #include "app/profiles/device_profile.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Lists known and unknown traits, limits that were not met, and items that were not measured.
+
 #include "app/profiles/profile_verdict.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Reads the rows of the attempt and of its session, and its recording on request.
+
 #include "app/records/attempt_detail.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Keeps one stimulus builder for each combination of builds that rendered attempts.
+
 #include "app/records/builders_of_attempts.h"
 
 #include "app/session/session_compute.h"

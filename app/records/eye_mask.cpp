@@ -1,3 +1,5 @@
+// Keeps the changes in chronological order; a mask counts as off when a session begins or is resumed.
+
 #include "app/records/eye_mask.h"
 
 #include <algorithm>

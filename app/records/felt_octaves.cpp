@@ -1,3 +1,5 @@
+// Sums the power of two bands of force features per octave, and averages logarithms over presentations.
+
 #include "app/records/felt_octaves.h"
 
 #include <cmath>

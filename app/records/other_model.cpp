@@ -1,3 +1,5 @@
+// Takes suggested parameters by relief and material, then the given ones, and assets by their roles.
+
 #include "app/records/other_model.h"
 
 #include <cstddef>

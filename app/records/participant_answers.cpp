@@ -1,3 +1,5 @@
+// Continues the numbers of existing labels, and checks each answer against its question.
+
 #include "app/records/participant_answers.h"
 
 #include <algorithm>

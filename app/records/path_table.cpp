@@ -1,3 +1,5 @@
+// Parses columns by name, derives missing velocities from positions, and writes forces as columns.
+
 #include "app/records/path_table.h"
 
 #include <algorithm>

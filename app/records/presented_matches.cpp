@@ -1,3 +1,5 @@
+// Collects every combination of block, stimulus and amplitude once, in the order of the plan.
+
 #include "app/records/presented_matches.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Plans the session again, compares plan and files with what was stored, and replays surfaces.
+
 #include "app/records/recorded_attempt.h"
 
 #include <algorithm>

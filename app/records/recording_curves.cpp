@@ -1,3 +1,5 @@
+// Cuts the ticks into contacts, thins paths, and reduces curves to the extremes of each column of pixels.
+
 #include "app/records/recording_curves.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Reads session and events as JSON, and follows changes of device through stretches.
+
 #include "app/records/session_conditions.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Matches each lasting event with the one that ends it, and assigns attempts by their times.
+
 #include "app/records/session_timeline.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Identifies a computation by the checksum of its declaration and program, stored with every shard.
+
 #include "app/shards/divided_computation.h"
 
 #include <stdexcept>

@@ -1,3 +1,5 @@
+// Numbers shards from 1, and composes and parses their text "INDEX/COUNT" and their file names.
+
 #include "app/shards/shard.h"
 
 #include <charconv>

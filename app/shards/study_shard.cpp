@@ -1,3 +1,5 @@
+// Stores the identity of the shard in the study, and checks that all shards of a division are present.
+
 #include "app/shards/study_shard.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Writes rows with the numbers of their results, ended by a checksum, and merges them in that order.
+
 #include "app/shards/table_shard.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Stores ranges of places in a JSON file of the study, and reads a session's place from its event.
+
 #include "app/study_files/dealt_places.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Keeps the checksums of drawn figures in a JSON file; an unchanged figure may be replaced.
+
 #include "app/study_files/drawn_figures.h"
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Writes PNG and sidecar together or not at all, and checks a sidecar against its picture.
+
 #include "app/study_files/height_field_files.h"
 
 #include <algorithm>

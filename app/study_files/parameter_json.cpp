@@ -1,3 +1,5 @@
+// Writes numbers and choices as one JSON object in the order of their names.
+
 #include "app/study_files/parameter_json.h"
 
 #include <nlohmann/json.hpp>

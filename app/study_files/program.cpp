@@ -1,3 +1,5 @@
+// Combines version, build, instruction set and C library with the checksum of the executable.
+
 #include "app/study_files/program.h"
 
 #include <sys/utsname.h>

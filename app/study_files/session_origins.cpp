@@ -1,3 +1,5 @@
+// Reads the events of merges, and extends each key by those of later merges.
+
 #include "app/study_files/session_origins.h"
 
 #include <nlohmann/json.hpp>

@@ -1,3 +1,5 @@
+// Examines a study up to 1 GiB, and adds what was found to errors while it is read.
+
 #include "app/study_files/study_condition.h"
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Lists the missing items in one phrase.
+
 #include "app/study_files/study_metadata.h"
 
 namespace asperity {

@@ -1,3 +1,5 @@
+// Adds the output before it is written and completes it afterwards, and finds those with a participant.
+
 #include "app/study_files/study_outputs.h"
 
 #include <algorithm>

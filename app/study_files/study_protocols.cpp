@@ -1,3 +1,5 @@
+// Edits the name in the text of the file, and refuses changes of a protocol that sessions ran.
+
 #include "app/study_files/study_protocols.h"
 
 #include <algorithm>

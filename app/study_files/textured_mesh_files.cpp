@@ -1,3 +1,5 @@
+// Decodes the file with the checksum of its content, and writes it atomically.
+
 #include "app/study_files/textured_mesh_files.h"
 
 #include <span>

@@ -1,3 +1,5 @@
+// Searches the rows of the order on several threads, and stores them with their declaration.
+
 #include "app/sweep/clean_stiffness_table.h"
 
 #include <algorithm>

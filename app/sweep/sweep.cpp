@@ -1,3 +1,5 @@
+// Computes missing rows on several threads, appends them to the table, and fits a curve to each level.
+
 #include "app/sweep/sweep.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Reads the level of each quantity in a trial, and states which option matches the conditions.
+
 #include "app/sweep/sweep_beside.h"
 
 #include <algorithm>

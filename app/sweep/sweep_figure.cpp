@@ -1,3 +1,5 @@
+// Draws fitted curves and drop points by level, with the estimates of a study in matching styles.
+
 #include "app/sweep/sweep_figure.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Holds the table of measures: name, column, and the member of a row.
+
 #include "app/sweep/sweep_measure.h"
 
 #include <algorithm>

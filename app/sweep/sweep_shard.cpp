@@ -1,3 +1,5 @@
+// Numbers the rows by level and spacing, and computes those of one shard.
+
 #include "app/sweep/sweep_shard.h"
 
 #include <algorithm>

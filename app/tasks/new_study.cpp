@@ -1,3 +1,5 @@
+// Generates the textures, reliefs and protocols of the demonstration, so that an unfinished study is known.
+
 #include "app/tasks/new_study.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Holds the table of quoted times by scene, each with its source.
+
 #include "app/timing/quoted_time.h"
 
 #include <array>

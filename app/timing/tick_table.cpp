@@ -1,3 +1,5 @@
+// Makes columns from quantiles of the times, without those for which there are too few ticks.
+
 #include "app/timing/tick_table.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Bakes bodies on request, and keeps them in a folder under the checksum of their original.
+
 #include "app/timing/timed_bodies.h"
 
 #include <algorithm>

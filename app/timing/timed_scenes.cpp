@@ -1,3 +1,5 @@
+// Runs each scene along its motion, on the processor and on the first compute device.
+
 #include "app/timing/timed_scenes.h"
 
 #include <algorithm>

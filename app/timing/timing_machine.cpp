@@ -1,3 +1,5 @@
+// Reads processor, load and compiler, and warns if other programs use the computer.
+
 #include "app/timing/timing_machine.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Simulates the largest study in a temporary folder, and analyses its first participants.
+
 #include "app/virtual_studies/physics_studies.h"
 
 #include <set>

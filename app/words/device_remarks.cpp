@@ -1,3 +1,5 @@
+// Holds the table of codes and phrases, and lists traits in one phrase.
+
 #include "app/words/device_remarks.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Holds the table of kinds with meaning, end, HED tags and public data.
+
 #include "app/words/event_kinds.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Replaces the placeholders %1 … by translated arguments, and capitalises a sentence unless a name begins it.
+
 #include "app/words/phrase.h"
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Holds the table of codes and phrases, and of quantities and faults in them.
+
 #include "app/words/reason.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Counts the characters of UTF-8, and breaks lines between words under an indented prefix.
+
 #include "app/words/text_parts.h"
 
 #include <algorithm>

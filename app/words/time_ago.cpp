@@ -1,3 +1,5 @@
+// Rounds to hours, and from two days on to days.
+
 #include "app/words/time_ago.h"
 
 #include "analysis/numbers/number_text.h"

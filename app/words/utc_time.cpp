@@ -1,3 +1,5 @@
+// Formats milliseconds since 1970 with a Z at the end, and counts the days of such a date.
+
 #include "app/words/utc_time.h"
 
 #include <chrono>

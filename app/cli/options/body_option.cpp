@@ -1,3 +1,5 @@
+// Holds a table of shapes with their sizes, and parses NAME:SIZE…; any other text names a file.
+
 #include "app/cli/options/body_option.h"
 
 #include <algorithm>

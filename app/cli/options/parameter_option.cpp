@@ -1,3 +1,5 @@
+// Parses each assignment by the kind of the declared parameter, and lists parameters for help and errors.
+
 #include "app/cli/options/parameter_option.h"
 
 #include <algorithm>

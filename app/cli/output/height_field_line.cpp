@@ -1,3 +1,5 @@
+// Joins size, pitch and heights with the units of displayed numbers.
+
 #include "app/cli/output/height_field_line.h"
 
 #include "analysis/numbers/number_text.h"

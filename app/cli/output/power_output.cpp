@@ -1,3 +1,5 @@
+// Prints assumptions, curves and samples as aligned tables, and writes tables, figure, text and JSON.
+
 #include "app/cli/output/power_output.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Prints the first sentences about a recording, and the number of the others.
+
 #include "app/cli/output/recording_warnings.h"
 
 #include <algorithm>

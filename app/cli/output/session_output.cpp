@@ -1,3 +1,5 @@
+// Writes one line per stored attempt, "done" if it counts and "stored" otherwise.
+
 #include "app/cli/output/session_output.h"
 
 #include <mutex>

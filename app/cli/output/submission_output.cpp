@@ -1,3 +1,5 @@
+// Groups shards by their state in the queue, and shortens long lists of missing ones.
+
 #include "app/cli/output/submission_output.h"
 
 #include <algorithm>

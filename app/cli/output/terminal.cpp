@@ -1,3 +1,5 @@
+// Writes to standard error under a mutex, limits how often progress is shown, and aligns columns.
+
 #include "app/cli/output/terminal.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Validates the combination of options, and completes the order from tables or from the full physics.
+
 #include "app/cli/power/power_request.h"
 
 #include <algorithm>

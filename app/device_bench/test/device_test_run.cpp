@@ -1,3 +1,5 @@
+// Announces each part, and compares every measured item with its limit or states why it has no value.
+
 #include "app/device_bench/test/device_test_run.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Measures latency and mass from the start of twelve pushes along each axis.
+
 #include <algorithm>
 #include <array>
 #include <cmath>

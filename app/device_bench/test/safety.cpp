@@ -1,3 +1,5 @@
+// Provokes limiter, stop, non-finite forces and silence, and checks that the force becomes zero.
+
 #include <algorithm>
 #include <limits>
 #include <string>

@@ -1,3 +1,5 @@
+// Pushes along each axis with forces that increase by √2 until the handle moves enough.
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -1,3 +1,5 @@
+// Increases the stiffness by √2 along each axis until the handle keeps swinging after a small kick.
+
 #include <cmath>
 #include <cstddef>
 #include <vector>

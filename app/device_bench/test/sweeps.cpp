@@ -1,3 +1,5 @@
+// Pulls the handle to and fro at constant speeds, and derives friction and stiffness of each axis.
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,3 +1,5 @@
+// Measures rate, lateness, missed deadlines and position noise of a loop without force.
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,3 +1,5 @@
+// Measures the response of each axis to tones up to 200 Hz, and derives the resonance.
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

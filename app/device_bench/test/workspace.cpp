@@ -1,3 +1,5 @@
+// Records the corners of the workspace that the user reaches with the handle.
+
 #include <algorithm>
 
 #include <glm/common.hpp>

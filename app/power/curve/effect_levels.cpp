@@ -1,3 +1,5 @@
+// Parses the stated effects, finds each by its name, and makes the assumptions for every level.
+
 #include "app/power/curve/effect_levels.h"
 
 #include <algorithm>

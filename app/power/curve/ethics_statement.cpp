@@ -1,3 +1,5 @@
+// Composes sentences from the effect, the test, the curve and the rules of the sample.
+
 #include "app/power/curve/ethics_statement.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Interpolates the fitted power between simulated numbers, and rounds the sample up to whole multiples.
+
 #include "app/power/curve/planned_sample.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Names the curves by the properties in which they differ, and draws at most six.
+
 #include "app/power/curve/power_curve_figure.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Creates the folder, but not its parent.
+
 #include "app/power/curve/power_files.h"
 
 #include <stdexcept>

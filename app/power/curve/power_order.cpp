@@ -1,3 +1,5 @@
+// Numbers the studies of an order, and writes it as the declaration to which tables are compared.
+
 #include "app/power/curve/power_order.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Maps the studies of an order to the items of a divided computation.
+
 #include "app/power/curve/power_shard.h"
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Adds outcomes by test, effect and size in any order, and fits a monotone curve to the counts.
+
 #include "app/power/curve/power_tally.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Makes one row per number of participants or planned power, with rounded and missing cells.
+
 #include "app/power/curve/result_tables.h"
 
 #include <cstdint>

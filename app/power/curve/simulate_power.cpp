@@ -1,3 +1,5 @@
+// Appends every study to a growing file with its declaration, and continues after the last whole row.
+
 #include "app/power/curve/simulate_power.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Writes the outcomes of a study as tab-separated rows, and rejects a row with an unreadable cell.
+
 #include "app/power/curve/study_rows.h"
 
 #include <charconv>

@@ -1,3 +1,5 @@
+// Takes studies from a common counter, and keeps early results until their turn.
+
 #include "app/power/curve/study_simulation.h"
 
 #include <chrono>

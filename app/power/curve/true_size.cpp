@@ -1,3 +1,5 @@
+// Compares the proportion of significant studies with the level, within three standard errors.
+
 #include "app/power/curve/true_size.h"
 
 #include <cmath>
