@@ -1,3 +1,5 @@
+// Throws std::invalid_argument with the field, its value and the permitted values.
+
 #include "device/refusal.h"
 
 #include <array>

@@ -1,3 +1,5 @@
+// Holds the capabilities and traits of each model with their sources, and parses given properties.
+
 #include "device/simulated_models.h"
 
 #include <algorithm>

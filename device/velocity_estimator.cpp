@@ -1,3 +1,5 @@
+// Fits a line to a window of readings by least squares, and ignores implausible readings.
+
 #include "device/velocity_estimator.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Asks for confirmation, lets the robotic functions of the SDK move the device, and requires that they end.
+
 #include "device/force_dimension/find_zero.h"
 
 #include <stdexcept>

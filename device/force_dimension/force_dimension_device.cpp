@@ -1,3 +1,5 @@
+// Converts axes and orientations, watches for stale readings, and reopens a lost device.
+
 #include "device/force_dimension/force_dimension_device.h"
 
 #include <chrono>

@@ -1,3 +1,5 @@
+// Surveys the devices by opening each in turn, unless the program uses one of them.
+
 #include <algorithm>
 #include <chrono>
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Calls the functions of the SDK by the identity of a device, and composes its errors.
+
 #include "device/force_dimension/open_unit.h"
 
 #include <stdexcept>
