@@ -1,3 +1,5 @@
+// Enumerates the platforms of OpenCL, and compiles kernels for a device.
+
 #include "renderers/compute/compute_device.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Derives the height of contact and the depth of a path from what the model needs.
+
 #include "renderers/conformance/check_paths.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Runs the model at its defaults, at each limit and at drawn combinations of limits.
+
 #include "renderers/conformance/finite_check.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Hashes lattice points to directions, and blends them with the derivative in closed form.
+
 #include "renderers/force/gradient_noise.h"
 
 #include <array>

@@ -1,3 +1,5 @@
+// Solves for the gap between two flanks in closed form for sinusoids, gratings and cones.
+
 #include "renderers/offline/drop_point.h"
 
 #include <algorithm>

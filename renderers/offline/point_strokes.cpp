@@ -1,3 +1,5 @@
+// Moves the probe to and fro on a plane and around a torus, and renders at the models' defaults.
+
 #include "renderers/offline/point_strokes.h"
 
 #include <cmath>

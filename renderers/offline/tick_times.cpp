@@ -1,3 +1,5 @@
+// Times each tick on its own, and leaves out those during which the thread was preempted.
+
 #include "renderers/offline/tick_times.h"
 
 #include <algorithm>

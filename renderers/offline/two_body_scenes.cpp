@@ -1,3 +1,5 @@
+// Holds the table of scenes, and moves the tool by sliding, turning and combing.
+
 #include "renderers/offline/two_body_scenes.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Keeps the running call per thread, and prints it in handlers of the signals that end a program.
+
 #include "renderers/plugin/plugin_call.h"
 
 #include <array>

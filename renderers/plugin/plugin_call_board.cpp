@@ -1,3 +1,5 @@
+// Keeps the calls in shared memory, with a place for each thread.
+
 #include "renderers/plugin/plugin_call_board.h"
 
 #include <cerrno>

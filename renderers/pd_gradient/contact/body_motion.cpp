@@ -1,3 +1,5 @@
+// Composes the poses of both bodies before and now, in coordinates of B.
+
 #include "renderers/pd_gradient/contact/body_motion.h"
 
 #include <glm/matrix.hpp>

@@ -1,3 +1,5 @@
+// Finds a result by the places of its contact, in storage reserved beforehand.
+
 #include "renderers/pd_gradient/contact/computed_contacts.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Compares contacts by place, direction and region, with limits relative to their width.
+
 #include "renderers/pd_gradient/contact/textured_contact.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Continues the contacts of the last tick, adds new regions, and blends those that share a place.
+
 #include "renderers/pd_gradient/contact/textured_contacts.h"
 
 #include <algorithm>

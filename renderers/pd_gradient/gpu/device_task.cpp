@@ -1,3 +1,5 @@
+// Lays out tasks and answers as the kernels expect, and computes depth and gradient from an answer.
+
 #include "renderers/pd_gradient/gpu/device_task.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Moves and turns A by each step in both directions, and divides the differences of the depths.
+
 #include "renderers/pd_gradient/sampling/moved_poses.h"
 
 #include <algorithm>
