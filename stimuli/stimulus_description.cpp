@@ -1,3 +1,5 @@
+// Lists height field, bodies and declared assets of a stimulus by their roles.
+
 #include "stimuli/stimulus_description.h"
 
 namespace asperity {

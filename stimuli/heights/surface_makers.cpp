@@ -1,3 +1,5 @@
+// Declares parameters with limits, and requires enough samples for each structure.
+
 #include "stimuli/heights/surface_makers.h"
 
 #include <stdexcept>

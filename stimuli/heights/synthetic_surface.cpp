@@ -1,3 +1,5 @@
+// Collects the makers, and warns of seams and coarse samples of regular structures.
+
 #include "stimuli/heights/synthetic_surface.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Turns or extrudes outlines with random relief, in as many rows as the number of triangles requires.
+
 #include "stimuli/meshes/detailed_bodies.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Splits a text into lines and words, and triangulates faces and strips within the limits of a reading.
+
 #include "stimuli/meshes/mesh_decoding.h"
 
 #include <algorithm>

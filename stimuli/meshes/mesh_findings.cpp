@@ -1,3 +1,5 @@
+// Composes one sentence for each defect that occurred.
+
 #include "stimuli/meshes/mesh_findings.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Runs the steps in their order: weld, pair, turn, split, fill, sort out parts.
+
 #include "stimuli/meshes/mesh_repair.h"
 
 #include <stdexcept>

@@ -1,3 +1,5 @@
+// Evens the light by the method of the recipe, then subtracts the low-pass and scales to heights.
+
 #include "stimuli/photographs/texture_from_photograph.h"
 
 #include <utility>

@@ -1,3 +1,5 @@
+// Holds the list of methods, and computes the relative light of each.
+
 #include "stimuli/photographs/texture_method.h"
 
 #include <algorithm>

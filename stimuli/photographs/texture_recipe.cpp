@@ -1,3 +1,5 @@
+// Converts a recipe to parameter values and back, with the declaration of each parameter.
+
 #include "stimuli/photographs/texture_recipe.h"
 
 #include <stdexcept>

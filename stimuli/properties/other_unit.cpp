@@ -1,3 +1,5 @@
+// Tries the customary units of each quantity, and takes one in which the number is within the limits.
+
 #include "stimuli/properties/other_unit.h"
 
 #include <array>

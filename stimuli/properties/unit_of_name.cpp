@@ -1,3 +1,5 @@
+// Matches the end of the name with the known units, the longer ones first.
+
 #include "stimuli/properties/unit_of_name.h"
 
 #include <array>

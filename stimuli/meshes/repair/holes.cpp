@@ -1,3 +1,5 @@
+// Fills holes of the mesh with a triangle or with a fan about the middle of their border.
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Pairs half-edges at edges of two or more faces, and turns faces to agree with their neighbours.
+
 #include <algorithm>
 #include <array>
 #include <cmath>

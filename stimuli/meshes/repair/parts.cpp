@@ -1,3 +1,5 @@
+// Computes the volume of each connected part, drops debris, and turns parts outwards and cavities inwards.
+
 #include <algorithm>
 #include <array>
 #include <cmath>

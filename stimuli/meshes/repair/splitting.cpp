@@ -1,3 +1,5 @@
+// Gives each fan around a vertex a separate vertex, and divides edges with the same ends.
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Joins equal vertices, leaves out degenerate and double faces, and refuses unsuitable sizes.
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
