@@ -1,3 +1,5 @@
+// Stores one item per surface, with the option that was assigned to it.
+
 #include "protocols/answers/assignment_form.h"
 
 #include "protocols/answers/options.h"

@@ -1,3 +1,5 @@
+// Stores the chosen option as the only item.
+
 #include "protocols/answers/choice_form.h"
 
 #include "protocols/answers/options.h"

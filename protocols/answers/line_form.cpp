@@ -1,3 +1,5 @@
+// Stores the length as a number, and accepts only lengths of whole steps.
+
 #include "protocols/answers/line_form.h"
 
 #include <cmath>

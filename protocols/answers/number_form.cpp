@@ -1,3 +1,5 @@
+// Stores the number as text and number, and accepts a stored one that is above 0 and equal in both.
+
 #include "protocols/answers/number_form.h"
 
 #include <optional>

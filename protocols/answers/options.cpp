@@ -1,3 +1,5 @@
+// Compares values with the options of the question, and marks them as correct or incorrect.
+
 #include "protocols/answers/options.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Evaluates conditions on answers, and checks them and stored answers against the form of the question.
+
 #include "protocols/answers/question.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Converts between steps, values and stored texts, and finds the label of a step.
+
 #include "protocols/answers/scale_form.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Parses a formula by recursive descent, and evaluates it with a function of names.
+
 #include "protocols/design/arithmetic.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Holds the table of designs with their trials, roles and responses.
+
 #include "protocols/design/discrimination_design.h"
 
 #include <algorithm>

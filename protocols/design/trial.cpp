@@ -1,3 +1,5 @@
+// Divides the questions of a trial into pages: all on one, or one on each.
+
 #include "protocols/design/trial.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Checks tests, guesses, confidence, exclusion and items of each block against its trials.
+
 #include "protocols/file/analysis_warnings.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Evaluates each formula for all combinations, and declares the values as a factor.
+
 #include "protocols/file/derived_levels.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Checks each block for unused factors, priors, parts and unbalanced positions.
+
 #include "protocols/file/design_warnings.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Completes the stated settings of a procedure with defaults from its grid, origin and guess rate.
+
 #include "protocols/file/levels_from_json.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Compares the rules for breaks with the longest runs of a plan, and the length of matchings.
+
 #include "protocols/file/plan_warnings.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Draws the surface with the greatest utility plus Gumbel noise, where the first has an order effect.
+
 #include "protocols/kinds/choice_responses.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Draws impressions of the surfaces about a psychometric function, and decides by the design.
+
 #include "protocols/kinds/discrimination_responses.h"
 
 #include <algorithm>

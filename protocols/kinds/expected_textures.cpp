@@ -1,3 +1,5 @@
+// Looks textures up among the expectations, and leaves out those that are not known.
+
 #include "protocols/kinds/expected_textures.h"
 
 namespace asperity {

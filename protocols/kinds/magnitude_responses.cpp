@@ -1,3 +1,5 @@
+// Draws logarithms of estimates about a curve of the predictor, with ratios of conditions.
+
 #include "protocols/kinds/magnitude_responses.h"
 
 #include <algorithm>

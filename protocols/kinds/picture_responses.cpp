@@ -1,3 +1,5 @@
+// Draws impressions of all pictures, and takes the best option or the best whole assignment.
+
 #include "protocols/kinds/picture_responses.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Draws a point about the mean of the item, with differences between items, factors and participants.
+
 #include "protocols/kinds/rating_responses.h"
 
 #include <algorithm>

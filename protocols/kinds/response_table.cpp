@@ -1,3 +1,5 @@
+// Collects the parameters of a table in a list, and draws a participant's own values by name.
+
 #include "protocols/kinds/response_table.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Draws dissimilarities that grow with the distance of the items in their order.
+
 #include "protocols/kinds/similarity_responses.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Checks levels and repetitions, and states the next level by the answers so far.
+
 #include "protocols/procedures/constant_stimuli.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Presents the level that the program states, and checks the example as constant stimuli.
+
 #include "protocols/procedures/external.h"
 
 #include <algorithm>

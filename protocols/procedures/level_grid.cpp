@@ -1,3 +1,5 @@
+// Converts between levels and indices on a linear or logarithmic scale, with a tolerance for rounding.
+
 #include "protocols/procedures/level_grid.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Limits the table of a posterior by its size, prepares it once, and checks ranges and stop rules.
+
 #include "protocols/procedures/posterior_track.h"
 
 #include <algorithm>

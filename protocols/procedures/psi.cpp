@@ -1,3 +1,5 @@
+// Declares the procedure by the functions of a posterior track, with the marginalised parameters.
+
 #include "protocols/procedures/psi.h"
 
 #include "protocols/procedures/procedure.h"

@@ -1,3 +1,5 @@
+// Declares the procedure by the functions of a posterior track, about all parameters.
+
 #include "protocols/procedures/quest_plus.h"
 
 #include "protocols/procedures/procedure.h"

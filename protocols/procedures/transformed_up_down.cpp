@@ -1,3 +1,5 @@
+// Declares the procedure by the functions of an up-down track, with numbers of responses per move.
+
 #include "protocols/procedures/transformed_up_down.h"
 
 #include "protocols/procedures/procedure.h"

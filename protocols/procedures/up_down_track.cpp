@@ -1,3 +1,5 @@
+// Moves the index of a track by its steps, counts reversals, and applies the stop rules.
+
 #include "protocols/procedures/up_down_track.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Derives the steps up from the target, and those after "cannot tell" from the alternatives.
+
 #include "protocols/procedures/weighted_up_down.h"
 
 #include <cmath>
