@@ -1,3 +1,5 @@
+// Tests phase, catch trials and repetition first, then the state of the attempt.
+
 #include "results_schema/analysis_use.h"
 
 #include "results_schema/rows.h"

@@ -1,3 +1,5 @@
+// Copies each file once while its checksum is computed, and refuses links and special files.
+
 #include "results_schema/study_files.h"
 
 #include <algorithm>

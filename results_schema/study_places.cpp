@@ -1,3 +1,5 @@
+// Reads taken places from events, and takes the first free one of the dealt ranges.
+
 #include "results_schema/study_places.h"
 
 #include <optional>

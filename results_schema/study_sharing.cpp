@@ -1,3 +1,5 @@
+// Sets group and mode of folder and files, and reads them to state who has access.
+
 #include "results_schema/study_sharing.h"
 
 #include <algorithm>

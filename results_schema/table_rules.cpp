@@ -1,3 +1,5 @@
+// Parses CHECK constraints from the stored SQL, and compares objects with those of a new database.
+
 #include "results_schema/table_rules.h"
 
 #include <algorithm>

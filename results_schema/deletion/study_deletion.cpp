@@ -1,3 +1,5 @@
+// Deletes rows by foreign keys in one transaction, overwrites pages and log, then removes files.
+
 #include "results_schema/deletion/study_deletion.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Locks the file while it is open, and cuts an incomplete last line off.
+
 #include "results_schema/files/growing_file.h"
 
 #include <array>

@@ -1,3 +1,5 @@
+// Opens the file for appending, without following links, and writes the whole text.
+
 #include "results_schema/files/log_file.h"
 
 #include <cerrno>

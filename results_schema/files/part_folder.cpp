@@ -1,3 +1,5 @@
+// Writes into a part folder under a lock, and exchanges it with the target when it is complete.
+
 #include "results_schema/files/part_folder.h"
 
 #include <cerrno>

@@ -1,3 +1,5 @@
+// Writes the checksum into study.sqlite.sha256 after the last writer, under a lock that writers share.
+
 #include "results_schema/hashes/seal.h"
 
 #include <algorithm>

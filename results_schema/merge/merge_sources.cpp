@@ -1,3 +1,5 @@
+// Compares identities of participants and sessions of all studies in tables on disk.
+
 #include "results_schema/merge/merge_sources.h"
 
 #include <algorithm>

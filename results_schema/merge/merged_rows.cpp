@@ -1,3 +1,5 @@
+// Copies table by table in the order of their references, with new keys for each session.
+
 #include "results_schema/merge/merged_rows.h"
 
 #include <algorithm>

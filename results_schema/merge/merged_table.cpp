@@ -1,3 +1,5 @@
+// Inserts rows with the values of the source, except for columns that the caller replaces.
+
 #include "results_schema/merge/merged_table.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Writes with ReadStat: shortens names and labels, and sets a fixed date for equal bytes.
+
 #include "results_schema/tables/sav_file.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Writes through a buffer as TSV, CSV or gzip, marks texts that look like formulas, and hashes the bytes.
+
 #include "results_schema/tables/table_file.h"
 
 #include <charconv>
