@@ -1,3 +1,5 @@
+// Holds the geometric mean to Student's interval of the logarithms.
+
 #include "analysis/tests/geometric_mean.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Holds the slope over trials to the line of least squares.
+
 #include "analysis/tests/learning.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Holds the variance components to calculations by hand, and to the model that data are drawn from.
+
 #include "analysis/models/variance_components.h"
 
 #include <cmath>

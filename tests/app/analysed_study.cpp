@@ -1,3 +1,5 @@
+// Analyses a made-up study in memory, and keeps outcomes by name for several tests.
+
 #include "tests/app/analysed_study.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Tests the warning about a stimulus that cannot reach the force that its protocol requests.
+
 #include "app/tasks/warnings/force_warnings.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,5 @@
+// Draws choices from psychometric functions with fixed seeds, and keeps their analyses.
+
 #include "tests/app/made_up_choices.h"
 
 #include <algorithm>

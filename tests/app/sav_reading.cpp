@@ -1,3 +1,5 @@
+// Collects variables, labels and cells from the callbacks of ReadStat.
+
 #include "tests/app/sav_reading.h"
 
 #include <algorithm>

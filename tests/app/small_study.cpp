@@ -1,3 +1,5 @@
+// Writes one texture, and composes protocols from a block and an exploration.
+
 #include "tests/app/small_study.h"
 
 #include "app/study_files/height_field_files.h"

@@ -1,3 +1,5 @@
+// Tests that protocol files are copied, renamed and deleted, unless a session has run them.
+
 #include "app/study_files/study_protocols.h"
 
 #include <gmock/gmock.h>

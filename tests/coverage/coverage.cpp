@@ -1,3 +1,5 @@
+// Draws tables in each setting, analyses them, and counts covering intervals and significant tests.
+
 #include "tests/coverage/coverage.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Lists the parts, and computes true values by integrals over the random effects.
+
 #include "tests/coverage/coverage_parts.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Makes the demonstration study, simulates a changed protocol in it, and counts its attempts.
+
 #include "tests/gates/simulated_study.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Forks the program with pipes or a pseudo-terminal, and ends it after a time limit.
+
 #include "tests/journeys/program.h"
 
 #include <array>

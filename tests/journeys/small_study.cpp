@@ -1,3 +1,5 @@
+// Makes the textures once, composes protocols as JSON, and parses exported tables and lines.
+
 #include "tests/journeys/small_study.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Composes each protocol from the common keys and the blocks of one task.
+
 #include "tests/journeys/small_tasks.h"
 
 #include "tests/journeys/small_study.h"

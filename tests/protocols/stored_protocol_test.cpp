@@ -1,3 +1,5 @@
+// What is read of a stored protocol: statements, scales, spacings, parameters and languages.
+
 #include "protocols/file/stored_protocol.h"
 
 #include <string>

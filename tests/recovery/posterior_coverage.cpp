@@ -1,3 +1,5 @@
+// Draws observers, runs the procedure, and compares counts of covering intervals by chi-squared.
+
 #include "tests/recovery/posterior_coverage.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Runs tracks of simulated observers, and compares their errors with the bound of the Fisher information.
+
 #include "tests/recovery/recovery.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Draws observers, places trials adaptively, fits them, and counts the intervals that contain the threshold.
+
 #include "tests/recovery/threshold_coverage.h"
 
 #include <algorithm>

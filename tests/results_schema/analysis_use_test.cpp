@@ -1,3 +1,5 @@
+// Which attempts count in analyses, and the first reason why others do not.
+
 #include "results_schema/analysis_use.h"
 
 #include <gtest/gtest.h>

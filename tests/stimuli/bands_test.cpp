@@ -1,3 +1,5 @@
+// Work in bands on several threads: every index once, and exceptions after the end of all.
+
 #include "stimuli/pictures/bands.h"
 
 #include <atomic>

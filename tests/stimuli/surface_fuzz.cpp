@@ -1,3 +1,5 @@
+// Mutates bytes, digits and archives of valid files, and counts how they are read or refused.
+
 #include "tests/stimuli/surface_fuzz.h"
 
 #include <array>

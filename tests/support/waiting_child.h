@@ -1,3 +1,5 @@
+// Declares a child process that runs an action and then waits to be killed.
+
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// The page of analyses: answers, figures and tables of made-up studies, their export and languages.
+
 #include "app/gui/data/analysis_page.h"
 
 #include <algorithm>

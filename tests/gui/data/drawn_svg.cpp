@@ -1,3 +1,5 @@
+// Reads texts and points from the elements of an SVG.
+
 #include "tests/gui/data/drawn_svg.h"
 
 #include <QtCore/QXmlStreamReader>

@@ -1,3 +1,5 @@
+// Holds the curves of a recording to the extremes, contacts and marks of made-up ticks.
+
 #include "app/records/recording_curves.h"
 
 #include <algorithm>

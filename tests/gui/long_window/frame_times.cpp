@@ -1,3 +1,5 @@
+// Measures from the timer to the end of painting by an event filter.
+
 #include "tests/gui/long_window/frame_times.h"
 
 #include <QtCore/QCoreApplication>

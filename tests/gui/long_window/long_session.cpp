@@ -1,3 +1,5 @@
+// Runs sessions with and without windows, requests their end in time, and reads the stored servo times.
+
 #include "tests/gui/long_window/long_session.h"
 
 #include <algorithm>

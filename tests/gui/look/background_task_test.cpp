@@ -1,3 +1,5 @@
+// Background tasks: results, errors, replacement and destruction while they run.
+
 #include "app/gui/look/background_task.h"
 
 #include <atomic>

@@ -1,3 +1,5 @@
+// Work of which only the newest request matters: order, thread and errors.
+
 #include "app/gui/look/newest_work.h"
 
 #include <atomic>

@@ -1,3 +1,5 @@
+// The line of a background task: its words, its progress and its button to cancel.
+
 #include "app/gui/look/task_line.h"
 
 #include <atomic>

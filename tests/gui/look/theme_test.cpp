@@ -1,3 +1,5 @@
+// Contrast of the light and the dark theme, and the return to that of the system.
+
 #include "app/gui/look/theme.h"
 
 #include <algorithm>

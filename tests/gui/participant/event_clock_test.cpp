@@ -1,3 +1,5 @@
+// Times of events on the steady clock: delays, jumps, drift and stamps of 32 bits.
+
 #include "app/gui/participant/event_clock.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// Every scene on every size of screen: nothing overlaps, is left out or has small letters.
+
 #include "app/gui/participant/participant_layout.h"
 
 #include <algorithm>

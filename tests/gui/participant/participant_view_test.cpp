@@ -1,3 +1,5 @@
+// Answers by mouse, keys and dragging in the participant's view, and what it shows.
+
 #include "app/gui/participant/participant_view.h"
 
 #include <QtCore/QRegularExpression>

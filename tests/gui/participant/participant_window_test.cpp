@@ -1,3 +1,5 @@
+// The participant's window on one and on two screens, its colours and its end.
+
 #include "app/gui/participant/participant_window.h"
 
 #include <algorithm>

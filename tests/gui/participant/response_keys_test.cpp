@@ -1,3 +1,5 @@
+// Keys of a response while notes, menus, questions and dialogs of the experimenter are open.
+
 #include "app/gui/participant/response_keys.h"
 
 #include <algorithm>

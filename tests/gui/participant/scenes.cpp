@@ -1,3 +1,5 @@
+// Makes one scene of each kind and form of answer, and writes numbered pictures.
+
 #include "tests/gui/participant/scenes.h"
 
 #include <QtCore/QDir>

@@ -1,3 +1,5 @@
+// Compares the size of each visible label and button with what its words need.
+
 #include "tests/gui/session/clipped.h"
 
 #include <QtGui/QTextDocument>

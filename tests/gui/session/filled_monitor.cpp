@@ -1,3 +1,5 @@
+// Fills a monitor from the course of a library protocol with a fixed seed and made-up ticks.
+
 #include "tests/gui/session/filled_monitor.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Writes protocols, opens the windows, and waits for phases, keys and stored rows with a time limit.
+
 #include "tests/gui/sessions/session_room.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Adds participants with sessions, attempts, decisions and notes directly to the store.
+
 #include "tests/gui/study/lively_study.h"
 
 #include <array>

@@ -1,3 +1,5 @@
+// Makes each study once, and copies it into a temporary home for every test.
+
 #include "tests/gui/study/quiet_home.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Walks through the widgets of a window by name, colour, place and order of focus.
+
 #include "tests/gui/support/accessible.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Waits until the picture no longer changes, and saves it if a folder is named.
+
 #include "tests/gui/support/screenshot.h"
 
 #include <QtCore/QCoreApplication>

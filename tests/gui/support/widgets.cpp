@@ -1,3 +1,5 @@
+// Processes events until a condition holds or the time is over, and finds cells that are cut.
+
 #include "tests/gui/support/widgets.h"
 
 #include <QtTest/QTest>

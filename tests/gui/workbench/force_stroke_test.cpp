@@ -1,3 +1,5 @@
+// Holds the forces of a stroke to offline rendering, and the mouse hand to its path.
+
 #include "app/gui/workbench/force_stroke.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Holds the profile of a line and its spectrum to ridges of known height and spacing.
+
 #include "app/gui/workbench/line_profile.h"
 
 #include <algorithm>

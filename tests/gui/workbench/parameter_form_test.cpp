@@ -1,3 +1,5 @@
+// Forms of the parameters of every model: exact values, units, defaults and refusals.
+
 #include "app/gui/workbench/parameter_form.h"
 
 #include <stdexcept>

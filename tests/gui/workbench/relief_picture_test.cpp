@@ -1,3 +1,5 @@
+// The projection, exaggeration, dents, holes and light of a drawn relief.
+
 #include "app/gui/workbench/relief_picture.h"
 
 #include <cmath>

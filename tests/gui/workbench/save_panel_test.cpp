@@ -1,3 +1,5 @@
+// The name that is proposed for a stimulus from the name of a file.
+
 #include "app/gui/workbench/save_panel.h"
 
 #include <fstream>

@@ -1,3 +1,5 @@
+// The workbench from a dropped photograph to saved files, and what it says about recipes.
+
 #include "app/gui/workbench/workbench_page.h"
 
 #include <array>
