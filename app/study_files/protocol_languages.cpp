@@ -8,6 +8,8 @@
 #include "protocols/design/wording.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/file/translation.h"
+#include "protocols/keys/tables.h"
+#include "protocols/keys/valid_part.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/files/folder_entries.h"
 
@@ -21,12 +23,21 @@ std::string language_in_name(const std::filesystem::path& file) {
   return file.extension() == ".json" && ending.size() > 1 ? ending.substr(1) : std::string{};
 }
 
-/// The content of a file whose name and content are those of a translation.
+/// NAME.json for NAME.de.json.
+std::filesystem::path translated_by(const std::filesystem::path& file) {
+  return file.parent_path() / (file.stem().stem().string() + ".json");
+}
+
+/// The content of a file whose name is that of a translation, if it states this format, or next to its protocol whatever is
+/// no protocol: a mistake in it is one of a translation.
 std::optional<std::string> translation_in(const std::filesystem::path& file) {
   if (language_in_name(file).empty()) return {};
   try {
     std::string text = read_file(file, kProtocolFile);
-    if (is_translation(text)) return text;
+    if (is_translation(text) ||
+        (std::filesystem::exists(translated_by(file)) && !is_protocol(text))) {
+      return text;
+    }
   } catch (const std::exception&) {
     // Its reader reports it.
   }
@@ -49,7 +60,7 @@ std::vector<std::filesystem::path> protocol_files(const std::filesystem::path& s
 
 std::filesystem::path protocol_of(const std::filesystem::path& file) {
   if (!translation_in(file)) return file;
-  return file.parent_path() / (file.stem().stem().string() + ".json");
+  return translated_by(file);
 }
 
 std::vector<ProtocolInLanguage> languages_of_protocol(const std::filesystem::path& file) {
@@ -93,6 +104,13 @@ ProtocolSource protocol_source(const std::filesystem::path& file) {
   }
   const std::string text = read_file(own, kProtocolFile);
   const std::string language = language_in_name(file);
+  if (!valid_part(language, kProtocolTable.find("language")->shape, "", "").problems.empty()) {
+    throw ProtocolError(
+        {{file.string(), 1, 1, "",
+          in_quotes(language) +
+              " in the name of this file is not a language; name it by a BCP 47 tag, such as " +
+              own.stem().string() + ".de.json"}});
+  }
   if (language_of(text) == language) {
     throw ProtocolError(
         {{file.string(), 1, 1, "",

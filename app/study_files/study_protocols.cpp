@@ -43,6 +43,17 @@ std::filesystem::path translation_called(const std::filesystem::path& protocol,
   return file_called(protocol, protocol.stem().string() + '.' + translation.language);
 }
 
+/// One of the files that the protocol `file` with its translations would have under another name.
+std::optional<std::filesystem::path> file_in_the_way(const std::filesystem::path& file,
+                                                     const std::filesystem::path& wanted) {
+  if (std::filesystem::exists(wanted)) return wanted;
+  for (const ProtocolInLanguage& each : translations_of(file)) {
+    const std::filesystem::path translation = translation_called(wanted, each);
+    if (std::filesystem::exists(translation)) return translation;
+  }
+  return {};
+}
+
 /// The schema's rule for a protocol's name.
 bool is_name(const std::string& name) {
   const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
@@ -112,7 +123,7 @@ std::filesystem::path duplicate_protocol(const Study& study, const std::filesyst
   std::string name{};
   for (int number = 2; name.empty(); ++number) {
     const std::string next = base + '_' + std::to_string(number);
-    if (std::filesystem::exists(file_called(file, next))) continue;
+    if (file_in_the_way(file, file_called(file, next))) continue;
     if (sessions_of(study, next, {}) == 0) name = next;
   }
   const std::filesystem::path copy = file_called(file, name);
@@ -135,10 +146,11 @@ std::filesystem::path rename_protocol(const Study& study, const std::filesystem:
   const std::filesystem::path wanted = file_called(file, name);
   if (wanted == file && protocol_name(text).value_or(name) == name) return file;
   require_never_run(study, file);
-  if (wanted != file && std::filesystem::exists(wanted)) {
+  const auto in_the_way = wanted == file ? std::nullopt : file_in_the_way(file, wanted);
+  if (in_the_way) {
     throw PhrasedError(
         phrase("StudyProtocols", "The study already has a file %1. Choose another name.")
-            .with(wanted.filename().string()));
+            .with(in_the_way->filename().string()));
   }
   if (sessions_of(study, name, {}) > 0) {
     throw PhrasedError(phrase("StudyProtocols",
@@ -171,7 +183,7 @@ std::filesystem::path file_for_text(const std::filesystem::path& file, const std
   const std::optional<std::string> name = protocol_name(after);
   if (!name || !is_name(*name) || protocol_name(before) != file.stem().string()) return file;
   const std::filesystem::path wanted = file_called(file, *name);
-  return std::filesystem::exists(wanted) ? file : wanted;
+  return file_in_the_way(file, wanted) ? file : wanted;
 }
 
 }  // namespace asperity

@@ -26,7 +26,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::string_view kFormat = "asperity.translation/";
 constexpr std::string_view kMore = "…";
 
 constexpr std::array<KeyWord, 1> kFormats{{{"asperity.translation/1", 0, "this format"}}};
@@ -133,6 +132,7 @@ class Translator final {
       here.insert(each.text);
       if (translates(words, each.text)) meant.insert(each.text);
     }
+    if (here.contains(words)) meant = {words};  // the beginning of others, too
     if (here.empty()) {
       if (unknown_.insert(address).second) {
         problem_at_key(place,
@@ -161,6 +161,10 @@ class Translator final {
       if (each.address != address || each.text != source) continue;
       if (!done_.insert(i).second) {
         return problem_at_key(entry, "another entry translates this text; remove one of them");
+      }
+      if (text.find_first_not_of(" \n\t") == std::string::npos || text == kMore) {
+        return result.problems.push_back(translation_.at(
+            entry, "this text has no translation yet; write it in place of " + in_quotes(text)));
       }
       const std::vector<FormProblem> problems = valid_part(text, each.shape, "", entry).problems;
       if (!problems.empty()) {
@@ -204,15 +208,19 @@ class Translator final {
   std::vector<Replacement> replacements_{};
 };
 
-}  // namespace
-
-bool is_translation(std::string_view text) {
+bool has_format(std::string_view text, std::string_view format) {
   const json root = json::parse(text, nullptr, false);
   if (!root.is_object()) return false;
-  const auto format = root.find("format");
-  return format != root.end() && format->is_string() &&
-         format->get_ref<const std::string&>().starts_with(kFormat);
+  const auto stated = root.find("format");
+  return stated != root.end() && stated->is_string() &&
+         stated->get_ref<const std::string&>().starts_with(format);
 }
+
+}  // namespace
+
+bool is_translation(std::string_view text) { return has_format(text, "asperity.translation/"); }
+
+bool is_protocol(std::string_view text) { return has_format(text, "asperity.protocol/"); }
 
 TranslatedProtocol translated(std::string_view protocol, const std::string& file,
                               const TranslationFile& translation) {

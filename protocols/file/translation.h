@@ -13,6 +13,9 @@ namespace asperity {
 /// Whether the text is a JSON object whose "format" is that of translations, of any version.
 bool is_translation(std::string_view text);
 
+/// The same with the format of protocols.
+bool is_protocol(std::string_view text);
+
 /// A file of translated texts: {"format": "asperity.translation/1", "texts": {ADDRESS: {SOURCE: TRANSLATION, …}, …}}.
 /// Addresses: translatable_texts.h. A SOURCE repeats the text that it translates, or its first words followed by "…".
 struct TranslationFile {

@@ -145,6 +145,30 @@ TEST_F(SessionLanguage, IsNoProtocolOfItsOwn) {
   EXPECT_THAT(protocol_files(study_folder_), ElementsAre(other, file_)) << "not a translation";
 }
 
+TEST_F(SessionLanguage, IsThatOfAFileWithAnyMistakeNextToItsProtocol) {
+  const std::string whole = read_file(german_);
+  for (const std::string& broken :
+       {whole.substr(0, whole.size() / 2), std::string("\xff"),
+        R"({"format": "asperity.translatoin/1", "texts": {}})" + std::string()}) {
+    write_file(german_, broken, Overwrite::allow);
+    EXPECT_THAT(protocol_files(study_folder_), ElementsAre(file_)) << broken;
+    EXPECT_EQ(protocol_in_language(file_, "de"), german_);
+    try {
+      protocol_source(german_);
+      ADD_FAILURE() << broken;
+    } catch (const ProtocolError& error) {
+      EXPECT_EQ(error.diagnostics().front().file, german_.string());
+    }
+  }
+  write_file(german_, small_protocol(), Overwrite::allow);
+  EXPECT_THAT(protocol_files(study_folder_), testing::UnorderedElementsAre(file_, german_))
+      << "a protocol of its own";
+  const std::filesystem::path upper = german_.parent_path() / (file_.stem().string() + ".DE.json");
+  write_file(upper, whole, Overwrite::refuse);
+  EXPECT_THAT(refusal_of<ProtocolError>([&] { protocol_source(upper); }),
+              HasSubstr("is not a language"));
+}
+
 TEST_F(SessionLanguage, CannotBeThatOfATranslationWithAProblem) {
   std::string text = read_file(german_);
   text.replace(text.find("/flow/screen"), 12, "/flow/scream");

@@ -64,6 +64,11 @@ TEST_F(StudyProtocols, GetNoNameThatNoProtocolMayHaveOrThatAnotherHas) {
   for (const char* const name : {"", "Mine", "1st", "a-b", "../mine", "other"}) {
     EXPECT_THROW(rename_protocol(study(), file_, name), PhrasedError) << name;
   }
+  write_file(beside("small.de.json"), R"({"format": "asperity.translation/1", "texts": {}})",
+             Overwrite::refuse);
+  write_file(beside("free.de.json"), "somebody's", Overwrite::refuse);
+  EXPECT_THROW(rename_protocol(study(), file_, "free"), PhrasedError) << "its translation";
+  EXPECT_EQ(read_file(beside("free.de.json")), "somebody's");
   EXPECT_EQ(read_file(file_), small_protocol());
   EXPECT_EQ(rename_protocol(study(), file_, "small"), file_);
 }

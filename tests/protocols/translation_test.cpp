@@ -181,6 +181,24 @@ TEST(Translation, RefusesWordsOfSeveralTextsAndTwoEntriesOfOne) {
               ElementsAre(HasSubstr("another entry translates this text")));
 }
 
+TEST(Translation, PrefersTheTextThatItsWordsAre) {
+  const std::string protocol =
+      R"({"name": "a", "flow": [{"screen": "Wait…"}, {"screen": "Wait here."}]})";
+  const TranslatedProtocol german = in_german(
+      {{"/flow/screen", {{"Wait…", "Warten …"}, {"Wait here.", "Hier warten."}}}}, protocol);
+  EXPECT_THAT(messages_of(german.problems), IsEmpty());
+  EXPECT_THAT(german.text, HasSubstr(R"([{"screen": "Warten …"}, {"screen": "Hier warten."}])"));
+}
+
+TEST(Translation, IsNotThePlaceholderThatIsProposed) {
+  for (const char* const text : {"…", "  "}) {
+    json unfinished = texts();
+    unfinished["/flow/pause/text"].begin().value() = text;
+    EXPECT_THAT(messages_of(in_german(unfinished).problems),
+                ElementsAre(HasSubstr("this text has no translation yet")));
+  }
+}
+
 TEST(Translation, RefusesTextsThatTheProtocolCouldNotHave) {
   json of = texts();
   of["/title"] = {{"What was felt", std::string(201, 'a')}};

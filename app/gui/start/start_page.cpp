@@ -264,10 +264,14 @@ QWidget* StartPage::make_footer() {
 
 void StartPage::connect_parts() {
   connect(protocols_, &QComboBox::currentIndexChanged, this, [this](int index) {
-    if (index >= 0) pick(protocols_->itemData(index).toString().toStdString());
+    if (index < 0) return;
+    chosen_by_experimenter_.reset();
+    pick(protocols_->itemData(index).toString().toStdString());
   });
   connect(languages_, &QComboBox::currentIndexChanged, this, [this](int index) {
-    if (index >= 0) pick(languages_->itemData(index).toString().toStdString());
+    if (index < 0) return;
+    chosen_by_experimenter_.reset();
+    pick(languages_->itemData(index).toString().toStdString());
   });
   connect(participant_, &ParticipantCard::person_changed, this, [this] {
     consent_->forget();

@@ -134,7 +134,8 @@ class StartPage final : public QWidget {
   /// That of the participant's earlier sessions of this protocol and mode.
   std::optional<std::string> language_before() const;
   void list_languages();
-  /// Reads the protocol in the language of the participant's earlier sessions, if it is in another one.
+  /// Reads the protocol in the language of the participant's earlier sessions, if it is in another one, and in the chosen
+  /// language again for a participant without such sessions.
   void keep_language();
 
   /// Null while there is none, or it is not valid.
@@ -176,6 +177,8 @@ class StartPage final : public QWidget {
   QComboBox* protocols_ = nullptr;
   QWidget* languages_row_ = nullptr;
   QComboBox* languages_ = nullptr;
+  /// What the experimenter chose, while the protocol is read in a participant's language instead.
+  std::optional<std::filesystem::path> chosen_by_experimenter_{};
   QLabel* protocol_text_ = nullptr;
   StateLabel* protocol_state_ = nullptr;
   ParticipantCard* participant_ = nullptr;

@@ -39,6 +39,7 @@ void StartPage::choose(const std::filesystem::path& protocol,
                        const std::optional<std::string>& participant,
                        std::optional<std::int64_t> session) {
   banner_->hide();
+  chosen_by_experimenter_.reset();
   going_on_.reset();
   resume_ = false;
   wish_ = Wish{participant, session};
@@ -220,11 +221,20 @@ void StartPage::keep_language() {
   languages_->setEnabled(!before);
   languages_->setToolTip(before ? tr("The participant keeps the language of the earlier sessions.")
                                 : QString{});
-  if (!before || !is_read_ || chosen() == nullptr || chosen()->language == *before) return;
+  if (resume_ || !is_read_ || chosen() == nullptr) return;
+  // Not within the reading that led here.
+  const auto pick_soon = [this](const std::filesystem::path& file) {
+    QTimer::singleShot(0, this, [this, file] { pick(file); });
+  };
+  if (!before) {
+    if (const auto own = std::exchange(chosen_by_experimenter_, std::nullopt)) pick_soon(*own);
+    return;
+  }
+  if (chosen()->language == *before) return;
   for (const ProtocolInLanguage& each : facts_.languages) {
     if (each.language != *before) continue;
-    // Not within the reading that led here.
-    QTimer::singleShot(0, this, [this, file = each.file] { pick(file); });
+    if (!chosen_by_experimenter_) chosen_by_experimenter_ = facts_.chosen.file;
+    pick_soon(each.file);
   }
 }
 

@@ -51,7 +51,7 @@ std::vector<QString> StartPage::reasons() const {
                 : tr("No protocol is chosen; choose one.")};
   }
   std::vector<QString> reasons = participant_->complaints();
-  if (const auto before = language_before(); before && *before != chosen()->language) {
+  if (const auto before = language_before(); !resume_ && before && *before != chosen()->language) {
     reasons.push_back(tr("The earlier sessions of this participant were in the language “%1”: add "
                          "this translation of the protocol, or choose another participant.")
                           .arg(QString::fromStdString(*before)));

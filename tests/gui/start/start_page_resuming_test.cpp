@@ -76,6 +76,10 @@ TEST_F(TheStartPage, OffersTheLanguagesOfTheProtocolAndKeepsThatOfAParticipant) 
   ASSERT_TRUE(wait_for_study());
   EXPECT_FALSE(find<QComboBox>("languages").isEnabled());
   EXPECT_FALSE(has_reason("in the language")) << shown_reason();
+
+  page->forget_person();
+  EXPECT_TRUE(eventually([this, &german] { return page->order().inputs.protocol == german; }))
+      << "a new participant has what the experimenter chose";
 }
 
 TEST_F(TheStartPage, AsksForAReasonToResumeWhatIsOlderThanTheProtocolHasIt) {
