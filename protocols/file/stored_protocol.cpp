@@ -174,17 +174,19 @@ void keep_unknown(Block& block, const Json& stated, const std::vector<FormProble
 }
 
 /// A procedure that this version cannot run has no tracks.
-void complete_stored_block(Block& block, const Json& stated, const Protocol& protocol) {
+void complete_stored_block(Block& block, const Json& stated, const Protocol& protocol,
+                           const std::vector<FormProblem>& unread) {
   const DiscriminationDesign* const design = block.design;
   if (design == nullptr) block.design = &two_alternatives();
   complete_block(block, stated, protocol, {});
   block.design = design;
   if (!block.procedure) return;
-  const std::vector<FormProblem> unread =
-      valid_part(member_of(stated, "procedure"), kProcedureTable, "").problems;
-  const bool is_read = std::all_of(unread.begin(), unread.end(), [](const FormProblem& problem) {
-    return problem.is_at_key;  // of another version, in addition
-  });
+  const std::string at = pointer_to("/blocks", block.name) + "/procedure";
+  const bool is_read =
+      std::none_of(unread.begin(), unread.end(), [&at](const FormProblem& problem) {
+        const bool is_of_procedure = problem.pointer == at || problem.pointer.starts_with(at + '/');
+        return is_of_procedure && !problem.is_at_key;  // a key of another version is in addition
+      });
   std::vector<ProcedureSettings>& tracks = block.procedure->tracks;
   const bool can_be_run = std::all_of(tracks.begin(), tracks.end(),
                                       [](const auto& each) { return problems_of(each).empty(); });
@@ -236,7 +238,7 @@ StoredProtocol stored_protocol(const std::string& source) {
   for (auto& [name, block] : protocol.blocks) {
     const Json& stated = member_of(member_of(root, "blocks"), name);
     keep_unknown(block, stated, read.unread);
-    complete_stored_block(block, stated, protocol);
+    complete_stored_block(block, stated, protocol, read.unread);
     read.surface_factors[name] = surface_factors_in(root, stated);
   }
   return read;

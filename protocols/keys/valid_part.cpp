@@ -21,11 +21,6 @@ std::size_t characters_in(const std::string& text) {
   }));
 }
 
-bool is_of_types(const json& value, const std::vector<std::string>& types) {
-  return std::any_of(types.begin(), types.end(),
-                     [&value](const std::string& type) { return is_of_type(value, type); });
-}
-
 std::vector<std::string> names_of(std::span<const KeyWord> words) {
   std::vector<std::string> names{};
   for (const KeyWord& word : words) names.emplace_back(word.name);
@@ -50,7 +45,7 @@ class Walk final {
     const Place place{value, meaning, pointer};
     // A word is named with all others, so that the sentence about its type would be a second one.
     const bool is_word = std::holds_alternative<WordShape>(shape);
-    if (!is_word && !is_of_types(value, types_of(shape))) {
+    if (!is_word && shape_of(shape, value) == nullptr) {
       return refused(place, wrong_type(value, types_of(shape), meaning));
     }
     return std::visit([&](const auto& one) { return part_of(one, place); }, shape);
