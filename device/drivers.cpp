@@ -135,8 +135,8 @@ DriverSurvey survey_with_claim(const Driver& driver, const DriverOptions& option
   if (needs_claim(driver, options) && UnitInUse::of(driver.id).empty()) {
     claim = claim_within(std::chrono::seconds(1), driver, options.stop);
     if (claim == nullptr) {
-      return {.hindrance = "No device was searched for, because " + driven_by_another(driver) +
-                           "search again."};
+      return {.blocker = "No device was searched for, because " + driven_by_another(driver) +
+                         "search again."};
     }
   }
   return driver.find(options);
@@ -242,7 +242,7 @@ AttachedDevice choose_attached(const std::string& product,
     throw std::runtime_error(std::to_string(fitting.size()) + " devices are attached (" + product +
                              "); name one by its serial number or place: " + tags_of(fitting));
   }
-  if (!fitting.front().is_usable()) throw std::runtime_error(fitting.front().hindrance);
+  if (!fitting.front().is_usable()) throw std::runtime_error(fitting.front().blocker);
   return fitting.front();
 }
 

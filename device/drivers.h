@@ -72,15 +72,15 @@ struct AttachedDevice {
   std::string remark{};  ///< a sentence about a usable one for the user, or empty
   /// Empty for a device that can be opened now; otherwise a sentence: what stands in the way, and what
   /// would make it usable (a permission, firmware, another program that holds it).
-  std::string hindrance{};
+  std::string blocker{};
 
-  bool is_usable() const noexcept { return hindrance.empty(); }
+  bool is_usable() const noexcept { return blocker.empty(); }
 };
 
 /// What a driver found when it looked.
 struct DriverSurvey {
-  std::string found{};      ///< what it needs and has: "libdhd 3.17.5 in /usr/lib/…"; or empty
-  std::string hindrance{};  ///< a sentence for a driver that cannot work at all; or empty
+  std::string found{};    ///< what it needs and has: "libdhd 3.17.5 in /usr/lib/…"; or empty
+  std::string blocker{};  ///< a sentence for a driver that cannot work at all; or empty
   std::vector<AttachedDevice> attached{};
 };
 
@@ -101,7 +101,7 @@ struct Driver {
   std::optional<VelocityWindow> velocity{};
   /// The position step that all of its devices have, as they declare it; nothing where it is unknown or depends on the model.
   std::optional<double> position_step_m{};
-  /// Never throws for what the machine lacks: that is a hindrance.
+  /// Never throws for what the machine lacks: that is a blocker.
   std::function<DriverSurvey(const DriverOptions&)> find{};
   /// Opens the one whose serial or place is `which`; the only one attached when that is empty.
   /// Errors: std::runtime_error with a sentence: what is wrong, and what would be right; OpeningStopped.
@@ -126,7 +126,7 @@ class DriverRegistry final {
   const Driver* find(std::string_view id) && = delete;
 
   /// What one of its drivers finds.
-  /// Where another process drives a device of the driver (DeviceClaim), that is its hindrance, and the driver does not look.
+  /// Where another process drives a device of the driver (DeviceClaim), that is its blocker, and the driver does not look.
   /// Errors: LookStopped, also where the stop comes while another thread looks or opens.
   DriverSurvey survey(const Driver& driver, const DriverOptions& options) const;
   /// Opens what `--device` names: ID, or ID:SERIAL, or ID:PLACE.
@@ -149,7 +149,7 @@ std::optional<VelocityWindow> velocity_window_of(std::string_view driver, std::s
 /// For drivers: the attached device whose serial or place is `which`, or the only one.
 ///
 /// Errors: std::runtime_error when there is none, when several fit (naming each), and with the
-/// hindrance of one that cannot be used. `product` is what people call it, e.g. "Novint Falcon".
+/// blocker of one that cannot be used. `product` is what people call it, e.g. "Novint Falcon".
 AttachedDevice choose_attached(const std::string& product,
                                const std::vector<AttachedDevice>& attached,
                                const std::string& which);

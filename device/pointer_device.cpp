@@ -96,7 +96,7 @@ Driver pointer_driver() {
           [](const DriverOptions& options) {
             DriverSurvey survey{};
             if (options.pointer == nullptr) {
-              survey.hindrance =
+              survey.blocker =
                   "It receives its input from a window, and there is none here: run the session in "
                   "the program's windows.";
             } else {

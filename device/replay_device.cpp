@@ -82,7 +82,7 @@ Driver replay_driver() {
       .has_motors = false,
       .find =
           [](const DriverOptions&) {
-            return DriverSurvey{.hindrance = "It replays a recording: name its file, replay:FILE."};
+            return DriverSurvey{.blocker = "It replays a recording: name its file, replay:FILE."};
           },
       .open = [](const std::string& file,
                  const DriverOptions& options) -> std::unique_ptr<HapticDevice> {

@@ -26,7 +26,7 @@ class UnitInUse final {
   UnitInUse(const UnitInUse&) = delete;
   UnitInUse& operator=(const UnitInUse&) = delete;
 
-  /// Those of one driver, each with the hindrance that this program uses it.
+  /// Those of one driver, each with the blocker that this program uses it.
   static std::vector<AttachedDevice> of(std::string_view driver);
 
   /// Whether there is one, of any driver.

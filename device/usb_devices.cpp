@@ -83,7 +83,7 @@ std::string usb_serial(libusb_device_handle* handle) {
   return serial;
 }
 
-std::string usb_hindrance(int error, const std::string& product, const std::string& place) {
+std::string usb_blocker(int error, const std::string& product, const std::string& place) {
   const std::string it = "the " + product + " at " + place;
   switch (error) {
     case LIBUSB_ERROR_ACCESS:

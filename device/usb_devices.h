@@ -56,7 +56,7 @@ std::string usb_place(libusb_device* device);
 /// The serial number that an open device reports, or nothing. Takes 0.4 s at the worst.
 std::string usb_serial(libusb_device_handle* handle);
 /// Why `product` at `place` cannot be opened, in a sentence; `error` is libusb's.
-std::string usb_hindrance(int error, const std::string& product, const std::string& place);
+std::string usb_blocker(int error, const std::string& product, const std::string& place);
 
 /// A unit that was opened and is gone, and is to be found again.
 struct LostUnit {

@@ -110,7 +110,7 @@ int analyze_tables(const AnalyzeOptions& options) {
   const TableFindings findings{
       .kind = options.kind, .files = options.tables, .findings = family.findings(input)};
   for (const std::string& name : input.options.never_asked_for()) refuse_unused(input, name);
-  std::cout << (options.json ? findings_json(findings) : reading_text_of(findings));
+  std::cout << (options.json ? findings_json(findings) : display_text_of(findings));
 #ifdef ASPERITY_WITH_WINDOWS
   if (!options.figures.empty()) {
     write_figures(options.figures,
@@ -162,7 +162,7 @@ int analyze_answers(const AnalyzeOptions& options) {
   }
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if (i > 0) std::cout << "\n\n";
-    std::cout << reading_text_of(outcomes[i]);
+    std::cout << display_text_of(outcomes[i]);
   }
   return 0;
 }

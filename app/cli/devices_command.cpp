@@ -26,12 +26,12 @@ nlohmann::ordered_json json_of_driver(const SurveyedDriver& driver) {
                         {"place", text_or_null(device.place)},
                         {"usable", device.is_usable()},
                         {"remark", text_or_null(device.remark)},
-                        {"hindrance", text_or_null(device.hindrance)}});
+                        {"hindrance", text_or_null(device.blocker)}});
   }
   return {{"id", driver.id},
           {"summary", driver.summary},
           {"found", text_or_null(driver.survey.found)},
-          {"hindrance", text_or_null(driver.survey.hindrance)},
+          {"hindrance", text_or_null(driver.survey.blocker)},
           {"attached", std::move(attached)}};
 }
 
@@ -46,11 +46,11 @@ void print_driver(const SurveyedDriver& driver) {
       std::cout << "  ready: " << name << '\n';
       if (!device.remark.empty()) std::cout << "    " << device.remark << '\n';
     } else {
-      std::cout << "  not usable: " << name << "\n    " << device.hindrance << '\n';
+      std::cout << "  not usable: " << name << "\n    " << device.blocker << '\n';
     }
   }
-  if (!driver.survey.hindrance.empty()) {
-    std::cout << "  not usable: " << driver.survey.hindrance << '\n';
+  if (!driver.survey.blocker.empty()) {
+    std::cout << "  not usable: " << driver.survey.blocker << '\n';
   } else if (driver.survey.attached.empty()) {
     std::cout << "  none attached: plug one in and check that it has power; docs/devices.md lists "
                  "what else it needs (a udev rule, firmware)\n";

@@ -84,8 +84,8 @@ void handle_signals() {
   handle(SIGHUP);
 }
 
-InterruptWatch::InterruptWatch(std::string saying, std::function<void()> at_once)
-    : saying_(std::move(saying)), at_once_(std::move(at_once)) {
+InterruptWatch::InterruptWatch(std::string message, std::function<void()> at_once)
+    : message_(std::move(message)), at_once_(std::move(at_once)) {
   interrupts = 0;
   const auto handle = [this](int number, void (*handler)(int)) {
     former_handlers_.emplace_back(number, std::signal(number, handler));
@@ -95,9 +95,9 @@ InterruptWatch::InterruptWatch(std::string saying, std::function<void()> at_once
   watcher_ = std::jthread([this](const std::stop_token& ended) { watch(ended); });
 }
 
-void InterruptWatch::will_say(std::string saying) {
+void InterruptWatch::will_say(std::string message) {
   const std::lock_guard lock(mutex_);
-  saying_ = std::move(saying);
+  message_ = std::move(message);
 }
 
 InterruptWatch::Hold::Hold() noexcept { ++interrupt_holds; }
@@ -106,7 +106,7 @@ InterruptWatch::Hold::~Hold() { --interrupt_holds; }
 void InterruptWatch::ask_to_stop(const char* when) {
   source_.request_stop();
   const std::lock_guard lock(mutex_);
-  say(saying_ + when);
+  say(message_ + when);
 }
 
 // Whether what is held, and the program with it, comes to its end in the time that it is given.

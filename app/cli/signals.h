@@ -49,14 +49,14 @@ class InterruptWatch final {
   };
   static constexpr std::chrono::seconds kLongestHold{3};
 
-  /// `saying` is told once, when the first one comes; where the second one comes with it, only where there is a `Hold`.
-  explicit InterruptWatch(std::string saying, std::function<void()> at_once = {});
+  /// `message` is told once, when the first one comes; where the second one comes with it, only where there is a `Hold`.
+  explicit InterruptWatch(std::string message, std::function<void()> at_once = {});
   ~InterruptWatch();
   InterruptWatch(const InterruptWatch&) = delete;
   InterruptWatch& operator=(const InterruptWatch&) = delete;
 
   /// Instead of what was to be said until now: what a stop does may change as the work goes on.
-  void will_say(std::string saying);
+  void will_say(std::string message);
 
   std::stop_token token() const noexcept { return source_.get_token(); }
 
@@ -66,7 +66,7 @@ class InterruptWatch final {
   bool ends_in_order(const std::stop_token& ended);
 
   std::mutex mutex_{};
-  std::string saying_{};  ///< under `mutex_`
+  std::string message_{};  ///< under `mutex_`
   std::function<void()> at_once_{};
   std::stop_source source_{};
   std::vector<std::pair<int, void (*)(int)>> former_handlers_{};

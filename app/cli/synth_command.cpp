@@ -14,7 +14,7 @@
 #include "app/cli/options/png_name.h"
 #include "app/cli/output/height_field_line.h"
 #include "app/cli/output/terminal.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/study_files/height_field_files.h"
 #include "stimuli/heights/synthetic_surface.h"
 #include "stimuli/photographs/synthetic_photograph.h"

@@ -18,7 +18,7 @@
 #include "app/cli/options/word_option.h"
 #include "app/cli/output/height_field_line.h"
 #include "app/cli/output/terminal.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/study_files/height_field_files.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/hashes/sha256.h"
@@ -232,8 +232,8 @@ void texture_of_surface(const TextureOptions& options, std::span<const std::byte
                    2)
             << " %); ";
   if (options.form == SurfaceForm::plane) {
-    std::cout << "plane subtracted, slope " << reading_signed(relief.slope_x * 1e3, 2)
-              << " µm/mm along x and " << reading_signed(relief.slope_y * 1e3, 2)
+    std::cout << "plane subtracted, slope " << display_signed(relief.slope_x * 1e3, 2)
+              << " µm/mm along x and " << display_signed(relief.slope_y * 1e3, 2)
               << " µm/mm along y";
   } else {
     std::cout << "mean subtracted";

@@ -70,8 +70,8 @@ void tell_unknown(const SoughtDevice& device, const Warn& warn) {
 void look_for(const Driver& driver, const std::string& which, const DriverOptions& options,
               const DriverRegistry& drivers, SoughtDevice& sought) {
   const DriverSurvey survey = drivers.survey(driver, options);
-  if (!survey.hindrance.empty()) {
-    sought.absence = survey.hindrance;
+  if (!survey.blocker.empty()) {
+    sought.absence = survey.blocker;
     return;
   }
   try {

@@ -41,13 +41,13 @@ std::vector<DeviceChoice> device_choices(const std::vector<SurveyedDriver>& surv
                          .driver = driver.name,
                          .model = found.model,
                          .remark = found.remark,
-                         .hindrance = found.hindrance});
+                         .blocker = found.blocker});
     }
-    if (!driver.survey.hindrance.empty()) {
+    if (!driver.survey.blocker.empty()) {
       choices.push_back({.device = driver.id,
                          .kind = DeviceKind::attached,
                          .driver = driver.name,
-                         .hindrance = driver.survey.hindrance});
+                         .blocker = driver.survey.blocker});
     }
   }
   return choices;

@@ -16,12 +16,12 @@ struct DeviceChoice {
   std::string
       device{};  ///< as RunInputs::device takes it; by serial number or place where there is one
   DeviceKind kind = DeviceKind::simulated;
-  std::string driver{};     ///< of what is attached, SurveyedDriver::name
-  std::string model{};      ///< of what is attached; what the simulated one stands for, "falcon"
-  std::string remark{};     ///< a sentence about a usable one, or empty
-  std::string hindrance{};  ///< a sentence: why it cannot be used now; empty: it can
+  std::string driver{};   ///< of what is attached, SurveyedDriver::name
+  std::string model{};    ///< of what is attached; what the simulated one stands for, "falcon"
+  std::string remark{};   ///< a sentence about a usable one, or empty
+  std::string blocker{};  ///< a sentence: why it cannot be used now; empty: it can
 
-  bool is_usable() const noexcept { return hindrance.empty(); }
+  bool is_usable() const noexcept { return blocker.empty(); }
 };
 
 /// The simulated devices first, then the mouse, then what the drivers found; a driver that cannot work at

@@ -10,7 +10,7 @@
 #include <QtGui/QFontMetricsF>
 #include <QtGui/QTextLayout>
 
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 
 namespace asperity {
 

@@ -95,10 +95,10 @@ using ItemsByQuestion = std::map<std::string, std::vector<AnsweredItem>, std::le
 
 /// The responses to all questions of a trial. Those of other kinds depend on whether the response to that of the block's kind
 /// is correct.
-ItemsByQuestion responses_to(const SimulatedSitting& sitting, const Trial& trial,
+ItemsByQuestion responses_to(const SimulatedSessionInputs& inputs, const Trial& trial,
                              const QuestionTables& tables) {
   const Random of_trial =
-      sitting.of_session.split("trial").split(static_cast<std::uint64_t>(trial.ordinal));
+      inputs.of_session.split("trial").split(static_cast<std::uint64_t>(trial.ordinal));
   ItemsByQuestion given{};
   std::optional<bool> is_correct{};
   for (const bool is_of_block : {true, false}) {
@@ -113,8 +113,8 @@ ItemsByQuestion responses_to(const SimulatedSitting& sitting, const Trial& trial
                                         .trial = trial,
                                         .question = *question,
                                         .values = of.values,
-                                        .of_study = sitting.of_study.split(name),
-                                        .of_participant = sitting.of_participant.split(name),
+                                        .of_study = inputs.of_study.split(name),
+                                        .of_participant = inputs.of_participant.split(name),
                                         .of_response = of_trial.split(name),
                                         .is_correct = is_of_block ? std::nullopt : is_correct});
       std::vector<AnsweredItem>& items = given[name] = items_of(*question, answer);
@@ -141,18 +141,18 @@ TrialOutcome outcome_of_responses(const Protocol::Block& block, const Trial& tri
 
 }  // namespace
 
-SessionAnswers simulated_session(const SimulatedSitting& sitting) {
-  const Protocol& protocol = sitting.tables.protocol;
+SessionAnswers simulated_session(const SimulatedSessionInputs& inputs) {
+  const Protocol& protocol = inputs.tables.protocol;
   AnswersOfSession answers{};
-  Course course(protocol, sitting.allocation, &sitting.tables.rules);
+  Course course(protocol, inputs.allocation, &inputs.tables.rules);
   for (std::size_t next = 0; next < course.plan().trials.size(); ++next) {
     const Trial& trial = course.plan().trials[next];
     const bool is_awaited = course.awaited() == &trial;
     const AnalysisUse use = answers.add_trial(trial);
     const bool is_read = use == AnalysisUse::counted || use == AnalysisUse::catch_trial;
-    const QuestionTables* const tables = sitting.tables.questions_of(trial.block);
+    const QuestionTables* const tables = inputs.tables.questions_of(trial.block);
     ItemsByQuestion given{};
-    if (tables != nullptr && (is_read || is_awaited)) given = responses_to(sitting, trial, *tables);
+    if (tables != nullptr && (is_read || is_awaited)) given = responses_to(inputs, trial, *tables);
     if (is_read) {
       answers.begin_attempt(trial, use);
       for (const TrialQuestion& question : trial.questions) {

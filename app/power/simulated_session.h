@@ -10,7 +10,7 @@
 namespace asperity {
 
 /// What a simulated session depends on.
-struct SimulatedSitting {
+struct SimulatedSessionInputs {
   const PowerTables& tables;
   Allocation allocation{};
   Random of_study;        ///< how textures differ, the same for all participants
@@ -21,6 +21,6 @@ struct SimulatedSitting {
 /// The responses to the trials that analyses count and to catch trials, as they are read from a study. The plan is that of a
 /// session on a device, and procedures receive the same responses; practice without a procedure and anchors have no responses,
 /// which no analysis counts. No attempt is repeated, and no deadline is missed.
-SessionAnswers simulated_session(const SimulatedSitting& sitting);
+SessionAnswers simulated_session(const SimulatedSessionInputs& inputs);
 
 }  // namespace asperity

@@ -21,7 +21,7 @@
 #include "app/tasks/label_notice.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/session_language.h"
-#include "app/tasks/sitting.h"
+#include "app/tasks/session_run.h"
 #include "app/tasks/unfinished_session.h"
 #include "app/words/reason.h"
 
@@ -170,12 +170,12 @@ SessionRow unfinished_session(const Study& study, const RunInputs& inputs,
 }
 
 /// A session that is older than the protocol's maximum requires a reason to be resumed.
-void require_late_reason(const Sitting& sitting) {
-  if (!sitting.late || !sitting.late_reason.empty()) return;
+void require_late_reason(const SessionRun& session_run) {
+  if (!session_run.late || !session_run.late_reason.empty()) return;
   throw PhrasedError(phrase("RunSession",
                             "%1; to resume it nevertheless, give the reason with --late-reason; "
                             "the reason is stored and stated in the report")
-                         .with(complaint_about(*sitting.late)));
+                         .with(complaint_about(*session_run.late)));
 }
 
 /// A participant begins a session only when the last one is finished and the protocol plans another.
@@ -235,7 +235,7 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
     builder.compute_on(inputs.pacing == RunPacing::real_time ? compute_in_real_time()
                                                              : compute_on_simulated_clock());
   }
-  // A session that is resumed needs none once every level is stored (`sit`).
+  // A session that is resumed needs none once every level is stored (`run_on_rig`).
   if (!inputs.resume || inputs.level_program) require_program(protocol, inputs.level_program);
   Study study = Study::open(inputs.study, Access::read_write);
   study.mark_crashed_sessions();
@@ -250,20 +250,21 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
                       "participant %1 is human; leave out --virtual, or use another label"))
             .with(inputs.participant));
   }
-  Sitting sitting{};
-  sitting.mode = inputs.is_virtual ? SessionMode::simulate : inputs.mode;
-  sitting.seed = inputs.seed;
-  sitting.level_program = inputs.level_program;
+  SessionRun session_run{};
+  session_run.mode = inputs.is_virtual ? SessionMode::simulate : inputs.mode;
+  session_run.seed = inputs.seed;
+  session_run.level_program = inputs.level_program;
   if (!inputs.resume && !inputs.is_virtual) check_may_begin(study, inputs, protocol);
-  if (!inputs.resume) sitting.group = group_of_new_session(study, protocol, inputs, sitting.mode);
+  if (!inputs.resume)
+    session_run.group = group_of_new_session(study, protocol, inputs, session_run.mode);
   if (inputs.resume) {
-    sitting.unfinished = unfinished_session(study, inputs, protocol);
-    sitting.late = late_resume(study, protocol, *sitting.unfinished);
-    sitting.late_reason = inputs.late_reason;
-    require_late_reason(sitting);
+    session_run.unfinished = unfinished_session(study, inputs, protocol);
+    session_run.late = late_resume(study, protocol, *session_run.unfinished);
+    session_run.late_reason = inputs.late_reason;
+    require_late_reason(session_run);
   }
   const std::unique_ptr<Rig> rig =
-      make_rig(inputs, protocol, study, sitting.unfinished, drivers, stop);
+      make_rig(inputs, protocol, study, session_run.unfinished, drivers, stop);
   builder.assume_position_step(rig->capability().position_resolution_m);
   const std::vector<Phrase> complaints = complaints_about_device(protocol, rig->capability());
   if (!complaints.empty()) {
@@ -271,18 +272,18 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
         phrase("RunSession", "%1; choose another device, or relax the requirement in the protocol")
             .with(complaints.front()));
   }
-  if (sitting.mode == SessionMode::run) {
+  if (session_run.mode == SessionMode::run) {
     if (const auto blocker = study_data_blocker(protocol, recorded_device(rig->capability()))) {
       throw PhrasedError(phrase("StudyData", "%1; %2 (Pilot: --mode pilot)")
                              .with(blocker->problem, blocker->remedy));
     }
   }
   if (!inputs.is_virtual) {
-    sitting.device =
+    session_run.device =
         taken_device(inputs, protocol, rig->capability(), rig->clock().utc(), builder, stop);
   }
-  if (sitting.unfinished && inputs.resumed) {
-    const RecordedDevice before = last_recorded_device(study, *sitting.unfinished);
+  if (session_run.unfinished && inputs.resumed) {
+    const RecordedDevice before = last_recorded_device(study, *session_run.unfinished);
     const RecordedDevice now = recorded_device(rig->capability());
     if (!before.is_same_as(now)) {
       inputs.resumed(phrase("RunSession",
@@ -293,24 +294,24 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   }
   const Wait wait = sleep_until_stopped(stop, links);
   if (!inputs.resume && inputs.noticed) {
-    if (const auto notice = label_notice(study, protocol, inputs.participant, sitting.mode)) {
+    if (const auto notice = label_notice(study, protocol, inputs.participant, session_run.mode)) {
       inputs.noticed(*notice, wait);
     }
   }
   if (inputs.ready) inputs.ready(protocol);
   if (!inputs.is_virtual && !inputs.resume && !protocol.consent_statement.empty()) {
     if (!inputs.has_consented) ask_consent(protocol, *respondent, links.monitor, wait);
-    sitting.consent_utc = rig->clock().utc();
+    session_run.consent_utc = rig->clock().utc();
   }
-  sitting.mirrored = inputs.mirrored;
+  session_run.mirrored = inputs.mirrored;
   if (known) {
-    sitting.participant = *known;
+    session_run.participant = *known;
   } else {
-    sitting.participant = new_person(inputs, protocol, respondent, rig->clock(), links, wait);
-    study.add_participant(sitting.participant);
+    session_run.participant = new_person(inputs, protocol, respondent, rig->clock(), links, wait);
+    study.add_participant(session_run.participant);
   }
-  return sit(study, protocol, builder, this_program(), sitting, *rig,
-             inputs.is_virtual ? nullptr : respondent, stop, done, links);
+  return run_on_rig(study, protocol, builder, this_program(), session_run, *rig,
+                    inputs.is_virtual ? nullptr : respondent, stop, done, links);
 }
 
 }  // namespace asperity

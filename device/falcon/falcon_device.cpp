@@ -183,20 +183,20 @@ Driver falcon_driver() {
                   for (AttachedDevice& one : survey.attached) {
                     if (!one.is_usable()) continue;
                     if (!unfit.empty()) {
-                      one.hindrance = unfit;  // whatever runs on it: opening refuses such a file
+                      one.blocker = unfit;  // whatever runs on it: opening refuses such a file
                     } else if (!falcon::runs_firmware(usb, one.place, options.stop)) {
                       if (options.firmware.empty()) {
-                        one.hindrance = falcon::no_firmware_sentence(one.place);
+                        one.blocker = falcon::no_firmware_sentence(one.place);
                       } else {
                         one.remark = "Its firmware is loaded when it is opened.";
                       }
                     }
                   }
                 } catch (const std::exception& error) {
-                  survey.hindrance = error.what();
+                  survey.blocker = error.what();
                 }
                 // Told before there is one to load it into: whoever prepares a study has time to mend it.
-                if (survey.attached.empty() && survey.hindrance.empty()) survey.hindrance = unfit;
+                if (survey.attached.empty() && survey.blocker.empty()) survey.blocker = unfit;
                 return survey;
               },
           .open = [](const std::string& which,

@@ -72,7 +72,7 @@ std::vector<AttachedDevice> attached_falcons(const UsbSession& usb) {
       if (error == LIBUSB_SUCCESS) libusb_release_interface(handle, kInterface);
       libusb_close(handle);
     }
-    if (error != LIBUSB_SUCCESS) one.hindrance = usb_hindrance(error, kProductName, one.place);
+    if (error != LIBUSB_SUCCESS) one.blocker = usb_blocker(error, kProductName, one.place);
     attached.push_back(std::move(one));
   }
   std::sort(attached.begin(), attached.end(),
@@ -92,7 +92,7 @@ FalconPort::FalconPort(const UsbSession& usb, const std::string& place) : contex
     break;
   }
   if (error != LIBUSB_SUCCESS) {
-    throw std::runtime_error(usb_hindrance(error, kProductName, place));
+    throw std::runtime_error(usb_blocker(error, kProductName, place));
   }
 }
 

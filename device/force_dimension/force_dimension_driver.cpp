@@ -36,7 +36,7 @@ DriverSurvey survey_of(const DhdFunctions& sdk, const std::stop_token& stop) {
       continue;
     }
     if (one_is_used) {
-      device.hindrance =
+      device.blocker =
           "The model of this device cannot be read while another Force Dimension device is in use: "
           "close that one, then search again.";
       survey.attached.push_back(device);
@@ -52,11 +52,11 @@ DriverSurvey survey_of(const DhdFunctions& sdk, const std::stop_token& stop) {
                               "its zero; confirmation is requested before it moves."
                             : "";
       } else {
-        device.hindrance = unknown_type(identity.type);
+        device.blocker = unknown_type(identity.type);
       }
       sdk.dhdClose(identity.id);
     } catch (const std::runtime_error& refusal) {
-      device.hindrance = refusal.what();
+      device.blocker = refusal.what();
     }
     survey.attached.push_back(device);
   }
@@ -99,7 +99,7 @@ Driver force_dimension_driver() {
                   const DhdFunctions sdk(options.library);
                   return survey_of(sdk, options.stop);
                 } catch (const std::runtime_error& refusal) {
-                  return DriverSurvey{.hindrance = refusal.what()};
+                  return DriverSurvey{.blocker = refusal.what()};
                 }
               },
           .open = [](const std::string& which,

@@ -509,9 +509,9 @@ DriverSurvey inverse3_survey(const DriverOptions& options, const Inverse3Patienc
       survey.attached.push_back(device);
     }
   } catch (const std::runtime_error& refusal) {
-    survey.hindrance = refusal.what();
+    survey.blocker = refusal.what();
     if (place) {
-      survey.hindrance +=
+      survey.blocker +=
           " Install Haply's Inverse Service and start it (systemctl start haply-inverse-service), "
           "or name its address with --service HOST:PORT.";
     }
@@ -532,7 +532,7 @@ Driver inverse3_driver(const Inverse3Patience& patience) {
                              const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
             const DriverSurvey survey = inverse3_survey(options, patience);
             require_no_stop_at(InverseServicePlace::of(options.service), options.stop);
-            if (!survey.hindrance.empty()) throw std::runtime_error(survey.hindrance);
+            if (!survey.blocker.empty()) throw std::runtime_error(survey.blocker);
             const AttachedDevice device = choose_attached("Inverse3", survey.attached, which);
             return std::make_unique<Inverse3Device>(InverseServicePlace::of(options.service),
                                                     device.serial, patience, options.stop);

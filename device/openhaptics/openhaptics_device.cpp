@@ -387,11 +387,11 @@ Driver openhaptics_driver() {
                     device.model = opened.capability().model;
                     device.serial = opened.capability().serial;
                   } catch (const std::runtime_error& refusal) {
-                    device.hindrance = refusal.what();
+                    device.blocker = refusal.what();
                   }
                   survey.attached.push_back(device);
                 } catch (const std::runtime_error& refusal) {
-                  survey.hindrance = refusal.what();
+                  survey.blocker = refusal.what();
                 }
                 return survey;
               },

@@ -105,7 +105,7 @@ Driver spacemouse_driver() {
             try {
               survey.attached = spacemouse::attached_spacemice(UsbSession());
             } catch (const std::exception& error) {
-              survey.hindrance = error.what();
+              survey.blocker = error.what();
             }
             return survey;
           },

@@ -105,7 +105,7 @@ AttachedDevice looked_at(libusb_device* device) {
     }
     libusb_close(handle);
   }
-  if (error != LIBUSB_SUCCESS) one.hindrance = usb_hindrance(error, one.model, one.place);
+  if (error != LIBUSB_SUCCESS) one.blocker = usb_blocker(error, one.model, one.place);
   return one;
 }
 
@@ -163,11 +163,11 @@ SpaceMousePort::SpaceMousePort(const UsbSession& usb, const std::string& place) 
       std::find_if(found.devices().begin(), found.devices().end(),
                    [&place](libusb_device* one) { return usb_place(one) == place; });
   if (device == found.devices().end()) {
-    throw std::runtime_error(usb_hindrance(LIBUSB_ERROR_NO_DEVICE, "SpaceMouse", place));
+    throw std::runtime_error(usb_blocker(LIBUSB_ERROR_NO_DEVICE, "SpaceMouse", place));
   }
   // hidapi gives no reasons.
   const AttachedDevice look = looked_at(*device);
-  if (!look.is_usable()) throw std::runtime_error(look.hindrance);
+  if (!look.is_usable()) throw std::runtime_error(look.blocker);
   hidapi_ = std::make_unique<Hidapi>();
   const CapInterfaces interfaces = cap_interfaces(*device);
   for (const int interface : interfaces.numbers) {
@@ -179,7 +179,7 @@ SpaceMousePort::SpaceMousePort(const UsbSession& usb, const std::string& place) 
   }
   if (interfaces_.empty() || interfaces_.size() < interfaces.numbers.size()) {
     close();
-    throw std::runtime_error(usb_hindrance(LIBUSB_ERROR_IO, look.model, place));
+    throw std::runtime_error(usb_blocker(LIBUSB_ERROR_IO, look.model, place));
   }
 }
 

@@ -118,7 +118,7 @@ TEST(AnalyzeStudy, NeitherWaitsForNorRefusesABrokenFileOnceItWasAskedToStop) {
 }
 
 TEST(AnalysisOutput, PutsIntervalsInBracketsForReaders) {
-  const std::string text = reading_text_of(selections_of_the_chapter());
+  const std::string text = display_text_of(selections_of_the_chapter());
   EXPECT_THAT(text, testing::StartsWith("selection 1 (selection, chapter): people\n"));
   EXPECT_THAT(text, testing::ContainsRegex("1 +height_map +12  20 +20 +\\.60 +\\[\\.39, \\.78\\] +"
                                            "\\[\\.36, \\.81\\] +\\.333 +\\.016\n"));

@@ -19,10 +19,10 @@ std::vector<SurveyedDriver> survey_of_a_lab() {
            .survey = {.attached = {{.model = "Novint Falcon", .serial = "A7", .place = "usb 1-2"},
                                    {.model = "Novint Falcon",
                                     .place = "usb 1-3",
-                                    .hindrance = "It has no permission."}}}},
-          {.id = "openhaptics", .survey = {.hindrance = "OpenHaptics is not installed."}},
+                                    .blocker = "It has no permission."}}}},
+          {.id = "openhaptics", .survey = {.blocker = "OpenHaptics is not installed."}},
           {.id = "inverse3"},
-          {.id = "mouse", .survey = {.hindrance = "There is no window."}}};
+          {.id = "mouse", .survey = {.blocker = "There is no window."}}};
 }
 
 std::vector<std::string> names(const std::vector<DeviceChoice>& choices) {
@@ -45,7 +45,7 @@ TEST(DeviceChoices, SayWhyWhatCannotBeUsed) {
     const bool is_hindered = choice.device == "falcon:usb 1-3" || choice.device == "openhaptics";
     EXPECT_EQ(choice.is_usable(), !is_hindered) << choice.device;
   }
-  EXPECT_EQ(choices.back().hindrance, "OpenHaptics is not installed.");
+  EXPECT_EQ(choices.back().blocker, "OpenHaptics is not installed.");
 }
 
 TEST(DeviceChoices, KnowTheirKindByTheirName) {

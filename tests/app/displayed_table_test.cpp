@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 
 namespace asperity {
 namespace {

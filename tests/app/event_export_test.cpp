@@ -60,7 +60,7 @@ TEST(EventKinds, AreAllThatTheProgramStores) {
                         path.find("/gui/session/") != std::string::npos ||
                         path.find("/gui/participant/") != std::string::npos ||
                         path.find("/gui/window/session_desk") != std::string::npos ||
-                        path.find("/tasks/sitting") != std::string::npos;
+                        path.find("/tasks/session_run") != std::string::npos;
     if (!writes || entry.path().extension() != ".cpp") continue;
     const std::string text = read_file(entry.path());
     for (std::sregex_iterator match(text.begin(), text.end(), stored), end; match != end; ++match) {

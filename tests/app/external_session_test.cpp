@@ -17,7 +17,7 @@
 
 #include "app/processes/child_process.h"
 #include "app/session/levels/supplied_steps.h"
-#include "app/tasks/sitting.h"
+#include "app/tasks/session_run.h"
 #include "app/tasks/unfinished_session.h"
 #include "app/words/event_kinds.h"
 #include "results_schema/files/atomic_file.h"
@@ -391,13 +391,14 @@ TEST_F(ExternalSession, IsResumedWithoutTheProgramOnceEveryLevelIsStored) {
     const auto unfinished = unfinished_of(unfinished_sessions(*study_, protocol_), label, {});
     ASSERT_TRUE(unfinished);
     EXPECT_EQ(unfinished->lacks_levels, position < kStatedTrials);
-    Sitting sitting{};
-    sitting.participant = study_->participant(label).value();
-    sitting.unfinished = unfinished->row;
+    SessionRun session_run{};
+    session_run.participant = study_->participant(label).value();
+    session_run.unfinished = unfinished->row;
     make_rig({});
     rig_->move_clock_to(last_time_ns(*study_, unfinished->row));
     const auto resume_without = [&] {
-      return sit(*study_, protocol_, *builder_, this_program(), sitting, *rig_, &person_, {}, {})
+      return run_on_rig(*study_, protocol_, *builder_, this_program(), session_run, *rig_, &person_,
+                        {}, {})
           .state;
     };
     if (unfinished->lacks_levels) {

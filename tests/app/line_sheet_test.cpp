@@ -60,7 +60,7 @@ TEST_F(DrawnLineSheet, HasNoLineBeforeItIsDrawn) {
   EXPECT_EQ(step(), std::nullopt);
   EXPECT_FALSE(can_confirm());
   const SheetResult refused = take(Kind::confirm);
-  EXPECT_EQ(std::get<SheetRefused>(refused).saying.what, Saying::What::line_needed);
+  EXPECT_EQ(std::get<SheetRefused>(refused).message.what, ParticipantMessage::What::line_needed);
 }
 
 TEST_F(DrawnLineSheet, EndsWhereItIsPressed) {

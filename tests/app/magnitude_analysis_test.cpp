@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 
 #include "analysis/numbers/number_text.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/estimate_sentences.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/study/analyze_study.h"
 #include "tests/app/chapter_studies.h"
 
@@ -213,7 +213,7 @@ TEST(Magnitudes, HaveNoRoughestSpacingWhereTheTestShowsNone) {
   EXPECT_EQ(number(tests, {"spacing"}, "df1"), 4.0);
   EXPECT_THAT(said, testing::StartsWith("Not significantly: F(" + fixed(4.0 * epsilon, 2) + ", " +
                                         fixed(16.0 * epsilon, 2) + ") = "));
-  EXPECT_THAT(said, HasSubstr(", ε = " + reading_bounded(epsilon) + ", "));
+  EXPECT_THAT(said, HasSubstr(", ε = " + display_bounded(epsilon) + ", "));
   EXPECT_THAT(said, testing::Not(HasSubstr("rough")));
 }
 

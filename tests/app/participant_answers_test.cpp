@@ -22,7 +22,7 @@ TEST(FormAnswer, IsTheValueOfAnOptionWhoseTextWasTyped) {
                           .option_texts = {"rechts", "links"}};
   EXPECT_EQ(std::get<FormAnswer>(form_answer(question, "links")), FormAnswer{"left"});
   EXPECT_EQ(std::get<FormAnswer>(form_answer(question, "1")), FormAnswer{"right"});
-  EXPECT_TRUE(std::holds_alternative<Saying>(form_answer(question, "beide")));
+  EXPECT_TRUE(std::holds_alternative<ParticipantMessage>(form_answer(question, "beide")));
 }
 
 TEST(SuggestedLabel, ContinuesThePatternOfTheStudy) {
@@ -68,7 +68,7 @@ TEST(AnswerOfAParticipant, MayHaveADecimalComma) {
       .prompt = "How tall are you, m?", .form = Question::Form::number, .minimum = 1, .maximum = 3};
   EXPECT_EQ(std::get<FormAnswer>(form_answer(height, "1,75")), FormAnswer{"1.75"})
       << "as it is stored";
-  EXPECT_TRUE(std::holds_alternative<Saying>(form_answer(height, "1,750")));
+  EXPECT_TRUE(std::holds_alternative<ParticipantMessage>(form_answer(height, "1,750")));
 }
 
 TEST(PersonWithAnswers, HasThemWhereTheStoreKeepsThem) {

@@ -39,7 +39,7 @@ std::vector<int> all_positions(const Trial& trial) {
 
 /// Every word that a window could show of a scene; pictures are files, and drawn, not named.
 std::string scene_words(const ParticipantScene& scene) {
-  std::string words = scene.text + '\n' + scene.cue + '\n' + scene.text_saying.code + '\n';
+  std::string words = scene.text + '\n' + scene.cue + '\n' + scene.text_message.code + '\n';
   for (const ParticipantScene::Surface& surface : scene.surfaces) words += surface.code + '\n';
   for (const ParticipantScene::Choice& choice : scene.choices) {
     words += choice.key + '\n' + choice.text + '\n' + choice.assigned_to + '\n';
@@ -104,7 +104,7 @@ TEST(SceneOfQuestion, PutsDigitsOnPicturesAndLettersOnSurfaces) {
   EXPECT_EQ(surfaces.choices[2].key, "C");
   EXPECT_EQ(surfaces.choices[3].key, "0");
   EXPECT_EQ(surfaces.choices[3].text, "I cannot tell");
-  EXPECT_EQ(surfaces.choices[3].saying.what, Saying::What::cannot_tell);
+  EXPECT_EQ(surfaces.choices[3].message.what, ParticipantMessage::What::cannot_tell);
   EXPECT_TRUE(surfaces.standard_picture);
 }
 
@@ -125,7 +125,7 @@ TEST(SceneOfSurface, SaysWhichSurfaceIsFeltNow) {
   const ParticipantScene scene = scene_of_surface(trial, {1}, 2);
   EXPECT_EQ(scene.kind, ParticipantScene::Kind::feel);
   EXPECT_EQ(scene.text, "Feel surface B now.");
-  EXPECT_EQ(scene.text_saying.what, Saying::What::feel_surface);
+  EXPECT_EQ(scene.text_message.what, ParticipantMessage::What::feel_surface);
   ASSERT_EQ(scene.surfaces.size(), 3U);
   EXPECT_TRUE(scene.surfaces[0].felt && !scene.surfaces[0].now);
   EXPECT_TRUE(!scene.surfaces[1].felt && scene.surfaces[1].now);
@@ -144,7 +144,7 @@ TEST(SceneOfFeedback, TellsTheRightAnswerOnlyToWhoWasWrong) {
   EXPECT_EQ(scene_of_feedback(true, "3").text, "Correct.");
   EXPECT_EQ(scene_of_feedback(false, "3").text, "Incorrect. The correct response is 3.");
   EXPECT_EQ(scene_of_feedback(false, "").text, "Incorrect.");
-  EXPECT_EQ(scene_of_feedback(false, "3").text_saying.what, Saying::What::was_wrong);
+  EXPECT_EQ(scene_of_feedback(false, "3").text_message.what, ParticipantMessage::What::was_wrong);
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ TEST_F(AChoice, IsNotConfirmedBeforeItIsMade) {
   press(1.0, Kind::confirm);
   look(1.5, [](const ParticipantScene& scene) {
     EXPECT_EQ(scene.cue, "Please choose first.");
-    EXPECT_EQ(scene.cue_saying.what, Saying::What::choose_first);
+    EXPECT_EQ(scene.cue_message.what, ParticipantMessage::What::choose_first);
     EXPECT_EQ(scene.cue_number, 1U);
   });
   press(2.0, Kind::option, 1);
@@ -294,7 +294,7 @@ TEST_F(AnAssignment, IsNotConfirmedBeforeEverySurfaceHasAPicture) {
   press(3.0, Kind::confirm);
   look(3.5, [](const ParticipantScene& scene) {
     EXPECT_EQ(scene.cue, "Please assign a picture to surface C first.");
-    EXPECT_EQ(scene.cue_saying.code, "C");
+    EXPECT_EQ(scene.cue_message.code, "C");
   });
   press(4.0, Kind::option, 3);
   press(5.0, Kind::confirm);
@@ -374,7 +374,7 @@ TEST_F(AForm, TakesANumberWithinItsLimits) {
   look(1.5, [](const ParticipantScene& scene) {
     EXPECT_EQ(scene.kind, ParticipantScene::Kind::form);
     EXPECT_EQ(scene.cue, "Please enter a number from 18 to 120.");
-    EXPECT_EQ(scene.cue_saying.minimum, 18.0);
+    EXPECT_EQ(scene.cue_message.minimum, 18.0);
   });
   type(2.0, "17");
   type(2.1, "121");

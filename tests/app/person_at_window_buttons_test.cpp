@@ -98,7 +98,7 @@ TEST_F(DeviceButtons, AskForNoSurfaceOnceAPictureIsTakenBack) {
   press(1.0, Kind::option, 1);  // A gets 1
   for (int step = 0; step < 4; ++step) hold_button(2.0 + step, 1, 0.1);
   look(5.5, [](const ParticipantScene& scene) {
-    EXPECT_EQ(scene.cue_saying.what, Saying::What::feel_again);
+    EXPECT_EQ(scene.cue_message.what, ParticipantMessage::What::feel_again);
     EXPECT_TRUE(scene.can_confirm);
   });
   press(6.0, Kind::assign, 1, 0);

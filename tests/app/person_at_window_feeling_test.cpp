@@ -246,7 +246,7 @@ TEST_F(Reading, LastsAsLongAsABreakHasTo) {
     EXPECT_TRUE(scene.rest_until_ns);
     EXPECT_FALSE(scene.can_confirm);
     EXPECT_EQ(scene.cue, "Please wait 18 more seconds.");
-    EXPECT_EQ(scene.cue_saying.number, 18);
+    EXPECT_EQ(scene.cue_message.number, 18);
   });
   look(60.5, [](const ParticipantScene& scene) { EXPECT_TRUE(scene.can_confirm); });
   hold_button(61.0, 1, 0.2);
@@ -281,7 +281,7 @@ TEST_F(Reading, MeansTheMaskTooAndHasATone) {
   EXPECT_TRUE(person_.wears_mask());
   look(0.5, [](const ParticipantScene& scene) {
     EXPECT_EQ(scene.kind, ParticipantScene::Kind::mask_on);
-    EXPECT_EQ(scene.text_saying.what, Saying::What::put_mask_on);
+    EXPECT_EQ(scene.text_message.what, ParticipantMessage::What::put_mask_on);
   });
   press(1.0, Kind::confirm);
   person_.put_mask(true, wait_);

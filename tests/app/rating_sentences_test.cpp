@@ -8,9 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/findings/outcome/reading_number.h"
-#include "app/findings/study/analyze_study.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/found_numbers.h"
+#include "app/findings/study/analyze_study.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {
@@ -59,8 +59,8 @@ AnalysisOutcome study_with_ratings(bool with_second_scale) {
 }
 
 std::string with_interval_text(const Finding& one) {
-  return "= " + reading_bounded(one.value.value()) + ", 95 % CI [" +
-         reading_bounded(one.low.value()) + ", " + reading_bounded(one.high.value()) + "]";
+  return "= " + display_bounded(one.value.value()) + ", 95 % CI [" +
+         display_bounded(one.low.value()) + ", " + display_bounded(one.high.value()) + "]";
 }
 
 TEST(RatingSentences, StateAgreementReliabilityAndComponents) {
@@ -86,7 +86,7 @@ TEST(RatingSentences, StateAgreementReliabilityAndComponents) {
   EXPECT_THAT(rating_estimates_sentence(opposite).text,
               HasSubstr("]. α is negative because the answers on its scales covary negatively"));
   EXPECT_THAT(text, HasSubstr("The first principal component had " +
-                              reading_percent(found.value("proportion", "C1").value()) +
+                              display_percent(found.value("proportion", "C1").value()) +
                               " of the variance"));
   EXPECT_THAT(text, Not(HasSubstr("without the participants’ deviations")))
       << "four participants are too few";

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/numbers/number_text.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/report/text/report_numbers.h"
 #include "app/report/text/report_sections.h"
@@ -321,39 +321,39 @@ TEST(ReportResults, PutsTheOtherFiguresBesideTheirTablesBehind) {
 }
 
 TEST(ReadingNumber, HasTheDigitsThatMeanSomething) {
-  EXPECT_EQ(reading_number(0.60412345), "0.6041");
-  EXPECT_EQ(reading_number(47.0), "47");
-  EXPECT_EQ(reading_number(2.51e-23), "2.5e-23");
-  EXPECT_EQ(reading_p(0.0112), "p = .011");
-  EXPECT_EQ(reading_p(0.0004), "p < .001");
-  EXPECT_EQ(reading_p(1.0), "p > .999");
-  EXPECT_EQ(reading_p(0.9994), "p = .999");
-  EXPECT_EQ(reading_percent(0.7833), "78 %");
-  EXPECT_EQ(reading_percent(0.975), "97 %") << "as a table rounds it to two decimals";
-  EXPECT_EQ(reading_p_cell(0.0004), "< .001");
-  EXPECT_EQ(reading_percent(0.002), "0.2 %") << "not nothing";
-  EXPECT_EQ(reading_percent(0.998), "99.8 %") << "not all";
-  EXPECT_EQ(reading_percent(0.0004), "< 0.1 %") << "nor 0.0 %";
-  EXPECT_EQ(reading_percent(0.9996), "> 99.9 %") << "nor 100.0 %";
-  EXPECT_EQ(reading_percent(0.0), "0 %");
-  EXPECT_EQ(reading_percent(1.0), "100 %");
-  EXPECT_EQ(reading_quantity(31e-6, "s"), "31 µs");
-  EXPECT_EQ(reading_quantity(0.05, "m/s"), "50 mm/s");
-  EXPECT_EQ(reading_quantity(0.8, "N"), "0.8 N");
-  EXPECT_EQ(reading_quantity(6876.0, "Pa"), "6.88 kPa");
-  EXPECT_EQ(reading_quantity(2.5e6, "Pa"), "2.5 MPa");
-  EXPECT_EQ(reading_quantity(0.0, "s"), "0 s");
-  EXPECT_EQ(reading_count(9999), "9999");
+  EXPECT_EQ(display_number(0.60412345), "0.6041");
+  EXPECT_EQ(display_number(47.0), "47");
+  EXPECT_EQ(display_number(2.51e-23), "2.5e-23");
+  EXPECT_EQ(display_p(0.0112), "p = .011");
+  EXPECT_EQ(display_p(0.0004), "p < .001");
+  EXPECT_EQ(display_p(1.0), "p > .999");
+  EXPECT_EQ(display_p(0.9994), "p = .999");
+  EXPECT_EQ(display_percent(0.7833), "78 %");
+  EXPECT_EQ(display_percent(0.975), "97 %") << "as a table rounds it to two decimals";
+  EXPECT_EQ(display_p_cell(0.0004), "< .001");
+  EXPECT_EQ(display_percent(0.002), "0.2 %") << "not nothing";
+  EXPECT_EQ(display_percent(0.998), "99.8 %") << "not all";
+  EXPECT_EQ(display_percent(0.0004), "< 0.1 %") << "nor 0.0 %";
+  EXPECT_EQ(display_percent(0.9996), "> 99.9 %") << "nor 100.0 %";
+  EXPECT_EQ(display_percent(0.0), "0 %");
+  EXPECT_EQ(display_percent(1.0), "100 %");
+  EXPECT_EQ(display_quantity(31e-6, "s"), "31 µs");
+  EXPECT_EQ(display_quantity(0.05, "m/s"), "50 mm/s");
+  EXPECT_EQ(display_quantity(0.8, "N"), "0.8 N");
+  EXPECT_EQ(display_quantity(6876.0, "Pa"), "6.88 kPa");
+  EXPECT_EQ(display_quantity(2.5e6, "Pa"), "2.5 MPa");
+  EXPECT_EQ(display_quantity(0.0, "s"), "0 s");
+  EXPECT_EQ(display_count(9999), "9999");
   EXPECT_EQ(count_in_words(3), "three");
   EXPECT_EQ(count_in_words(12), "12");
 }
 
 TEST(ReadingNumber, HasAMinusSign) {
-  EXPECT_EQ(reading_number(-0.60412345), "−0.6041");
-  EXPECT_EQ(reading_number(-12.0), "−12");
-  EXPECT_EQ(reading_number(-0.0), "0");
-  EXPECT_EQ(reading_whole(-3), "−3");
-  EXPECT_EQ(reading_quantity(-0.002, "m"), "−2 mm");
+  EXPECT_EQ(display_number(-0.60412345), "−0.6041");
+  EXPECT_EQ(display_number(-12.0), "−12");
+  EXPECT_EQ(display_number(-0.0), "0");
+  EXPECT_EQ(display_whole(-3), "−3");
+  EXPECT_EQ(display_quantity(-0.002, "m"), "−2 mm");
 }
 
 TEST(UnbrokenNumbers, HaveNoBreakSpacesOnlyWithinNumbers) {

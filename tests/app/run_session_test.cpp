@@ -12,7 +12,7 @@
 #include "app/report/text/study_report.h"
 #include "app/tasks/checks/session_checks.h"
 #include "app/tasks/protocol_files.h"
-#include "app/tasks/sitting.h"
+#include "app/tasks/session_run.h"
 #include "app/tasks/verify/verify_study.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"

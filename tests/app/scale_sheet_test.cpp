@@ -75,7 +75,7 @@ TEST_F(ScalePage, ShowsNoMarkBeforeTheFirstTouch) {
   EXPECT_FALSE(shown.can_confirm);
   const SheetResult refused = take(Kind::confirm);
   ASSERT_TRUE(std::holds_alternative<SheetRefused>(refused));
-  EXPECT_EQ(text_of(std::get<SheetRefused>(refused).saying),
+  EXPECT_EQ(text_of(std::get<SheetRefused>(refused).message),
             "Please mark a point on every scale first.");
 }
 

@@ -245,14 +245,15 @@ TEST_F(WatchedSession, KeepsNotesOfASessionThatFails) {
 
 TEST_F(WatchedSession, SaysFeedbackInWordsThatCanBeTranslated) {
   begin(practised_protocol("continue_flagged"));
-  std::vector<Saying::What> said{};
-  person_.at_tell = [&] { said.push_back(monitor_.snapshot().scene->text_saying.what); };
+  std::vector<ParticipantMessage::What> said{};
+  person_.at_tell = [&] { said.push_back(monitor_.snapshot().scene->text_message.what); };
   person_.at_question = [](int question, const Trial& trial) {
     return question == 1 ? incorrect_reply(trial) : correct_reply(trial);
   };
   run();
-  EXPECT_THAT(said, ElementsAre(Saying::What::was_wrong, Saying::What::was_right,
-                                Saying::What::was_right, Saying::What::was_right));
+  EXPECT_THAT(
+      said, ElementsAre(ParticipantMessage::What::was_wrong, ParticipantMessage::What::was_right,
+                        ParticipantMessage::What::was_right, ParticipantMessage::What::was_right));
 }
 
 TEST_F(WatchedSession, StaysInTheFaultWhileTheDeviceIsNotFit) {

@@ -117,7 +117,7 @@ TableFindings ratings() {
 }
 
 TEST(TableFindings, StandWithKeysDownAndQuantitiesAcross) {
-  const std::string text = reading_text_of(ratings());
+  const std::string text = display_text_of(ratings());
   EXPECT_THAT(text, HasSubstr("rating: table.csv\n"));
   EXPECT_THAT(text, testing::ContainsRegex("key  mean\\.score  mean\\.score interval  mean\\.rank\n"
                                            "new  2\\.5         \\[−3\\.853, 8\\.853\\] +1\\.75\n"));
@@ -126,17 +126,17 @@ TEST(TableFindings, StandWithKeysDownAndQuantitiesAcross) {
 }
 
 TEST(TableFindings, TellWhatIsLeftOutOfRatings) {
-  EXPECT_THAT(reading_text_of(ratings()), testing::Not(HasSubstr("left out")));
+  EXPECT_THAT(display_text_of(ratings()), testing::Not(HasSubstr("left out")));
   const TidyInput input = input_of("subject,item,score\nx,new,3\nx,old,1\ny,new,2\nz,old,\n",
                                    R"({"items": ["new", "old"]})");
   const std::string text =
-      reading_text_of(TableFindings{.kind = "rating", .findings = rating_findings(input)});
+      display_text_of(TableFindings{.kind = "rating", .findings = rating_findings(input)});
   EXPECT_THAT(text, testing::ContainsRegex("n\\.complete +1\n"));
   EXPECT_THAT(text, testing::ContainsRegex("n\\.incomplete +2\n"));
 }
 
 std::string findings_text(const std::string& family, const TidyInput& input) {
-  return reading_text_of(
+  return display_text_of(
       TableFindings{.kind = family, .findings = tidy_family(family).findings(input)});
 }
 
@@ -229,7 +229,7 @@ TEST(TableFindings, StopWhereNobodyReadsOnAndSayHowManyThereAre) {
   for (int person = 1; person <= 201; ++person) rows += std::to_string(person) + ",1,a,a\n";
   const TidyInput input = input_of(rows, "{}");
   const TableFindings findings{.kind = "matching", .findings = matching_findings(input)};
-  const std::string text = reading_text_of(findings);
+  const std::string text = display_text_of(findings);
   EXPECT_THAT(text, HasSubstr("\n100 "));
   EXPECT_THAT(text, testing::Not(HasSubstr("\n101 ")));
   EXPECT_THAT(text, HasSubstr("… and 101 more rows; --json prints all rows\n"));
@@ -242,9 +242,9 @@ TEST(TableFindings, EndTheIntervalOfAMeanShareWhereSharesEnd) {
       "subject,stimulus,response\nA,x,x\nA,y,y\nB,x,x\nB,y,y\nC,x,x\nC,y,y\nD,x,x\nD,y,x\n",
       R"({"labels": ["x", "y"]})");
   const TableFindings findings{.kind = "recognition", .findings = recognition_findings(input)};
-  EXPECT_THAT(reading_text_of(findings),
+  EXPECT_THAT(display_text_of(findings),
               testing::ContainsRegex("subj\\.ci interval +\\[0\\.4772, 1\\]\n"));
-  EXPECT_THAT(reading_text_of(findings), HasSubstr("subj.mean interval"));
+  EXPECT_THAT(display_text_of(findings), HasSubstr("subj.mean interval"));
   EXPECT_THAT(findings_json(findings), HasSubstr("1.27")) << "uncut for who compares it";
 }
 
@@ -258,7 +258,7 @@ TEST(TableFindings, AreOneJsonDocument) {
 TEST(TableFindings, SayWhyThereIsNoNumber) {
   const TidyInput input = input_of("id,k,n,p0\nnobody,0,0,0.5\n", "{}");
   const TableFindings findings{.kind = "proportion", .findings = proportion_findings(input)};
-  EXPECT_THAT(reading_text_of(findings),
+  EXPECT_THAT(display_text_of(findings),
               HasSubstr("! no_data: n is 0, so that nothing can be estimated"));
 }
 
@@ -268,7 +268,7 @@ TEST(TableFindings, NameTheQuantityOfAStatusWithoutAWord) {
                                    R"({"tracks": {"left": {"start": 5, "n_down": 2, "n_up": 1,
                                        "step": 1, "scale": "linear", "discard": 0}}})");
   const TableFindings findings{.kind = "staircase", .findings = staircase_findings(input)};
-  EXPECT_THAT(reading_text_of(findings),
+  EXPECT_THAT(display_text_of(findings),
               HasSubstr("\n! reversal.trials left: the track has no reversal: run more trials\n"));
 }
 

@@ -224,8 +224,8 @@ TEST_F(WatchedSession, SaysThatASurfaceWasFeltLongEnoughUntilTheHandHasLifted) {
     if (now.scene->kind != ParticipantScene::Kind::feel) return;
     const std::vector<std::string> cues = sound_.cues();
     const bool is_over = !cues.empty() && cues.back() == "next";
-    EXPECT_EQ(now.scene->text_saying.what,
-              is_over ? Saying::What::lift : Saying::What::feel_surface);
+    EXPECT_EQ(now.scene->text_message.what,
+              is_over ? ParticipantMessage::What::lift : ParticipantMessage::What::feel_surface);
     EXPECT_TRUE(now.scene->surfaces.at(now.surface == 1 ? 0 : 1).now);
     if (said.empty() || said.back() != now.scene->text) said.push_back(now.scene->text);
   };

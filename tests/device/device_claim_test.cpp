@@ -103,9 +103,9 @@ TEST(Drivers, SearchForNoDeviceWhileAnotherProcessDrivesOne) {
   const DriverSurvey survey = library.survey();
   EXPECT_EQ(library.calls, 0);
   EXPECT_TRUE(survey.attached.empty());
-  EXPECT_NE(survey.hindrance.find("another process of this program drives a device of the driver"),
+  EXPECT_NE(survey.blocker.find("another process of this program drives a device of the driver"),
             std::string::npos)
-      << survey.hindrance;
+      << survey.blocker;
   other.reset();
   EXPECT_EQ(library.survey().attached.size(), 1U);
   EXPECT_NE(DeviceClaim::take(library.id), nullptr) << "a search keeps no claim";

@@ -371,7 +371,7 @@ TEST(Drivers, TellNothingOfALookThatWasStopped) {
   DriverRegistry drivers;
   drivers.add({.id = "slow", .find = [&](const DriverOptions&) {
                  stop.request_stop();
-                 return DriverSurvey{.hindrance = "nobody answered"};
+                 return DriverSurvey{.blocker = "nobody answered"};
                }});
   EXPECT_THROW(drivers.survey(drivers.drivers().front(), {.stop = stop.get_token()}), LookStopped);
 }
@@ -406,8 +406,8 @@ TEST(ChooseAttached, SaysWhichThereAre) {
               HasSubstr("no Thing has the serial number or place \"C\""));
 }
 
-TEST(ChooseAttached, RefusesWithTheHindrance) {
-  EXPECT_EQ(refusal_of([] { choose_attached("Thing", {{.hindrance = "It has no power."}}, ""); }),
+TEST(ChooseAttached, RefusesWithTheBlocker) {
+  EXPECT_EQ(refusal_of([] { choose_attached("Thing", {{.blocker = "It has no power."}}, ""); }),
             "It has no power.");
 }
 

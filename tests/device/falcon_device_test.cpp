@@ -150,7 +150,7 @@ TEST_F(Falcon, SaysWhichRuleIsMissingWithoutPermission) {
   EmulatedFalcon emulated(bus(), {});
   emulated.forbid();
   std::string complaint;
-  std::string hindrance;
+  std::string blocker;
   // Root may open everything; a thread without its rights may not. glibc's call would take them from
   // the whole process.
   std::thread([&] {
@@ -159,11 +159,11 @@ TEST_F(Falcon, SaysWhichRuleIsMissingWithoutPermission) {
     }
     complaint = refusal_of([] { open(); });
     const std::vector<AttachedDevice> found = falcon::attached_falcons(UsbSession());
-    if (!found.empty()) hindrance = found.front().hindrance;
+    if (!found.empty()) blocker = found.front().blocker;
   }).join();
   EXPECT_THAT(complaint, HasSubstr("may not be opened by this user"));
   EXPECT_THAT(complaint, HasSubstr("70-asperity.rules"));
-  EXPECT_EQ(hindrance, complaint);
+  EXPECT_EQ(blocker, complaint);
 }
 
 TEST(DeviceRules, LetPeopleOpenWhatThereAreDriversFor) {
@@ -189,7 +189,7 @@ TEST_F(Falcon, SaysThatItIsInUse) {
   const auto device = open();
   EXPECT_THAT(refusal_of([] { open(); }), HasSubstr("is used by another program or session"));
   const DriverRegistry drivers = built_in_drivers();
-  EXPECT_THAT(drivers.find("falcon")->find({}).attached.at(0).hindrance, HasSubstr("is used by"));
+  EXPECT_THAT(drivers.find("falcon")->find({}).attached.at(0).blocker, HasSubstr("is used by"));
   EXPECT_TRUE(eventually([&] { return answers(*device); }));
 }
 
@@ -198,8 +198,8 @@ TEST_F(Falcon, SaysThatItNeedsFirmware) {
   EXPECT_THAT(refusal_of([] { open(); }), HasSubstr("has no firmware"));
   const DriverRegistry drivers = built_in_drivers();
   const Driver& driver = *drivers.find("falcon");
-  EXPECT_THAT(driver.find({}).attached.at(0).hindrance, HasSubstr("--firmware FILE"));
-  EXPECT_THAT(driver.find({.firmware = "/no/such/file"}).attached.at(0).hindrance,
+  EXPECT_THAT(driver.find({}).attached.at(0).blocker, HasSubstr("--firmware FILE"));
+  EXPECT_THAT(driver.find({.firmware = "/no/such/file"}).attached.at(0).blocker,
               HasSubstr("/no/such/file cannot be read"));
   const TemporaryFile file("falcon.bin", std::string(8000, '\x81'));
   const DriverSurvey survey = driver.find({.firmware = file.path()});
@@ -212,13 +212,13 @@ TEST_F(Falcon, SaysThatItNeedsFirmware) {
 
 TEST_F(Falcon, SaysThatAFileIsNoFirmwareBeforeOneIsAttached) {
   const DriverRegistry drivers = built_in_drivers();
-  const auto hindrance = [&](const std::filesystem::path& file) {
-    return drivers.find("falcon")->find({.firmware = file}).hindrance;
+  const auto blocker = [&](const std::filesystem::path& file) {
+    return drivers.find("falcon")->find({.firmware = file}).blocker;
   };
-  EXPECT_THAT(hindrance("/no/such/file"), HasSubstr("cannot be read"));
-  EXPECT_THAT(hindrance(TemporaryFile("empty.bin", "").path()), HasSubstr("has 0 bytes"));
-  EXPECT_THAT(hindrance(TemporaryFile("text.bin", "nonsense\n").path()), HasSubstr("is a text"));
-  EXPECT_EQ(hindrance(TemporaryFile("falcon.bin", std::string(8000, '\x81')).path()), "");
+  EXPECT_THAT(blocker("/no/such/file"), HasSubstr("cannot be read"));
+  EXPECT_THAT(blocker(TemporaryFile("empty.bin", "").path()), HasSubstr("has 0 bytes"));
+  EXPECT_THAT(blocker(TemporaryFile("text.bin", "nonsense\n").path()), HasSubstr("is a text"));
+  EXPECT_EQ(blocker(TemporaryFile("falcon.bin", std::string(8000, '\x81')).path()), "");
 }
 
 TEST_F(Falcon, IsListedAsItIsOpenedWhereTheFirmwareIsNone) {
@@ -227,7 +227,7 @@ TEST_F(Falcon, IsListedAsItIsOpenedWhereTheFirmwareIsNone) {
   const Driver& driver = *drivers.find("falcon");
   EXPECT_TRUE(driver.find({}).attached.at(0).is_usable());
   const TemporaryFile file("text.bin", "nonsense\n");
-  EXPECT_THAT(driver.find({.firmware = file.path()}).attached.at(0).hindrance,
+  EXPECT_THAT(driver.find({.firmware = file.path()}).attached.at(0).blocker,
               HasSubstr("is a text"));
   EXPECT_THAT(refusal_of([&] { driver.open("", {.firmware = file.path()}); }),
               HasSubstr("is a text"));
@@ -368,7 +368,7 @@ TEST_F(Falcon, KeepsNobodyFromLookingWhileItIsHomed) {
   const auto device = drivers.open("falcon", options);
   looking.join();
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_THAT(found.front().hindrance, HasSubstr("is used by another program or session"));
+  EXPECT_THAT(found.front().blocker, HasSubstr("is used by another program or session"));
   EXPECT_TRUE(eventually([&] { return device->read(monotonic_now_ns()).has_value(); }));
 }
 

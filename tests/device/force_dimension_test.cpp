@@ -76,7 +76,7 @@ class ForceDimension : public testing::Test {
 
 TEST_F(ForceDimension, TellsWhatItNeedsWhenThereIsNoLibrary) {
   const DriverSurvey survey = driver.find({.library = "/no/such/libdhd.so"});
-  EXPECT_THAT(survey.hindrance,
+  EXPECT_THAT(survey.blocker,
               AllOf(HasSubstr("Force Dimension's SDK is not installed"), HasSubstr("/no/such")));
   EXPECT_THAT(refusal_of([&] { driver.open("", {.library = "/no/such/libdhd.so"}); }),
               HasSubstr("not installed"));
@@ -84,7 +84,7 @@ TEST_F(ForceDimension, TellsWhatItNeedsWhenThereIsNoLibrary) {
 
 TEST_F(ForceDimension, TellsWhichFunctionAnotherVersionLacks) {
   EXPECT_THAT(
-      driver.find({.library = ASPERITY_TEST_OLD_DHD}).hindrance,
+      driver.find({.library = ASPERITY_TEST_OLD_DHD}).blocker,
       AllOf(HasSubstr("dhdSetForceAndTorqueAndGripperForce"), HasSubstr("not the version")));
 }
 
@@ -118,9 +118,9 @@ TEST_F(ForceDimension, LeavesADeviceThatThisProgramUsesAlone) {
   const DriverSurvey survey = driver.find(options);
   ASSERT_EQ(survey.attached.size(), 2U);
   EXPECT_EQ(survey.attached[0].serial, "202");
-  EXPECT_THAT(survey.attached[0].hindrance, HasSubstr("This program uses it"));
+  EXPECT_THAT(survey.attached[0].blocker, HasSubstr("This program uses it"));
   EXPECT_EQ(survey.attached[1].place, "dhd 0");
-  EXPECT_THAT(survey.attached[1].hindrance, HasSubstr("in use"));
+  EXPECT_THAT(survey.attached[1].blocker, HasSubstr("in use"));
   EXPECT_THAT(refusal_of([&] { driver.open("202", options); }), HasSubstr("uses it now"));
   EXPECT_THAT(bench->calls, IsEmpty());
   EXPECT_TRUE(bench->units[1].is_open);
@@ -131,13 +131,13 @@ TEST_F(ForceDimension, LeavesADeviceThatAnotherProgramUsesAlone) {
   bench->in_use_elsewhere = 1;
   const DriverSurvey survey = driver.find(options);
   ASSERT_EQ(survey.attached.size(), 1U);
-  EXPECT_THAT(survey.attached[0].hindrance, HasSubstr("in use"));
+  EXPECT_THAT(survey.attached[0].blocker, HasSubstr("in use"));
   EXPECT_THAT(bench->calls, IsEmpty());
 }
 
 TEST_F(ForceDimension, RefusesAKindThatItDoesNotKnow) {
   attach(77, 5);
-  EXPECT_THAT(driver.find(options).attached.at(0).hindrance, HasSubstr("system type 77"));
+  EXPECT_THAT(driver.find(options).attached.at(0).blocker, HasSubstr("system type 77"));
   EXPECT_THAT(refusal_of([&] { open(); }), HasSubstr("system type 77"));
   EXPECT_FALSE(bench->units[0].is_open);
 }
@@ -210,8 +210,8 @@ TEST_F(ForceDimension, KeepsNobodyFromLookingWhileItAsksAndIsNotTouchedByTheLook
   other.join();
   EXPECT_TRUE(has_looked);
   ASSERT_EQ(found.size(), 2U);
-  EXPECT_THAT(found[0].hindrance, HasSubstr("uses it now"));
-  EXPECT_THAT(found[1].hindrance, HasSubstr("is in use"));
+  EXPECT_THAT(found[0].blocker, HasSubstr("uses it now"));
+  EXPECT_THAT(found[1].blocker, HasSubstr("is in use"));
   EXPECT_THAT(refusal, HasSubstr("uses it now"));
   const std::vector<std::string> calls = bench->calls;
   const auto asked = std::find(calls.begin(), calls.end(), "asked");

@@ -163,11 +163,11 @@ TEST_F(Inverse3, SaysWhatToStartWhenNobodyListens) {
     const TestInverseService gone;
     place = gone.place();
   }
-  EXPECT_THAT(driver.find({.service = place}).hindrance,
+  EXPECT_THAT(driver.find({.service = place}).blocker,
               AllOf(HasSubstr(place), HasSubstr("Inverse Service"), HasSubstr("start")));
   EXPECT_THAT(refusal_of([&] { driver.open("", {.service = place}); }), HasSubstr(place));
   bench([](auto& it) { it.talks_nonsense = true; });
-  EXPECT_THAT(driver.find(options).hindrance, HasSubstr("does not list devices"));
+  EXPECT_THAT(driver.find(options).blocker, HasSubstr("does not list devices"));
 }
 
 TEST_F(Inverse3, ListsWhatTheServiceKnowsAndItsFilters) {
@@ -187,7 +187,7 @@ TEST_F(Inverse3, ListsWhatTheServiceKnowsAndItsFilters) {
   EXPECT_THAT(bench([](auto& it) { return it.profiles; }), ElementsAre("asperity"));
   const DriverSurvey meanwhile = driver.find(options);
   EXPECT_TRUE(meanwhile.attached.at(0).is_usable());
-  EXPECT_THAT(meanwhile.attached.at(1).hindrance, HasSubstr("This program uses it"));
+  EXPECT_THAT(meanwhile.attached.at(1).blocker, HasSubstr("This program uses it"));
   EXPECT_THAT(refusal_of([&] { driver.open("0C1A", options); }), HasSubstr("uses it"));
 }
 

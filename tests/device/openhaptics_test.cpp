@@ -70,15 +70,14 @@ class OpenHaptics : public testing::Test {
 };
 
 TEST_F(OpenHaptics, TellsWhatItNeeds) {
-  EXPECT_THAT(driver.find({.library = "/no/such/libHD.so"}).hindrance,
+  EXPECT_THAT(driver.find({.library = "/no/such/libHD.so"}).blocker,
               AllOf(HasSubstr("OpenHaptics is not installed"), HasSubstr("/no/such/libHD.so")));
-  EXPECT_THAT(driver.find({.library = ASPERITY_TEST_OLD_HD}).hindrance,
+  EXPECT_THAT(driver.find({.library = ASPERITY_TEST_OLD_HD}).blocker,
               AllOf(HasSubstr("hdUnschedule"), HasSubstr("not the version")));
   bench->is_attached = false;
   const DriverSurvey survey = driver.find(options);
-  EXPECT_EQ(survey.hindrance, "");
-  EXPECT_THAT(survey.attached.at(0).hindrance,
-              AllOf(HasSubstr("HD_COMM_ERROR"), HasSubstr("cable")));
+  EXPECT_EQ(survey.blocker, "");
+  EXPECT_THAT(survey.attached.at(0).blocker, AllOf(HasSubstr("HD_COMM_ERROR"), HasSubstr("cable")));
 }
 
 TEST_F(OpenHaptics, DescribesTheDeviceAsItDescribesItself) {
@@ -129,7 +128,7 @@ TEST_F(OpenHaptics, LeavesADeviceThatThisProgramUsesAlone) {
   const DriverSurvey survey = driver.find(options);
   ASSERT_EQ(survey.attached.size(), 1U);
   EXPECT_EQ(survey.attached[0].serial, "T-17");
-  EXPECT_THAT(survey.attached[0].hindrance, HasSubstr("This program uses it"));
+  EXPECT_THAT(survey.attached[0].blocker, HasSubstr("This program uses it"));
   EXPECT_THAT(refusal_of([&] { driver.open("Left Device", options); }),
               HasSubstr("This program uses Touch T-17"));
   EXPECT_THAT(calls(), IsEmpty());

@@ -128,7 +128,7 @@ TEST_F(APointer, DoesNotTouchTheHeap) {
 TEST(PointerDriver, OpensThePointerOfAWindowOnly) {
   const DriverRegistry drivers = built_in_drivers();
   EXPECT_THROW(drivers.open("mouse", {}), std::runtime_error);
-  EXPECT_FALSE(drivers.find("mouse")->find({}).hindrance.empty());
+  EXPECT_FALSE(drivers.find("mouse")->find({}).blocker.empty());
   LatestValue<PointerSample> samples;
   EXPECT_EQ(drivers.open("mouse", {.pointer = &samples})->capability().name, "mouse");
   EXPECT_EQ(drivers.find("mouse")->find({.pointer = &samples}).attached.size(), 1U);

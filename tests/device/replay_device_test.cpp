@@ -86,7 +86,7 @@ TEST(ReplayDevice, BeginsAnewWithEachAttempt) {
 
 TEST(ReplayDriver, NeedsARecordingAndSomebodyWhoReadsIt) {
   const DriverRegistry drivers = built_in_drivers();
-  EXPECT_NE(drivers.find("replay")->find({}).hindrance.find("replay:FILE"), std::string::npos);
+  EXPECT_NE(drivers.find("replay")->find({}).blocker.find("replay:FILE"), std::string::npos);
   EXPECT_THROW(drivers.open("replay", {}), std::runtime_error);
   EXPECT_THROW(drivers.open("replay:some.rec", {}), std::runtime_error);
   std::filesystem::path asked{};

@@ -113,7 +113,7 @@ TEST_F(SpaceMouse, IsNoMouseOrKeyboardOfTheSameMakers) {
 TEST_F(SpaceMouse, IsNotOpenedWhereNothingOfItTellsOfACap) {
   EmulatedSpaceMouse emulated(bus(), {.product = kUniversalReceiver, .protocols = {1, 2}});
   ASSERT_EQ(found().size(), 1U);
-  EXPECT_THAT(found()[0].hindrance, HasSubstr("cannot be opened"));
+  EXPECT_THAT(found()[0].blocker, HasSubstr("cannot be opened"));
   EXPECT_THAT(refusal_of([] { open(); }), HasSubstr("cannot be opened"));
   EXPECT_TRUE(emulated.is_the_kernels(0) && emulated.is_the_kernels(1));
 }
@@ -188,7 +188,7 @@ TEST_F(SpaceMouse, SaysWhichRuleIsMissingWithoutPermission) {
                                    "opened by this user"));
   EXPECT_THAT(complaint, HasSubstr("70-asperity.rules"));
   ASSERT_EQ(devices.size(), 1U);
-  EXPECT_EQ(devices[0].hindrance, complaint);
+  EXPECT_EQ(devices[0].blocker, complaint);
 }
 
 TEST_F(SpaceMouse, SaysThatAnotherProgramUsesIt) {
@@ -198,7 +198,7 @@ TEST_F(SpaceMouse, SaysThatAnotherProgramUsesIt) {
     const UsbSession usb;
     const spacemouse::SpaceMousePort other(usb, "usb 1-2");
     ASSERT_EQ(found().size(), 1U);
-    EXPECT_THAT(found()[0].hindrance, HasSubstr("is used by another program"));
+    EXPECT_THAT(found()[0].blocker, HasSubstr("is used by another program"));
     EXPECT_THAT(refusal_of([] { open(); }), HasSubstr("is used by another program"));
   }
   EXPECT_TRUE(found()[0].is_usable());
@@ -212,7 +212,7 @@ TEST_F(SpaceMouse, IsListedAndNotTouchedWhileThisProgramUsesIt) {
   const std::vector<AttachedDevice> devices = found();
   ASSERT_EQ(devices.size(), 2U);
   EXPECT_EQ(devices[0].serial, "SM042");
-  EXPECT_THAT(devices[0].hindrance, HasSubstr("This program uses it now"));
+  EXPECT_THAT(devices[0].blocker, HasSubstr("This program uses it now"));
   EXPECT_TRUE(devices[1].is_usable());
   EXPECT_THAT(refusal_of([] { open("SM042"); }), HasSubstr("This program uses it now"));
   EXPECT_EQ(emulated.opened(), before);

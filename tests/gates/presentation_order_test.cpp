@@ -19,7 +19,7 @@ std::string order_in(const Trial& trial) {
   return order;
 }
 
-// Seeds as a simulation deals them out: by participant and sitting, of one seed.
+// Seeds as a simulation deals them out: by participant and session, of one seed.
 TEST(SelectionOrders, AreAllAlikeAndTellNothingOfTheNext) {
   const Protocol protocol = library_protocol("chapter_selection");
   std::array<std::map<std::string, std::size_t>, 3> orders{};

@@ -124,7 +124,7 @@ Json json_of(const AnalysisOutcome& outcome) {
 
 }  // namespace
 
-std::string reading_text_of(const AnalysisOutcome& outcome) {
+std::string display_text_of(const AnalysisOutcome& outcome) {
   std::string heading = outcome.protocol + ' ' + outcome.version + " (" + outcome.kind + ", " +
                         outcome.design + "): " + text_of(outcome.group);
   std::string text = heading + '\n' + std::string(heading.size(), '=') + '\n';

@@ -13,7 +13,7 @@ namespace asperity {
 
 /// Heading, remarks, questions with their answers, then every table with its title: numbers with the digits that mean something,
 /// intervals in brackets.
-std::string reading_text_of(const AnalysisOutcome& outcome);
+std::string display_text_of(const AnalysisOutcome& outcome);
 
 /// One JSON document, "asperity.analysis/1": all digits, missing is null.
 std::string analysis_json(const std::string& study, std::span<const AnalysisOutcome> outcomes);
@@ -27,7 +27,7 @@ struct TableFindings {
 
 /// Tables with a row per key and a column per quantity, no wider than a terminal; below them every
 /// sentence of a status that is not "ok", and what each quantity is.
-std::string reading_text_of(const TableFindings& findings);
+std::string display_text_of(const TableFindings& findings);
 
 /// One JSON document, "asperity.findings/1".
 std::string findings_json(const TableFindings& findings);

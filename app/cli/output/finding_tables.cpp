@@ -10,8 +10,8 @@
 
 #include "app/cli/output/analysis_output.h"
 #include "app/cli/output/terminal.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/found_numbers.h"
-#include "app/findings/outcome/reading_number.h"
 
 namespace asperity {
 namespace {
@@ -23,10 +23,10 @@ constexpr const char* kInterval = " interval";
 
 /// Student's interval of a mean proportion is shown as far as a proportion can go; programs that compare it have it
 /// uncut.
-std::string reading_value(const Finding& finding) {
+std::string display_value(const Finding& finding) {
   const bool is_of_share = is(finding, "subj.ci.lower") || is(finding, "subj.ci.upper");
-  if (is_of_share && finding.value) return reading_number(std::clamp(*finding.value, 0.0, 1.0));
-  return finding.value ? reading_number(*finding.value) : finding.word;
+  if (is_of_share && finding.value) return display_number(std::clamp(*finding.value, 0.0, 1.0));
+  return finding.value ? display_number(*finding.value) : finding.word;
 }
 
 /// A column: values by key, in the order in which the keys first stood.
@@ -69,15 +69,15 @@ std::set<std::string> whole_intervals(std::span<const Finding> findings) {
   return whole;
 }
 
-std::string reading_end(double end) {
+std::string display_end(double end) {
   if (std::isnan(end)) return "NA";
   if (std::isinf(end)) return end > 0.0 ? "Inf" : "-Inf";
-  return reading_number(end);
+  return display_number(end);
 }
 
 std::string interval_of(const Finding& finding) {
   if (!finding.low || !finding.high) return {};
-  return '[' + reading_end(*finding.low) + ", " + reading_end(*finding.high) + ']';
+  return '[' + display_end(*finding.low) + ", " + display_end(*finding.high) + ']';
 }
 
 /// Whether a column of intervals says what the intervals of `column` say.
@@ -123,7 +123,7 @@ std::vector<Column> columns_of(std::span<const Finding> findings) {
     const auto [known, first] = place.emplace(name, columns.size());
     if (first) columns.push_back({.name = name});
     Column& column = columns[known->second];
-    const std::string value = reading_value(finding);
+    const std::string value = display_value(finding);
     if (is_end && !end->is_lower && !column.keys.empty() && column.keys.back() == finding.key) {
       column.values.back() += ", " + value + ']';
       continue;
@@ -175,7 +175,7 @@ std::size_t key_width_of(const Column& column) {
 
 }  // namespace
 
-std::string reading_text_of(const TableFindings& findings) {
+std::string display_text_of(const TableFindings& findings) {
   std::string text = findings.kind + ":";
   for (const std::string& file : findings.files) text += ' ' + file;
   text += "\n\n";

@@ -4,7 +4,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/cli/output/terminal.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 
 namespace asperity {
 
@@ -14,8 +14,8 @@ std::string height_field_line(const std::filesystem::path& out, const HeightFiel
   return out.string() + ": " + std::to_string(field.grid().columns) + " × " +
          std::to_string(field.grid().rows) + " samples, pitch " +
          fixed(field.grid().pitch_m * 1e6, 1) + " µm, height " +
-         reading_signed(field.minimum_m() * 1e6, decimals) + " to " +
-         reading_signed(field.maximum_m() * 1e6, decimals) + " µm, RMS " + fixed(rms_um, decimals) +
+         display_signed(field.minimum_m() * 1e6, decimals) + " to " +
+         display_signed(field.maximum_m() * 1e6, decimals) + " µm, RMS " + fixed(rms_um, decimals) +
          " µm\n";
 }
 

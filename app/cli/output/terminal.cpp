@@ -11,7 +11,7 @@
 #include <unistd.h>
 #include <utility>
 
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/study_files/study_condition.h"
 #include "app/words/shown_text.h"
 #include "app/words/text_parts.h"
@@ -36,7 +36,7 @@ void write_error(std::string_view text) {
 
 std::string text_of_cell(const Cell& cell) {
   if (std::holds_alternative<std::monostate>(cell)) return "n/a";
-  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return reading_whole(*whole);
+  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return display_whole(*whole);
   if (const auto* number = std::get_if<double>(&cell)) {
     return *number < 0.0 ? "−" + text_of_number(-*number) : text_of_number(*number);
   }

@@ -8,7 +8,7 @@
 #include <map>
 #include <string_view>
 
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/test_methods.h"
 #include "app/records/felt_octaves.h"
 #include "app/words/text_parts.h"

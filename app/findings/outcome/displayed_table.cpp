@@ -11,7 +11,7 @@
 #include <utility>
 #include <variant>
 
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 
 namespace asperity {
 
@@ -24,17 +24,17 @@ std::optional<std::string> fixed_digits(const ResultColumn& column, double value
   constexpr double kShortest_m = 1e-4;
   switch (column.digits) {
     case Digits::p:
-      return reading_p_cell(value);
+      return display_p_cell(value);
     case Digits::chance:
-      return column.part == ColumnPart::value ? reading_bounded(value, 3) : reading_bounded(value);
+      return column.part == ColumnPart::value ? display_bounded(value, 3) : display_bounded(value);
     case Digits::bounded:
-      return reading_bounded(value);
+      return display_bounded(value);
     case Digits::statistic:
-      return reading_signed(value, 2);
+      return display_signed(value, 2);
     case Digits::force:
-      return reading_signed(value, 3);
+      return display_signed(value, 3);
     case Digits::length:
-      if (value == 0.0 || std::abs(value) >= kShortest_m) return reading_signed(value, 5);
+      if (value == 0.0 || std::abs(value) >= kShortest_m) return display_signed(value, 5);
       return {};
     case Digits::of_column:
     case Digits::of_row:
@@ -51,8 +51,8 @@ bool needs_more_digits(Digits digits, double size) {
 
 /// Three significant digits, or two decimals where these show the number.
 std::string own_digits(Digits digits, double value) {
-  return needs_more_digits(digits, std::abs(value)) ? reading_quantity(value, "1")
-                                                    : reading_signed(value, 2);
+  return needs_more_digits(digits, std::abs(value)) ? display_quantity(value, "1")
+                                                    : display_signed(value, 2);
 }
 
 /// By id, the decimals that all of its numbers have: those of the narrowest interval and the smallest standard error, or without
@@ -82,7 +82,7 @@ class DecimalsOfColumns final {
     const bool is_single = column.digits == Digits::of_row && !shown.of_intervals;
     return is_wide || is_small || hides || shows_one_digit || is_single
                ? own_digits(column.digits, value)
-               : reading_signed(value, decimals);
+               : display_signed(value, decimals);
   }
 
  private:
@@ -138,11 +138,11 @@ class CellText final {
       : column_(column), decimals_(decimals), row_(row) {}
 
   Phrase operator()(std::monostate) const { return {}; }
-  Phrase operator()(std::int64_t count) const { return reading_whole(count); }
+  Phrase operator()(std::int64_t count) const { return display_whole(count); }
   Phrase operator()(double value) const { return number(value, ""); }
   Phrase operator()(const std::string& word) const { return column_.words(word); }
   Phrase operator()(const Quantity& quantity) const {
-    return reading_quantity(quantity.value, quantity.unit);
+    return display_quantity(quantity.value, quantity.unit);
   }
   Phrase operator()(const Interval& interval) const {
     if (!interval.low) return {};
@@ -153,7 +153,7 @@ class CellText final {
 
  private:
   std::string number(double value, const std::string& unit) const {
-    if (!unit.empty()) return reading_quantity(value, unit);
+    if (!unit.empty()) return display_quantity(value, unit);
     if (const auto text = fixed_digits(column_, value)) return *text;
     return decimals_.text(column_, row_, value);
   }

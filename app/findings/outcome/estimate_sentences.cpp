@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/findings/outcome/cell_words.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/study_analysis.h"
 #include "app/findings/outcome/test_sentences.h"
 #include "app/words/text_parts.h"
@@ -53,15 +53,15 @@ std::string all_estimates(const std::vector<const Finding*>& estimates, const st
     const std::string& key = estimates[i]->key;
     text += one_estimate(*estimates[i], key == only_key ? "" : key, shown);
   }
-  return text + ", N = " + reading_count(estimates.front()->n);
+  return text + ", N = " + display_count(estimates.front()->n);
 }
 
 EstimateSentence choices_sentence(const AnalysisOutcome& outcome) {
   const std::vector<const Finding*> means = estimates_among(outcome, "choice", "subj.mean");
   if (means.size() < 2) return {};
   const double chance = 1.0 / static_cast<double>(means.size());
-  return {.text = "Mean proportions of choices were " + all_estimates(means, "", reading_percent) +
-                  "; the chance level was " + reading_percent(chance) + '.',
+  return {.text = "Mean proportions of choices were " + all_estimates(means, "", display_percent) +
+                  "; the chance level was " + display_percent(chance) + '.',
           .has_mean_interval = std::any_of(means.begin(), means.end(), [](const Finding* mean) {
             return mean->low.has_value();
           })};
@@ -77,15 +77,15 @@ EstimateSentence pairs_sentence(const AnalysisOutcome& outcome) {
   };
   state("Log-worths of the Bradley–Terry model (mean 0) were ", "scale",
         "bt.ability.sumzero.cluster",
-        [](double value) { return reading_signed(value, kDecimals); });
+        [](double value) { return display_signed(value, kDecimals); });
   state("Mean proportions of comparisons in which an item was chosen were ", "scores", "mean.score",
-        reading_percent);
+        display_percent);
   const std::vector<const Finding*> zetas = numbers_among(outcome, "consistency", "mean.zeta");
   if (!zetas.empty()) {
     sentences.push_back(
         "The mean coefficient of consistence was ζ = " +
-        one_estimate(*zetas.front(), "", [](double value) { return reading_bounded(value); }) +
-        ", N = " + reading_count(zetas.front()->n) + '.');
+        one_estimate(*zetas.front(), "", [](double value) { return display_bounded(value); }) +
+        ", N = " + display_count(zetas.front()->n) + '.');
   }
   std::string text{};
   for (const std::string& sentence : sentences) text += (text.empty() ? "" : " ") + sentence;

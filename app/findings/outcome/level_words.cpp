@@ -13,7 +13,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/findings/outcome/cell_words.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/words/text_parts.h"
 #include "protocols/design/block_factors.h"
 #include "protocols/procedures/procedure.h"

@@ -12,7 +12,7 @@
 #include "analysis/tests/multiplicity.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/columns.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "results_schema/error_text.h"
 
 namespace asperity {
@@ -73,7 +73,7 @@ void add_status(const FindingName& name, std::string word, std::string reason,
   added.status = std::move(reason);
 }
 
-Phrase percent(double share) { return reading_percent(share); }
+Phrase percent(double share) { return display_percent(share); }
 
 Phrase interval_text(const Finding& share) {
   if (share.low && share.high) {
@@ -84,11 +84,11 @@ Phrase interval_text(const Finding& share) {
 }
 
 Phrase quantity_with_interval(const Finding& estimate) {
-  const std::string value = reading_quantity(*estimate.value, estimate.unit);
+  const std::string value = display_quantity(*estimate.value, estimate.unit);
   if (!estimate.low || !estimate.high) return value;
   return phrase("Analysis", "%1 (95 % CI [%2, %3])")
-      .with(value, reading_quantity(*estimate.low, estimate.unit),
-            reading_quantity(*estimate.high, estimate.unit));
+      .with(value, display_quantity(*estimate.low, estimate.unit),
+            display_quantity(*estimate.high, estimate.unit));
 }
 
 bool holds_in_interval(const Finding& estimate, double value) noexcept {

@@ -12,7 +12,7 @@
 #include "analysis/tests/multiplicity.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/columns.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/test_sentences.h"
 #include "protocols/kinds/experiment_kind.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <variant>
 
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/words/text_parts.h"
 
 namespace asperity {
@@ -23,7 +23,7 @@ std::string form_text(const ScaleForm& form) {
   const auto end = [](double value) {
     constexpr int kDecimals = 2;
     const bool is_whole = value == std::round(value);
-    return reading_signed(value, is_whole ? 0 : kDecimals);
+    return display_signed(value, is_whole ? 0 : kDecimals);
   };
   return (form.points > 0 ? "with " + std::to_string(form.points) + " points from " : "from ") +
          end(form.minimum) + " to " + end(form.maximum);

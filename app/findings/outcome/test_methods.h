@@ -50,7 +50,7 @@ struct TestMethod {
   std::string_view effect_symbol{};  ///< "d"
   Phrase effect_name{};              ///< "Cohen's d"; empty where the symbol is a word
   QuantityName effect{};             ///< the effect size, whose finding has its interval
-  bool effect_is_bounded = false;    ///< cannot exceed 1: printed by `reading_bounded`
+  bool effect_is_bounded = false;    ///< cannot exceed 1: printed by `display_bounded`
   /// Its sign, and not that of the statistic, is the direction of a difference.
   bool direction_is_of_effect = false;
   QuantityName estimate{};           ///< the proportion that is tested; empty where there is none

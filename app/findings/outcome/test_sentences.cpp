@@ -7,7 +7,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/findings/outcome/cell_words.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/study_analysis.h"
 #include "app/words/text_parts.h"
 
@@ -62,7 +62,7 @@ std::string claim_of(const StudyTest& test, std::string_view kind) {
   const std::string first(about.substr(0, bar));
   const std::string second(bar == std::string_view::npos ? "" : about.substr(bar + 1));
   const std::string chance = !test.chance ? ""
-                                          : " of " + reading_percent(*test.chance) +
+                                          : " of " + display_percent(*test.chance) +
                                                 (test.chance_varies ? " on average" : "");
   const std::string chosen = qualified_claim(test, std::string(words));
   std::string named = test.name == "properties" ? words_of_property(first).english() : first;
@@ -75,7 +75,7 @@ std::string claim_of(const StudyTest& test, std::string_view kind) {
 }
 
 std::string size_text(const StudyTest& test) {
-  const std::string n = reading_count(test.n);
+  const std::string n = display_count(test.n);
   if (test.unit == kUnitOfParticipants) {
     std::vector<std::string> without{};
     if (test.left_out > 0) without.push_back(count_in_words(test.left_out) + " left out");
@@ -90,10 +90,10 @@ std::string size_text(const StudyTest& test) {
 std::string estimate_text(const StudyTest& test) {
   if (!test.estimate) return {};
   std::string text(test.made_by->estimate_name);
-  text += " = " + reading_percent(test.estimate->value);
+  text += " = " + display_percent(test.estimate->value);
   if (test.estimate->low && test.estimate->high) {
-    text += ", 95 % CI [" + reading_percent(*test.estimate->low) + ", " +
-            reading_percent(*test.estimate->high) + ']';
+    text += ", 95 % CI [" + display_percent(*test.estimate->low) + ", " +
+            display_percent(*test.estimate->high) + ']';
   }
   return text + ", " + size_text(test) + "; ";
 }
@@ -119,13 +119,13 @@ std::string statistic_text(std::string_view symbol, std::span<const double> degr
   }
   const bool is_count = symbol == "k" || symbol == "D";
   return std::string(symbol) + (inner.empty() ? "" : '(' + inner + ')') + " = " +
-         reading_signed(value, is_count ? 0 : 2) +
-         (epsilon ? ", ε = " + reading_bounded(*epsilon) : "");
+         display_signed(value, is_count ? 0 : 2) +
+         (epsilon ? ", ε = " + display_bounded(*epsilon) : "");
 }
 
 std::string effect_text(std::string_view symbol, double value, const EffectInterval& interval) {
   const auto shown = [is_bounded = is_bounded_effect(symbol)](double number) {
-    return is_bounded ? reading_bounded(number) : reading_signed(number, 2);
+    return is_bounded ? display_bounded(number) : display_signed(number, 2);
   };
   std::string text = std::string(symbol) + " = " + shown(value);
   if (!interval.low || !interval.high) return text;
@@ -194,10 +194,10 @@ Phrase p_text(const StudyTest& test) {
                      : test.adjusted && test.role == TestRole::confirmatory
                          ? phrase("Analysis", "%1, the only test of its family")
                          : phrase("Analysis", "%1, uncorrected");
-  const Phrase text = how.with(reading_p(p));
+  const Phrase text = how.with(display_p(p));
   const std::optional<double> smallest = test.unattainable_p();
   if (!smallest) return text;
-  const std::string shown = reading_p_cell(*smallest);
+  const std::string shown = display_p_cell(*smallest);
   if (!test.required_n) {
     return phrase("Analysis", "%1; the smallest attainable p is %2").with(text, shown);
   }
@@ -251,7 +251,7 @@ Phrase with_contradiction(const Phrase& answer, const StudyTest& test) {
       .with(answer, contradiction_text(test));
 }
 
-Sayings sayings_of(const StudyTest& test, const StatedNumbers& stated) {
+TestStatements statements_of(const StudyTest& test, const StatedNumbers& stated) {
   const Phrase& numbers = stated.numbers;
   const Phrase p = p_text(test);
   const Phrase nothing = stated.not_significant.with(numbers, p);
@@ -267,11 +267,12 @@ Sayings sayings_of(const StudyTest& test, const StatedNumbers& stated) {
           with_contradiction(told, test)};
 }
 
-Phrase said_of(const StudyTest& test, const Sayings& sayings) {
-  const Phrase answer = test.shows() ? sayings.claim
-                        : test.adjusted && !test.is_significant()
-                            ? sayings.nothing
-                            : phrase("Analysis", "%1 This test is exploratory.").with(sayings.told);
+Phrase said_of(const StudyTest& test, const TestStatements& statements) {
+  const Phrase answer =
+      test.shows() ? statements.claim
+      : test.adjusted && !test.is_significant()
+          ? statements.nothing
+          : phrase("Analysis", "%1 This test is exploratory.").with(statements.told);
   // The answer can concern several sign-flip tests, each with its own differences of zero.
   return test.ties == 0 ? answer : with_zero_differences(answer, test);
 }

@@ -59,14 +59,14 @@ Phrase with_contradiction(const Phrase& answer, const StudyTest& test);
 /// to a family and is not significant, and `told` for a test from which nothing is concluded, because it is exploratory, as the
 /// sentence that is added to it states. `with_zero_differences` holds for all
 /// of a signed-rank test.
-struct Sayings {
+struct TestStatements {
   Phrase claim{};
   Phrase nothing{};
   Phrase told{};
 
   /// Each of them with what `added` adds to an answer.
   template <typename Added>
-  Sayings with(const Added& added) const {
+  TestStatements with(const Added& added) const {
     return {added(claim), added(nothing), added(told)};
   }
 };
@@ -85,7 +85,7 @@ struct StatedNumbers {
   bool compares = false;  ///< a result that is not significant could be taken for equality
   Phrase claim{};  ///< in place of the significant answer; states itself what is not established
 };
-Sayings sayings_of(const StudyTest& test, const StatedNumbers& stated);
-Phrase said_of(const StudyTest& test, const Sayings& sayings);
+TestStatements statements_of(const StudyTest& test, const StatedNumbers& stated);
+Phrase said_of(const StudyTest& test, const TestStatements& statements);
 
 }  // namespace asperity

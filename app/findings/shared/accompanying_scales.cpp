@@ -13,8 +13,8 @@
 #include "app/findings/gathering/answer_columns.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/found_numbers.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/test_sentences.h"
 #include "app/findings/tidy/finding_list.h"
@@ -128,10 +128,10 @@ std::vector<Finding> paired_test(TidyInput input, const std::string& key) {
 /// "62.50 (95 % CI [51.20, 73.80])"
 Phrase rating_text(const Finding& mean) {
   constexpr int kDecimals = 2;
-  const std::string value = reading_signed(*mean.value, kDecimals);
+  const std::string value = display_signed(*mean.value, kDecimals);
   if (!mean.low || !mean.high) return Phrase(value);
   return phrase("Analysis", "%1 (95 % CI [%2, %3])")
-      .with(value, reading_signed(*mean.low, kDecimals), reading_signed(*mean.high, kDecimals));
+      .with(value, display_signed(*mean.low, kDecimals), display_signed(*mean.high, kDecimals));
 }
 
 }  // namespace
@@ -256,13 +256,13 @@ Phrase AccompanyingScales::answer_text(const Scale& scale, const StudyTests& tes
   if (difference == nullptr || test == nullptr || !test->p) {
     return phrase("Analysis", "%1 The difference could not be tested.").with(means_text);
   }
-  const Sayings sayings = sayings_of(
+  const TestStatements statements = statements_of(
       *test, {.numbers = phrase("Analysis", "mean difference %1, N = %2, paired t test: %3.")
-                             .with(rating_text(*difference), reading_count(test->n), p_text(*test)),
+                             .with(rating_text(*difference), display_count(test->n), p_text(*test)),
               .significant = phrase("Analysis", "They differ significantly: %1"),
               .not_significant = phrase("Analysis", "They do not differ significantly: %1"),
               .exploratory = {}});
-  return phrase("Analysis", "%1 %2").with(means_text, said_of(*test, sayings));
+  return phrase("Analysis", "%1 %2").with(means_text, said_of(*test, statements));
 }
 
 void AccompanyingScales::report(const StudyTests& tests, AnalysisOutcome& outcome) const {

@@ -14,7 +14,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/findings/gathering/answer_columns.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/study_findings.h"
 
 namespace asperity {
@@ -102,8 +102,8 @@ Phrase crossed_answer(const FoundNumbers& found, const CrossedResponses& crossed
                 "intercepts (logit): participants %8, textures %9. This test is exploratory.")
       .with(crossed.proportion, percent(*proportion.value), interval_text(proportion),
             percent(crossed.chance), fixed(*found.value("glmm.t.df", "intercept"), 0),
-            reading_signed(*found.value("glmm.t", "intercept"), 2),
-            reading_p(*found.value("glmm.t.p", "intercept")),
+            display_signed(*found.value("glmm.t", "intercept"), 2),
+            display_p(*found.value("glmm.t.p", "intercept")),
             fixed(*found.value("glmm.sigma", kParticipantFactor), 2),
             phrase("Analysis", "%1 (N = %2)")
                 .with(fixed(*found.value("glmm.sigma", kTextureFactor), 2),

@@ -15,7 +15,7 @@
 #include "app/findings/gathering/explored_rows.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/columns.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/shared/exploration_model.h"
 #include "app/findings/tidy/described_conditions.h"
@@ -95,7 +95,7 @@ ResultCell read_quantity(const RowReader& row, const ExploredQuantity& quantity)
   const auto text = [&](const ResultColumn& column) -> std::optional<std::string> {
     const std::optional<double> number = row.number(column);
     if (!number) return std::nullopt;
-    return reading_signed(*number, quantity.decimals);
+    return display_signed(*number, quantity.decimals);
   };
   if (quantity.is_time()) {
     const auto median = text(kMedian);

@@ -15,7 +15,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/findings/outcome/columns.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/test_sentences.h"
 #include "app/findings/tidy/mixed_rows.h"
@@ -225,7 +225,7 @@ void add_change_sentence(const ModelledTimes& times, const Phrase& sentence, con
                          Phrase& note) {
   if (ratio == nullptr || !ratio->low || !ratio->high) return;
   const int decimals = decimals_of(*ratio->high - *ratio->low);
-  const auto digits = [decimals](double value) { return reading_signed(value, decimals); };
+  const auto digits = [decimals](double value) { return display_signed(value, decimals); };
   note = phrase("Analysis", "%1 %2")
              .with(note, Phrase(sentence).with(times.name, digits(*ratio->value),
                                                digits(*ratio->low), digits(*ratio->high)));
@@ -250,7 +250,7 @@ void add_sentences(const ExploredRows& rows, const ModelledTimes& times, const F
       found.find("lmm.ratio", kSessionPlace), note);
   if (const auto icc = found.value("lmm.icc")) {
     note = phrase("Analysis", "%1 %2: the intraclass correlation is %3.")
-               .with(note, times.name, reading_bounded(*icc));
+               .with(note, times.name, display_bounded(*icc));
   }
   const auto left_out = static_cast<std::size_t>(found.value("n.left_out").value_or(0.0));
   if (left_out > 0) {

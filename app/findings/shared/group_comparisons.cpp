@@ -10,8 +10,8 @@
 
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/found_numbers.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/test_sentences.h"
 
@@ -32,10 +32,10 @@ const ResultColumn kMeanOfUnit{
 Phrase with_interval(const Finding& number, bool is_ratio) {
   if (number.unit != "1" || is_ratio) return quantity_with_interval(number);
   constexpr int kDecimals = 2;
-  const std::string value = reading_signed(*number.value, kDecimals);
+  const std::string value = display_signed(*number.value, kDecimals);
   if (!number.low || !number.high) return Phrase(value);
   return phrase("Analysis", "%1 (95 % CI [%2, %3])")
-      .with(value, reading_signed(*number.low, kDecimals), reading_signed(*number.high, kDecimals));
+      .with(value, display_signed(*number.low, kDecimals), display_signed(*number.high, kDecimals));
 }
 
 /// The mean of a group, and how many participants it is of.
@@ -215,11 +215,11 @@ void GroupComparisons::ask_measure(const Compared& one, const StudyTests& tests,
                   "comparison does not describe them and therefore has no CI.")
         .with(answer, std::to_string(missing), std::to_string(missing + test->n));
   };
-  const Sayings sayings =
-      sayings_of(*test,
-                 {.numbers = phrase("Analysis", "%1; %2. Permutation test of group labels: %3.")
-                                 .with(means, difference, p_text(*test)),
-                  .compares = true})
+  const TestStatements statements =
+      statements_of(*test,
+                    {.numbers = phrase("Analysis", "%1; %2. Permutation test of group labels: %3.")
+                                    .with(means, difference, p_text(*test)),
+                     .compares = true})
           .with(with_left_out);
   const Phrase splits = method_of_splits(*test);
   const Phrase method = effect.low
@@ -229,7 +229,7 @@ void GroupComparisons::ask_measure(const Compared& one, const StudyTests& tests,
                                   .with(splits, kind_of_effect)
                             : splits;
   add_question(outcome, one.analysis().c_str(), question_about(one.pair, one.words),
-               said_of(*test, sayings), method, kGroupMeans, &effect);
+               said_of(*test, statements), method, kGroupMeans, &effect);
 }
 
 void GroupComparisons::ask_profile(const Compared& one, const StudyTests& tests,
@@ -247,7 +247,7 @@ void GroupComparisons::ask_profile(const Compared& one, const StudyTests& tests,
              "the largest difference (%1 − %2), each participant's mean removed, is "
              "that of %3, %4")
           .with(one.pair.first, one.pair.second, words_of_item(with_strokes(greatest.key)),
-                reading_signed(*greatest.value, 2));
+                display_signed(*greatest.value, 2));
   const auto with_left_out = [&](const Phrase& answer) {
     const auto missing = static_cast<std::size_t>(found.value("profile.incomplete").value_or(0.0));
     if (missing == 0) return answer;
@@ -256,23 +256,24 @@ void GroupComparisons::ask_profile(const Compared& one, const StudyTests& tests,
                   "the comparison does not describe them and therefore has no CI.")
         .with(answer, std::to_string(missing), std::to_string(missing + test->n));
   };
-  const Sayings sayings =
-      sayings_of(*test,
-                 {.numbers = phrase("Analysis",
-                                    "a proportion R² = %1 of the variation of the profiles is "
-                                    "between the groups; %2. Permutation test of group "
-                                    "labels: %3.")
-                                 .with(reading_bounded(*r2.value), largest, p_text(*test)),
-                  .compares = true})
+  const TestStatements statements =
+      statements_of(*test,
+                    {.numbers = phrase("Analysis",
+                                       "a proportion R² = %1 of the variation of the profiles is "
+                                       "between the groups; %2. Permutation test of group "
+                                       "labels: %3.")
+                                    .with(display_bounded(*r2.value), largest, p_text(*test)),
+                     .compares = true})
           .with(with_left_out);
   add_question(
-      outcome, one.analysis().c_str(), question_about(one.pair, one.words), said_of(*test, sayings),
+      outcome, one.analysis().c_str(), question_about(one.pair, one.words),
+      said_of(*test, statements),
       phrase("Analysis",
              "From each participant's numbers the participant's mean is subtracted, so that what "
              "is compared is how they differ between items. Whole participants are permuted. %1 "
              "Where the groups are equal, R² is %2 on average.")
           .with(method_of_splits(*test),
-                reading_bounded(1.0 / static_cast<double>(std::max<std::size_t>(r2.n, 2) - 1))),
+                display_bounded(1.0 / static_cast<double>(std::max<std::size_t>(r2.n, 2) - 1))),
       kGroupProfiles, &r2);
 }
 

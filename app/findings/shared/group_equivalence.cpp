@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/study_findings.h"
 
 namespace asperity {
@@ -36,7 +36,7 @@ std::optional<TidyInput> table_of_proportions(const ParticipantPair& pair,
 /// Rounds up, so that the margin is never smaller than the one that the data support: 44.02 becomes
 /// 44.1.
 std::string points_rounded_up(double difference) {
-  return reading_points(std::ceil(1000.0 * difference - 1e-9) / 1000.0);
+  return display_points(std::ceil(1000.0 * difference - 1e-9) / 1000.0);
 }
 
 /// Names only the methods that were computed.
@@ -70,9 +70,9 @@ Phrase equivalence_answer(const ParticipantPair& pair, const FoundNumbers& found
       phrase("Analysis",
              "difference (%6 − %7) = %1 percentage points, 90 % CI [%2, %3], N = %4 "
              "participants; JZS Bayes factor for a difference BF₁₀ = %5")
-          .with(reading_points(*difference.value), reading_points(*difference.low),
-                reading_points(*difference.high), std::to_string(difference.n),
-                reading_number(*found.value("jzs.bf10", "0.7071")), pair.first_name,
+          .with(display_points(*difference.value), display_points(*difference.low),
+                display_points(*difference.high), std::to_string(difference.n),
+                display_number(*found.value("jzs.bf10", "0.7071")), pair.first_name,
                 pair.second_name);
   if (!margin && *supported >= 1.0) {  // Welch's interval is not bounded, but the difference is
     return phrase("Analysis",
@@ -96,7 +96,7 @@ Phrase equivalence_answer(const ParticipantPair& pair, const FoundNumbers& found
               : phrase("Analysis",
                        "The 90 % CI does not lie within ±%1 percentage points: %2; two one-sided "
                        "tests, %3, uncorrected. This test is exploratory."))
-      .with(reading_points(*margin), numbers, reading_p(*found.value("tost.p")));
+      .with(display_points(*margin), numbers, display_p(*found.value("tost.p")));
 }
 
 }  // namespace

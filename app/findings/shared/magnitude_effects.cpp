@@ -10,7 +10,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/findings/outcome/columns.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/test_sentences.h"
 #include "app/findings/tidy/finding_list.h"
 
@@ -49,7 +49,7 @@ Phrase roughest_of(const char* factor, const std::vector<std::string>& levels, b
   if (is_turned) std::swap(names.first, names.second);
   if (std::string_view(factor) == "spacing") {
     for (std::string* name : {&names.first, &names.second}) {
-      if (const auto spacing_m = number_in(*name)) *name = reading_quantity(*spacing_m, "m");
+      if (const auto spacing_m = number_in(*name)) *name = display_quantity(*spacing_m, "m");
     }
   }
   const double times = std::pow(10.0, std::abs(*most->value));
@@ -78,7 +78,7 @@ Phrase effect_in_numbers(const std::string& effect, const FoundNumbers& found,
   if (test.degrees.size() != 2 || !test.statistic || !pes) return {};
   return phrase("Analysis", "%1, partial η² = %2, %3")
       .with(statistic_text(test.made_by->symbol, test.degrees, *test.statistic, test.epsilon),
-            reading_bounded(*pes), p_text(test));
+            display_bounded(*pes), p_text(test));
 }
 
 Phrase method_of_effect(bool is_corrected, bool states_factor) {
@@ -151,9 +151,9 @@ void ask_effect(const EffectQuestion& asked, const FoundNumbers& found, const St
   if (numbers.empty()) return;
   const Phrase roughest = roughest_of(name, levels, test->is_significant(), found);
   if (!roughest.empty()) numbers = phrase("Analysis", "%1; %2").with(numbers, roughest);
-  const Sayings sayings =
-      sayings_of(*test, {.numbers = phrase("Analysis", "%1.").with(numbers), .exploratory = {}});
-  add_question(outcome, name, question, said_of(*test, sayings),
+  const TestStatements statements =
+      statements_of(*test, {.numbers = phrase("Analysis", "%1.").with(numbers), .exploratory = {}});
+  add_question(outcome, name, question, said_of(*test, statements),
                method_of_effect(found.find("p.GG", effect) != nullptr, !roughest.empty()), table,
                found.find("F", effect));
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/test_sentences.h"
 #include "app/findings/shared/group_equivalence.h"
@@ -32,7 +32,7 @@ std::optional<TidyInput> table_of_pair(const GatheredAnswers& gathered, const Pa
 Phrase plain_interval(const Finding& finding, int digits) {
   if (finding.low && finding.high) {
     return phrase("Analysis", "95 % CI [%1, %2]")
-        .with(reading_signed(*finding.low, digits), reading_signed(*finding.high, digits));
+        .with(display_signed(*finding.low, digits), display_signed(*finding.high, digits));
   }
   return phrase("Analysis", "without a CI");
 }
@@ -41,7 +41,7 @@ Phrase plain_interval(const Finding& finding, int digits) {
 Phrase interval_of_difference(const Finding& finding, int digits) {
   if (finding.low && finding.high) {
     return phrase("Analysis", "Welch 95 % CI [%1, %2]")
-        .with(reading_signed(*finding.low, digits), reading_signed(*finding.high, digits));
+        .with(display_signed(*finding.low, digits), display_signed(*finding.high, digits));
   }
   return phrase("Analysis", "without a CI");
 }
@@ -183,7 +183,7 @@ void ask_pair(const ParticipantPair& pair, const PairMeans& means, const StudyTe
   const bool are_shares = means.scale != PairScale::items;
   const auto mean = [are_shares](const Finding& of) {
     return phrase("Analysis", "%1 (%2, n = %3)")
-        .with(are_shares ? percent(*of.value) : Phrase(reading_signed(*of.value, 2)),
+        .with(are_shares ? percent(*of.value) : Phrase(display_signed(*of.value, 2)),
               are_shares ? interval_text(of) : plain_interval(of, 2), std::to_string(of.n));
   };
   const Phrase of_both = means_text(pair, means, mean(*means.first), mean(*means.second));
@@ -195,16 +195,16 @@ void ask_pair(const ParticipantPair& pair, const PairMeans& means, const StudyTe
   const Phrase difference =
       (are_shares ? phrase("Analysis", "%1 percentage points (%2)")
                   : phrase("Analysis", "%1 items (%2)"))
-          .with(reading_signed(*shown.value, digits), interval_of_difference(shown, digits));
+          .with(display_signed(*shown.value, digits), interval_of_difference(shown, digits));
   state_means(outcome, test->name, of_both.english() + "; difference " + difference.english(),
               test->about);
-  const Sayings sayings = sayings_of(
+  const TestStatements statements = statements_of(
       *test,
       {.numbers =
            phrase("Analysis", "%1; difference (%4 − %5) %2. Permutation test of group labels: %3.")
                .with(of_both, difference, p_text(*test), pair.first_name, pair.second_name),
        .compares = true});
-  add_question(outcome, pair.analysis.c_str(), pair.question, said_of(*test, sayings),
+  add_question(outcome, pair.analysis.c_str(), pair.question, said_of(*test, statements),
                method_of_pair(means, *test), "tests", &*means.difference);
 }
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/findings/gathering/answer_columns.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/shared/intraclass_targets.h"
 #include "app/findings/tidy/finding_list.h"
@@ -64,10 +64,10 @@ bool has_too_few_targets(const FoundNumbers& found) {
 Phrase correlation_text(const Phrase& name, const Finding& icc) {
   if (!icc.value) return phrase("Analysis", "%1 is not defined").with(name);
   if (!icc.low || !icc.high)
-    return phrase("Analysis", "%1 = %2").with(name, reading_bounded(*icc.value));
+    return phrase("Analysis", "%1 = %2").with(name, display_bounded(*icc.value));
   return phrase("Analysis", "%1 = %2, 95 % CI [%3, %4]")
-      .with(name, reading_bounded(*icc.value), reading_bounded(*icc.low),
-            reading_bounded(*icc.high));
+      .with(name, display_bounded(*icc.value), display_bounded(*icc.low),
+            display_bounded(*icc.high));
 }
 
 std::size_t repetitions_in(const Ratings& ratings) {

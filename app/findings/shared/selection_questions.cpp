@@ -11,7 +11,7 @@
 #include "analysis/choices/conditional_logit.h"
 #include "analysis/numbers/number_text.h"
 #include "app/findings/outcome/cell_words.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/test_sentences.h"
 #include "app/findings/shared/choice_tables.h"
 
@@ -94,7 +94,7 @@ Phrase with_prompt(const Phrase& question, const GatheredAnswers& gathered) {
   return phrase("Analysis", "%1 Participants were asked: “%2”").with(question, *prompts.begin());
 }
 
-std::string log_worth(double value) { return reading_signed(value, 2); }
+std::string log_worth(double value) { return display_signed(value, 2); }
 
 /// The log worths of all items, in descending order; none where there is no scale.
 std::vector<std::pair<std::string, const Finding*>> worths_in_order(const Selection& selection,
@@ -325,7 +325,7 @@ void ask_preference(const Selection& selection, const FoundNumbers& choice,
       : !test->p
           ? phrase("Analysis", "%1.").with(shares)
           : said_of(*test,
-                    sayings_of(
+                    statements_of(
                         *test,
                         {.numbers = shares,
                          .significant = phrase(
@@ -407,7 +407,7 @@ Phrase preferences_text(const std::string& name, const StudyTests& tests,
              "%1 of the %2 pairs differ significantly (largest of these p values, Holm-corrected: "
              "%3); the table of tests contains them.")
           .with(std::to_string(differing), std::to_string(differing + others.size()),
-                reading_p_cell(largest_p));
+                display_p_cell(largest_p));
   const Phrase established = with_unestablished(counted, unestablished);
   if (others.empty() || others.size() > kMostNamed) return established;
   return phrase("Analysis", "%1 Not significantly different: %2.")
@@ -450,7 +450,7 @@ void ask_pairs(const PairWords& words, const StudyTests& tests, const FoundNumbe
             : phrase("Analysis", "No pair could differ significantly in these data: %1.");
     stated.exploratory = phrase("Analysis", "Among all pairs, %1.");
   }
-  const Phrase answer = said_of(least, sayings_of(least, stated));
+  const Phrase answer = said_of(least, statements_of(least, stated));
   add_question(outcome, "pairs", words.question,
                is_only_pair ? with_zero_differences(answer, least) : answer, words.method, "pairs",
                found.find("signflip.p.two", least.about));
@@ -471,14 +471,14 @@ void ask_position(std::size_t positions, const Phrase& method, const FoundNumber
                  {}, kPositions, most.mean);
   }
   if (!test->p) return;
-  const Sayings sayings = sayings_of(
+  const TestStatements statements = statements_of(
       *test,
       {.numbers = positions_text(most, positions, *first),
        .significant = phrase("Analysis", "The position has a significant effect (%2): %1."),
        .not_significant = phrase("Analysis", "The position has no significant effect (%2): %1."),
        .not_established = not_established(),
        .exploratory = phrase("Analysis", "Test of equal proportions: %2; %1.")});
-  add_question(outcome, "position", question, said_of(*test, sayings), method, kPositions,
+  add_question(outcome, "position", question, said_of(*test, statements), method, kPositions,
                most.mean);
 }
 
@@ -523,7 +523,7 @@ void ask_textures(const Selection& selection, const StudyTests& tests, AnalysisO
   finding.analysis = "tests";
   Phrase answer = said_of(
       *test,
-      sayings_of(
+      statements_of(
           *test,
           {.numbers = phrase("Analysis", "test of equal proportions of %1 with every texture: %2.")
                           .with(target, p_text(*test)),

@@ -16,7 +16,7 @@
 #include "app/findings/gathering/answer_columns.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/columns.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/study_tests.h"
 #include "app/findings/outcome/test_sentences.h"
@@ -138,7 +138,7 @@ Phrase predictor_with_unit(const EstimationDeclaration& estimation) {
 ResultCell stimulus_cell(const std::string& stimulus, const std::string& unit) {
   const std::optional<double> level = number_in(stimulus);
   if (unit.empty() || !level) return stimulus;
-  return JoinedCell{{stimulus}, reading_quantity(*level, unit)};
+  return JoinedCell{{stimulus}, display_quantity(*level, unit)};
 }
 
 Phrase note_on_stimulus_means(const ComparedEstimates& compared) {
@@ -305,11 +305,11 @@ void ask_exponents(const ComparedEstimates& compared, const FoundNumbers& found,
     const Finding* mean = found.find("exponent.mean", condition);
     if (mean == nullptr || !mean->value) continue;
     if (first == nullptr) first = mean;
-    Phrase one = phrase("Analysis", "exponent %1").with(reading_signed(*mean->value, kDecimals));
+    Phrase one = phrase("Analysis", "exponent %1").with(display_signed(*mean->value, kDecimals));
     if (mean->low && mean->high) {
       one = phrase("Analysis", "%1 (95 % CI [%2, %3])")
-                .with(one, reading_signed(*mean->low, kDecimals),
-                      reading_signed(*mean->high, kDecimals));
+                .with(one, display_signed(*mean->low, kDecimals),
+                      display_signed(*mean->high, kDecimals));
     }
     const StudyTests::Test* test = tests.find("exponent", about_condition(compared, condition));
     if (test != nullptr && test->p && test->statistic) {

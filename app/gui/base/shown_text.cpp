@@ -11,7 +11,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/findings/outcome/cell_words.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/study_analysis.h"
 #include "app/gui/look/words.h"
 #include "app/tasks/study_overview.h"

@@ -112,16 +112,16 @@ Said said_of(const DriverSurvey& survey, bool is_named) {
         text(device.model + (device.serial.empty() ? "" : " ") + device.serial).trimmed();
     usable += device.is_usable() ? 1 : 0;
     words << (device.is_usable() ? DriverSetup::tr("%1: ready.").arg(name)
-                                 : sentence_of(device.hindrance));
+                                 : sentence_of(device.blocker));
   }
-  if (!survey.hindrance.empty()) words << sentence_of(survey.hindrance);
-  if (survey.attached.empty() && survey.hindrance.empty()) {
+  if (!survey.blocker.empty()) words << sentence_of(survey.blocker);
+  if (survey.attached.empty() && survey.blocker.empty()) {
     words << DriverSetup::tr("No device is attached: connect one, and check that it has power.");
   }
   State state = is_named ? State::fine : State::unknown;
   if (usable > 0) state = State::fine;
   if (usable == 0 && !survey.attached.empty()) state = State::look;
-  if (!survey.hindrance.empty()) state = is_named ? State::stop : State::look;
+  if (!survey.blocker.empty()) state = is_named ? State::stop : State::look;
   return {state, words.join(' ')};
 }
 

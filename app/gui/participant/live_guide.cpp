@@ -195,7 +195,7 @@ void LiveGuide::look_again() {
     shown_.probe_m = {static_cast<double>(last_.x_m), static_cast<double>(last_.y_m)};
   }
   // Where the hand is to lift, nothing leads it on and nothing asks for more.
-  const bool is_to_lift = scene->text_saying.what == Saying::What::lift;
+  const bool is_to_lift = scene->text_message.what == ParticipantMessage::What::lift;
   shown_.pressing_N.reset();
   shown_.stroking_m_per_s.reset();
   if (last_.is_felt && !is_to_lift) {

@@ -129,7 +129,7 @@ DeviceChooser::DeviceChooser(OpenStudy& study, QWidget* parent) : QWidget(parent
   why_->setCheckable(true);
   layout->addWidget(why_, 0, Qt::AlignLeft);
   why_text_ = make_text({}, this, true);
-  why_text_->setObjectName("device_hindrances");
+  why_text_->setObjectName("device_blockers");
   why_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   layout->addWidget(why_text_);
 
@@ -241,11 +241,11 @@ void DeviceChooser::list() {
     gone_ = {.device = of_people_,
              .kind = DeviceKind::attached,
              .model = of_it == nullptr || of_it->name.empty() ? driver : of_it->name,
-             .hindrance = of_driver != lines.end()
-                              ? of_driver->hindrance
-                              : tr("The device is not connected: plug it in, check its power "
-                                   "supply, and press “Rescan”.")
-                                    .toStdString()};
+             .blocker = of_driver != lines.end()
+                            ? of_driver->blocker
+                            : tr("The device is not connected: plug it in, check its power "
+                                 "supply, and press “Rescan”.")
+                                  .toStdString()};
     lines.push_back(gone_);
   }
   const QSignalBlocker silent(devices_);
@@ -259,7 +259,7 @@ void DeviceChooser::list() {
                       text(choice.device));
     if (choice.is_usable()) continue;
     rows->item(devices_->count() - 1)->setEnabled(false);
-    const QString why = words_of(Phrase(choice.hindrance).as_sentence(), tr("“Set up…”"));
+    const QString why = words_of(Phrase(choice.blocker).as_sentence(), tr("“Set up…”"));
     rows->item(devices_->count() - 1)->setToolTip(why);
     if (choice.device != of_people_) why_not << tr("%1: %2").arg(name, why);
   }
@@ -308,7 +308,7 @@ void DeviceChooser::show_chosen() {
                                  protocol_ != nullptr && !question_->isVisibleTo(this)));
   QString said = remark_of_choice(now);
   if (is_attached && !now.is_usable()) {
-    said = has_looked_ ? words_of(Phrase(now.hindrance).as_sentence(), tr("“Set up…”")) : QString();
+    said = has_looked_ ? words_of(Phrase(now.blocker).as_sentence(), tr("“Set up…”")) : QString();
   }
   if (whom_ == For::virtual_participants) {
     said = tr("Several virtual participants are simulated on the plain simulated device.");

@@ -54,7 +54,7 @@ class DeviceChooser final : public QWidget {
   QString name() const;  ///< of the chosen device, as in the list
   DeviceKind kind() const { return chosen().kind; }
   /// A sentence: why the chosen one cannot be used; empty: it can.
-  const std::string& hindrance() const { return chosen().hindrance; }
+  const std::string& blocker() const { return chosen().blocker; }
   /// Of an attached device, at the rate of the protocol; null while it was not tried.
   std::shared_ptr<const TriedDevice> tried() const;
   /// The next session tries anew.

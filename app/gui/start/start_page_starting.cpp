@@ -131,7 +131,7 @@ void StartPage::check() {
       .device = setup_->device().device(),
       .device_name = setup_->device().name().toStdString(),
       .driver_options = driver_options(setup_->device().device()),
-      .device_blocker = setup_->device().hindrance(),
+      .device_blocker = setup_->device().blocker(),
       .trial = study_.device_trial(),
       .tried = setup_->device().tried(),
       .rehearsal = rehearsal_,

@@ -70,7 +70,7 @@ FoundState found_state(const DriverSurvey& survey) {
   for (const AttachedDevice& device : survey.attached) usable += device.is_usable() ? 1 : 0;
   if (usable > 0) return {State::fine, DevicesPage::tr("%1 ready").arg(usable)};
   if (!survey.attached.empty()) return {State::look, DevicesPage::tr("not usable yet")};
-  if (!survey.hindrance.empty()) return {State::unknown, DevicesPage::tr("not set up")};
+  if (!survey.blocker.empty()) return {State::unknown, DevicesPage::tr("not set up")};
   return {State::unknown, DevicesPage::tr("none attached")};
 }
 
@@ -317,14 +317,14 @@ void DevicesPage::add_driver(const SurveyedDriver& driver) {
       layout->addLayout(row);
     }
     say_sentence(device.remark);
-    say_sentence(device.hindrance);
+    say_sentence(device.blocker);
   }
   if (driver.id == kReplayDriver) {
     say(
         tr("It replays a recording and is available only at a terminal: asperity run PROTOCOL "
            "--device replay:FILE."));
   } else {
-    say_sentence(driver.survey.hindrance);
+    say_sentence(driver.survey.blocker);
   }
   if (need_of(driver.id)) {
     QPushButton* button = make_button(tr("Set up…"), ButtonRole::plain, card);

@@ -10,7 +10,7 @@
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLineEdit>
 
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/gui/base/open_study.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"

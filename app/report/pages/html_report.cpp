@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "app/figures/figure_files.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 
 namespace asperity {
 

@@ -5,7 +5,7 @@
 #include <cctype>
 
 #include "analysis/numbers/number_text.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/words/text_parts.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/block_design.h"
@@ -149,7 +149,7 @@ std::string friction_text(const std::set<double>& presented, const Protocol& pro
 }
 
 std::string stiffness_text(const std::set<double>& presented_N_per_m, const Protocol& protocol) {
-  const auto newton_per_metre = [](double stiffness) { return reading_quantity(stiffness, "N/m"); };
+  const auto newton_per_metre = [](double stiffness) { return display_quantity(stiffness, "N/m"); };
   if (presented_N_per_m.empty()) return newton_per_metre(protocol.material.stiffness_N_per_m);
   if (presented_N_per_m.size() == 1) return newton_per_metre(*presented_N_per_m.begin());
   return "between " + newton_per_metre(*presented_N_per_m.begin()) + " and " +

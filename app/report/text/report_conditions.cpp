@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/report/text/report_sections.h"
 #include "app/words/text_parts.h"
 
@@ -15,9 +15,9 @@ namespace {
 using NoiseSource = RecordedNoise::Source;
 
 std::string levels_dBA_text(const std::set<double>& levels_dBA) {
-  const std::string lowest = reading_number(*levels_dBA.begin());
+  const std::string lowest = display_number(*levels_dBA.begin());
   return (levels_dBA.size() == 1 ? lowest
-                                 : lowest + " to " + reading_number(*levels_dBA.rbegin())) +
+                                 : lowest + " to " + display_number(*levels_dBA.rbegin())) +
          " dB(A)";
 }
 
@@ -56,7 +56,7 @@ std::string requested_noise_text(const Protocol& protocol) {
   if (noise.kind == Protocol::Noise::Kind::none) return "The protocol requests no masking noise. ";
   return std::string("The protocol requests ") +
          (noise.kind == Protocol::Noise::Kind::pink ? "pink" : "white") + " noise" +
-         (noise.level_dBA ? " of " + reading_number(*noise.level_dBA) + " dB(A) at the ear" : "") +
+         (noise.level_dBA ? " of " + display_number(*noise.level_dBA) + " dB(A) at the ear" : "") +
          " to mask the sound of the device. ";
 }
 
@@ -202,11 +202,11 @@ SessionShare share_of_sessions(const ReportFacts& facts,
 }
 
 std::string SessionShare::text() const {
-  const std::string of_all = all == 1 ? "the only session" : reading_count(all) + " sessions";
+  const std::string of_all = all == 1 ? "the only session" : display_count(all) + " sessions";
   if (whole == all)
     return all == 1 ? "in " + of_all : all == 2 ? "in both sessions" : "in all " + of_all;
   const auto counted = [&](std::size_t count) {
-    return all == 1 ? of_all : reading_count(count) + " of " + of_all;
+    return all == 1 ? of_all : display_count(count) + " of " + of_all;
   };
   if (whole == 0) return "in part of " + counted(part);
   return "in " + counted(whole) +
@@ -215,7 +215,7 @@ std::string SessionShare::text() const {
 
 std::string SessionShare::text_after_not() const {
   if (whole < all || all == 1) return text();
-  return all == 2 ? "in either session" : "in any of the " + reading_count(all) + " sessions";
+  return all == 2 ? "in either session" : "in any of the " + display_count(all) + " sessions";
 }
 
 ReportSection conditions_section(const ReportFacts& facts) {

@@ -7,7 +7,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/findings/outcome/cell_words.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/study_analysis.h"
 #include "app/findings/outcome/task_words.h"
 #include "app/report/text/report_arrangement.h"
@@ -145,9 +145,9 @@ void add_band(const std::string& name, const Band& band, const std::string& unit
   if (!band.minimum && !band.maximum && !band.target) return;
   std::string text{};
   if (unit.empty()) {  // a number of `name`
-    if (band.minimum) text += "at least " + reading_quantity(*band.minimum, unit) + ' ';
+    if (band.minimum) text += "at least " + display_quantity(*band.minimum, unit) + ' ';
     if (band.maximum) {
-      text += (band.minimum ? "and at most " : "at most ") + reading_quantity(*band.maximum, unit) +
+      text += (band.minimum ? "and at most " : "at most ") + display_quantity(*band.maximum, unit) +
               ' ';
     }
     const double last = band.maximum.value_or(band.minimum.value_or(0.0));
@@ -155,15 +155,15 @@ void add_band(const std::string& name, const Band& band, const std::string& unit
   } else {
     text = name;
     if (band.minimum && band.maximum) {
-      text += " from " + reading_quantity(*band.minimum, unit) + " to " +
-              reading_quantity(*band.maximum, unit);
+      text += " from " + display_quantity(*band.minimum, unit) + " to " +
+              display_quantity(*band.maximum, unit);
     } else if (band.minimum) {
-      text += " of at least " + reading_quantity(*band.minimum, unit);
+      text += " of at least " + display_quantity(*band.minimum, unit);
     } else if (band.maximum) {
-      text += " of at most " + reading_quantity(*band.maximum, unit);
+      text += " of at most " + display_quantity(*band.maximum, unit);
     }
   }
-  if (band.target) text += " (target " + reading_quantity(*band.target, unit) + ')';
+  if (band.target) text += " (target " + display_quantity(*band.target, unit) + ')';
   bands.push_back(text);
 }
 
@@ -238,7 +238,7 @@ std::string exploration_text(const Exploration& exploration, const ReportFacts& 
                      instructed_exploration(exploration) + '.';
   const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
   if (exploration.required_fraction_in_band > 0.0) {
-    const std::string fraction = reading_percent(exploration.required_fraction_in_band);
+    const std::string fraction = display_percent(exploration.required_fraction_in_band);
     if (bounded(exploration.normal_force_N)) {
       text +=
           " The force must be within its band for at least " + fraction + " of the contact time.";
@@ -307,7 +307,7 @@ std::string rendering_text(const Protocol& protocol, const ReportFacts& facts) {
       "was " +
       stiffness_text(facts.stiffness_N_per_m, protocol) + ", the coefficient of friction was " +
       friction_text(facts.friction, protocol) + ", and forces were limited to " +
-      reading_quantity(protocol.force_limit_N, "N") + '.';
+      display_quantity(protocol.force_limit_N, "N") + '.';
   if (const std::string matched = equal_force_text(facts); !matched.empty()) text += ' ' + matched;
   if (const std::string matched = equal_roughness_text(facts); !matched.empty()) {
     text += ' ' + matched;
@@ -343,7 +343,7 @@ std::string counterbalance_text(const Protocol& protocol, const ReportFacts& fac
   for (const ReportedSession& session : facts.sessions) rows.insert(session.row.counterbalance_row);
   return " The order of the levels is counterbalanced over sessions by a " + square + " square; " +
          (facts.sessions.size() == 1 ? "the only session uses " : "the sessions use ") +
-         reading_count(rows.size()) + " of its " + std::to_string(counterbalance_rows(protocol)) +
+         display_count(rows.size()) + " of its " + std::to_string(counterbalance_rows(protocol)) +
          " rows.";
 }
 
@@ -354,7 +354,7 @@ std::string factor_text(const std::string& name, const Factor& factor) {
   for (const Level& level : factor.levels) {
     const auto* number = std::get_if<double>(&level);
     levels.push_back(number != nullptr && !factor.unit.empty()
-                         ? reading_quantity(*number, factor.unit)
+                         ? display_quantity(*number, factor.unit)
                          : text_of(level));
   }
   return (factor.unit.empty() ? name : words_of_parameter(name)) + " (" + listed(levels) + ')';
@@ -382,8 +382,8 @@ std::string instructed_exploration(const Exploration& exploration) {
   add_band("speed", exploration.speed_m_per_s, "m/s", bands);
   add_band("length of a stroke", exploration.stroke_length_m, "m", bands);
   add_band("strokes", exploration.strokes, "", bands);
-  std::string text = "for " + reading_quantity(exploration.minimum_contact_s, "s") + " to " +
-                     reading_quantity(exploration.maximum_contact_s, "s");
+  std::string text = "for " + display_quantity(exploration.minimum_contact_s, "s") + " to " +
+                     display_quantity(exploration.maximum_contact_s, "s");
   if (!bands.empty()) text += ", with " + listed(bands);
   return text;
 }

@@ -9,8 +9,8 @@
 
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/drawn_table.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/shared/exploration_model.h"
 #include "app/words/text_parts.h"
 
@@ -23,7 +23,7 @@ std::string test_of(const RowReader& effect) {
   const auto* const statistic = std::get_if<JoinedCell>(&effect.cell(kExplorationStatistic));
   const auto p = effect.number(columns::kP);
   if (statistic == nullptr || statistic->shown.empty() || !p) return {};
-  return statistic->shown.english() + ", " + reading_p(*p);
+  return statistic->shown.english() + ", " + display_p(*p);
 }
 
 const ResultTable* fitted_models(const AnalysisOutcome& outcome) {
@@ -78,7 +78,7 @@ std::string exploration_results(const AnalysisOutcome& outcome) {
       continue;
     }
     const auto digits = [](const std::optional<double>& number) {
-      return reading_signed(number.value_or(1.0), 2);
+      return display_signed(number.value_or(1.0), 2);
     };
     const Interval interval = effect.interval(columns::kRatio);
     sentences.push_back(time + " changed by a factor of " + digits(effect.number(columns::kRatio)) +

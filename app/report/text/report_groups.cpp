@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/report/text/report_sections.h"
 #include "protocols/plan/groups.h"
 
@@ -58,7 +58,7 @@ std::string groups_text(const ReportFacts& facts) {
   }
   std::string sizes{};
   for (const std::string& group : groups) {
-    sizes += (sizes.empty() ? "" : "; ") + group + ", n = " + reading_count(members[group].size());
+    sizes += (sizes.empty() ? "" : "; ") + group + ", n = " + display_count(members[group].size());
   }
   return "Participants were assigned to " + count_in_words(groups.size()) + " groups" + factor +
          " (" + sizes + ')' + how + '.';

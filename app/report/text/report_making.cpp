@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/report/text/report_order.h"
 #include "app/report/text/report_sections.h"
 #include "app/tasks/study_overview.h"
@@ -28,7 +28,7 @@ class Values final {
     if (sessions_.size() == 1) return sessions_.begin()->first;
     std::string text{};
     for (const auto& [value, sessions] : sessions_) {
-      text += (text.empty() ? "" : "; ") + value + " (" + reading_count(sessions) +
+      text += (text.empty() ? "" : "; ") + value + " (" + display_count(sessions) +
               (sessions == 1 ? " session)" : " sessions)");
     }
     return text;
@@ -84,7 +84,7 @@ std::string observer_text(const std::string& observer_json) {
     text += (text.empty() ? "" : ", ") + words + ' ' +
             (value.is_string()                ? with_blanks(value.get<std::string>())
              : value.is_boolean()             ? (value.get<bool>() ? "yes" : "no")
-             : is_length && value.is_number() ? reading_quantity(value.get<double>(), "m")
+             : is_length && value.is_number() ? display_quantity(value.get<double>(), "m")
                                               : value.dump());
   }
   return text;
@@ -101,7 +101,7 @@ ReportSection making_section(const ReportFacts& facts) {
   std::size_t mirrored = 0;
   for (const ReportedSession& session : facts.sessions) {
     const SessionRow& row = session.row;
-    rate.add(reading_number(row.rate_Hz) + " Hz");
+    rate.add(display_number(row.rate_Hz) + " Hz");
     generator.add(row.generator);
     observer.add(observer_text(row.observer_json));
     if (row.mirrored) ++mirrored;
@@ -146,12 +146,12 @@ ReportSection making_section(const ReportFacts& facts) {
   }
   if (facts.group == AnswerGroup::virtual_participants) add("virtual observer", observer.text());
   if (mirrored > 0) {
-    add("left-handed layout", reading_count(mirrored) + (mirrored == 1 ? " session" : " sessions") +
-                                  " of " + reading_count(facts.sessions.size()));
+    add("left-handed layout", display_count(mirrored) + (mirrored == 1 ? " session" : " sessions") +
+                                  " of " + display_count(facts.sessions.size()));
   }
   if (!files.empty()) {
     section.parts.emplace_back(ReportText{
-        reading_count(files.size()) +
+        display_count(files.size()) +
         (files.size() == 1 ? " stimulus file belongs" : " stimulus files belong") +
         " to the protocol; sessions.tsv of an export contains the SHA-256 of each. The table of "
         "sessions lists the seed and the counterbalancing row of each session: together with the "
@@ -166,7 +166,7 @@ ReportSection sessions_section(const ReportFacts& facts) {
   constexpr std::size_t kMostListed = 60;  // a page; more are in a separate table
   if (facts.sessions.size() > kMostListed) {
     section.parts.emplace_back(
-        ReportText{reading_count(facts.sessions.size()) +
+        ReportText{display_count(facts.sessions.size()) +
                    " sessions do not fit on a page: sessions.tsv of an export lists each with its "
                    "dates, its state and its seed."});
     return section;

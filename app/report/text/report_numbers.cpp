@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "analysis/numbers/number_text.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/shared/group_equivalence.h"
 #include "app/findings/tidy/quantity_name.h"
 
@@ -158,23 +158,23 @@ std::string subject_of_row(const std::string& key) {
 std::string number_in_form(double value, PrintedForm form) {
   switch (form) {
     case PrintedForm::count:
-      return reading_signed(value, 0);
+      return display_signed(value, 0);
     case PrintedForm::share:
-      return reading_percent(value);
+      return display_percent(value);
     case PrintedForm::number:
       break;
   }
   const double size = std::abs(value);
   constexpr double kRounding = 1e-12;  // of sums
   if (size < kRounding) return fixed(0.0, 2);
-  if (size >= 0.095) return reading_signed(value, 2);
-  return size >= 0.0095 ? reading_signed(value, 3) : reading_number(value);
+  if (size >= 0.095) return display_signed(value, 2);
+  return size >= 0.0095 ? display_signed(value, 3) : display_number(value);
 }
 
 /// " (90 %)"; empty for the usual 95 %.
 std::string other_confidence(const Finding& finding) {
   const double confidence = finding.confidence.value_or(0.95);
-  return confidence == 0.95 ? "" : " (" + reading_percent(confidence) + ')';
+  return confidence == 0.95 ? "" : " (" + display_percent(confidence) + ')';
 }
 
 /// Removes the first column, where all rows have the same value in it.
@@ -233,8 +233,8 @@ ReportTable further_tests_table(std::span<const ReportedTest> tests) {
     const std::string statistic = statistic_of(test);
     table.rows.push_back(
         {words_of_analysis(p.analysis), p.method.empty() ? words_of_quantity(p.quantity) : p.method,
-         subject_of_row(p.key), statistic.empty() ? "–" : statistic, reading_p_cell(*p.value),
-         test.holm == nullptr ? "–" : reading_p_cell(*test.holm->value), reading_count(p.n)});
+         subject_of_row(p.key), statistic.empty() ? "–" : statistic, display_p_cell(*p.value),
+         test.holm == nullptr ? "–" : display_p_cell(*test.holm->value), display_count(p.n)});
   }
   drop_lone_part(table);
   drop_columns_of_dashes(table);
@@ -263,7 +263,7 @@ ReportTable further_numbers_table(std::span<const Finding> findings) {
                               ? number_in_form(*finding.low, form) + " to " +
                                     number_in_form(*finding.high, form) + other_confidence(finding)
                               : "–",
-                          finding.n == 0 ? "–" : reading_count(finding.n)});
+                          finding.n == 0 ? "–" : display_count(finding.n)});
   }
   drop_lone_part(table);
   drop_columns_of_dashes(table);

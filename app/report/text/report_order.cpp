@@ -8,7 +8,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/findings/outcome/cell_words.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/report/text/report_sections.h"
 #include "app/words/text_parts.h"
 #include "protocols/design/block_factors.h"
@@ -64,7 +64,7 @@ std::string text_of_row(const Protocol& protocol,
     const auto* const number = std::get_if<double>(&level);
     const std::string unit = unit_of_factor(protocol, factor);
     parts.push_back(number != nullptr && !unit.empty()
-                        ? words_of_parameter(factor) + ' ' + reading_quantity(*number, unit)
+                        ? words_of_parameter(factor) + ' ' + display_quantity(*number, unit)
                         : factor + ' ' + text_of(level));
   }
   return listed(parts);
@@ -144,7 +144,7 @@ std::string breaks_text(const Protocol::Run& run) {
                     " min of contact");
   }
   if (after.empty()) return {};
-  return ", with a break of at least " + reading_quantity(run.pause->minimum_s, "s") + ' ' +
+  return ", with a break of at least " + display_quantity(run.pause->minimum_s, "s") + ' ' +
          listed(after);
 }
 

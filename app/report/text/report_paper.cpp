@@ -11,8 +11,8 @@
 
 #include "app/findings/methods/discrimination/catch/catch_exclusions.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/estimate_sentences.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/references.h"
 #include "app/findings/outcome/study_analysis.h"
 #include "app/findings/outcome/test_methods.h"
@@ -64,7 +64,7 @@ ReportedTests reported_tests(const AnalysisOutcome& outcome) {
 
 /// Where no analysis is shown.
 std::string withheld_text(const ReportFacts& facts) {
-  return reading_count(facts.attempts) +
+  return display_count(facts.attempts) +
          (facts.attempts == 1 ? " attempt at a trial is" : " attempts at trials are") +
          " stored; there are no results.";
 }
@@ -74,7 +74,7 @@ std::string withheld_text(const ReportFacts& facts) {
 std::string analysed_text(const ReportFacts& facts, const std::set<std::string>& excluded) {
   const std::string all = facts.attempts == 1
                               ? "the only attempt at a trial"
-                              : "the " + reading_count(facts.attempts) + " attempts at trials";
+                              : "the " + display_count(facts.attempts) + " attempts at trials";
   if (facts.counted == 0) {
     return facts.attempts == 1 ? "The only attempt at a trial was not included in the analysis."
                                : "None of " + all + " was included in the analysis.";
@@ -146,7 +146,7 @@ std::string correction_text(const AnalysisOutcome& outcome, Sources& sources) {
   if (family < 2 || made == 0) return declaration;
   return with_sentences(
       {declaration,
-       "The p values of the " + reading_count(family) +
+       "The p values of the " + display_count(family) +
            (is_declared ? " confirmatory tests" : " tests") + " (" + listed(names) +
            ") were Holm-corrected" + cited("Holm 1979", sources) +
            (made < family ? "; a test that could not be computed counts as p = 1." : ".")});
@@ -237,9 +237,9 @@ std::string unattainable_text(std::span<const TestSentence* const> alike) {
   if (!smallest) return {};
   std::string text =
       "; with these participants none of them could be significant: the smallest attainable p is " +
-      reading_p_cell(*smallest);
+      display_p_cell(*smallest);
   if (required > 0) {
-    text += ", and at least " + reading_count(required) +
+    text += ", and at least " + display_count(required) +
             " participants whose difference is not zero are required";
   }
   return text;
@@ -264,16 +264,16 @@ std::string counted_sentence(std::span<const TestSentence* const> alike) {
   }
   const bool is_confirmatory = first.role == TestRole::confirmatory;
   const std::string corrected = is_of_family(first) ? "Holm-corrected" : "uncorrected";
-  const std::string all = "the " + reading_count(alike.size()) +
+  const std::string all = "the " + display_count(alike.size()) +
                           (is_confirmatory ? " tests of " : " exploratory tests of ") +
                           words_of_test(first.test).english();
   const std::string size = is_confirmatory ? " significant" : " below .05";
   std::string text = significant == 0 ? "None of " + all + " was" + size + " (smallest p value, " +
-                                            corrected + ": " + reading_p_cell(smallest) + ')'
+                                            corrected + ": " + display_p_cell(smallest) + ')'
                                       : capitalised(count_in_words(significant)) + " of " + all +
                                             (significant == 1 ? " was" : " were") + size +
                                             " (largest of these p values, " + corrected + ": " +
-                                            reading_p_cell(largest) + ')';
+                                            display_p_cell(largest) + ')';
   text += unattainable_text(alike);
   if (untested > 0) {
     text += "; " + count_in_words(untested) + " could not be computed";

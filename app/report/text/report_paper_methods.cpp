@@ -9,7 +9,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/findings/outcome/cell_words.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/study_analysis.h"
 #include "app/findings/outcome/task_words.h"
 #include "app/report/text/report_arrangement.h"
@@ -160,7 +160,7 @@ std::string paper_apparatus(const ReportFacts& facts) {
   std::set<double> rates_Hz{};
   for (const ReportedSession& session : facts.sessions) rates_Hz.insert(session.row.rate_Hz);
   if (rates_Hz.size() == 1) {
-    text += " at a servo rate of " + reading_quantity(*rates_Hz.begin(), "Hz");
+    text += " at a servo rate of " + display_quantity(*rates_Hz.begin(), "Hz");
   }
   const std::string devices = devices_in(facts);
   if (!devices.empty()) text += "; device: " + devices;
@@ -169,7 +169,7 @@ std::string paper_apparatus(const ReportFacts& facts) {
     const Protocol& protocol = *facts.file.protocol;
     text += " The stiffness was " + stiffness_text(facts.stiffness_N_per_m, protocol) +
             ", the coefficient of friction was " + friction_text(facts.friction, protocol) +
-            ", and forces were limited to " + reading_quantity(protocol.force_limit_N, "N") + '.';
+            ", and forces were limited to " + display_quantity(protocol.force_limit_N, "N") + '.';
   }
   if (const std::string parameters = paper_parameters(facts); !parameters.empty()) {
     text += ' ' + parameters;
@@ -311,11 +311,11 @@ std::string paper_questions(const Protocol& protocol) {
 /// The rule for vibrations that no force model contains, where the protocol has one.
 std::string vibrating_attempts(const Protocol& protocol) {
   if (!protocol.instability) return {};
-  const std::string excess = "if a surface vibrated above " + reading_quantity(kBuzzFrom_Hz, "Hz") +
+  const std::string excess = "if a surface vibrated above " + display_quantity(kBuzzFrom_Hz, "Hz") +
                              " with an RMS force of more than " +
                              number_text(protocol.instability->buzz_max) +
                              " times its texture force, which was counted as at least " +
-                             reading_quantity(1e3 * kLeastTexture_N, "mN");
+                             display_quantity(1e3 * kLeastTexture_N, "mN");
   switch (protocol.instability->on) {
     case InstabilityRule::OnExcess::flag:
       return " An attempt was flagged " + excess + '.';

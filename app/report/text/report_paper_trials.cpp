@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/level_words.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/task_words.h"
 #include "app/report/text/report_arrangement.h"
 #include "app/report/text/report_order.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/findings/outcome/cell_words.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/words/text_parts.h"
 
 namespace asperity {
@@ -34,7 +34,7 @@ std::string values_text(const std::string& parameter, const std::set<ParameterVa
     }
   }
   const auto shown = [unit = unit_of_parameter(parameter)](double number) {
-    return reading_quantity(number, unit);
+    return display_quantity(number, unit);
   };
   if (numbers.size() > kMostListed) {
     return shown(*numbers.begin()) + " to " + shown(*numbers.rbegin());

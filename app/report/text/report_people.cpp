@@ -10,7 +10,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "analysis/numbers/summary.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/report/text/report_order.h"
 #include "app/report/text/report_sections.h"
 #include "app/words/coded_phrases.h"
@@ -28,9 +28,9 @@ std::string counts_of(const std::map<std::string, std::size_t>& counts,
   std::vector<std::string> parts{};
   for (const auto& [stored, shown] : words) {
     const auto found = counts.find(stored);
-    if (found != counts.end()) parts.push_back(reading_count(found->second) + ' ' + shown);
+    if (found != counts.end()) parts.push_back(display_count(found->second) + ' ' + shown);
   }
-  if (told < all) parts.push_back(reading_count(all - told) + " not reported");
+  if (told < all) parts.push_back(display_count(all - told) + " not reported");
   return listed(parts);
 }
 
@@ -43,13 +43,13 @@ std::string ages_text(const ReportFacts& facts) {
   if (!summary) return {};
   std::string text{};
   if (summary->n == 1) {
-    text = reading_number(summary->mean) + " years";
+    text = display_number(summary->mean) + " years";
   } else {
     text = "M = " + fixed(summary->mean, 1) + " years, SD = " + fixed(summary->sd, 1) + ", range " +
-           reading_number(summary->minimum) + " to " + reading_number(summary->maximum);
+           display_number(summary->minimum) + " to " + display_number(summary->maximum);
   }
   if (summary->n < facts.participants.size()) {
-    text += " (" + reading_count(summary->n) + " of " + reading_count(facts.participants.size()) +
+    text += " (" + display_count(summary->n) + " of " + display_count(facts.participants.size()) +
             " reported)";
   }
   return text;
@@ -123,7 +123,7 @@ ReportTable fates_table(const ReportFacts& facts) {
     std::stable_sort(by_count.begin(), by_count.end(),
                      [](const auto& a, const auto& b) { return a.second > b.second; });
     for (const auto& [reason, count] : by_count) {
-      table.rows.push_back({reading_count(count), fate, reason_text(reason)});
+      table.rows.push_back({display_count(count), fate, reason_text(reason)});
     }
   };
   for (const auto& [fate, reasons] : facts.not_counted) add(fate_text(fate), reasons);
@@ -177,7 +177,7 @@ std::string counted_text(std::size_t counted, std::size_t attempts) {
   if (attempts == 1) return counted == 1 ? "; it counts" : "; it does not count";
   if (counted == attempts) return attempts == 2 ? "; both count" : "; all count";
   if (counted == 0) return attempts == 2 ? "; neither counts" : "; none counts";
-  return "; " + reading_count(counted) + (counted == 1 ? " counts" : " count");
+  return "; " + display_count(counted) + (counted == 1 ? " counts" : " count");
 }
 
 /// " Four of them are practice trials that were repeated when two sessions were resumed."
@@ -208,7 +208,7 @@ ReportText attempts_text(const ReportFacts& facts) {
   if (facts.attempts == 0) {
     return {"No attempt at a trial of the main phase is stored." + other_attempts_text(facts)};
   }
-  std::string text = reading_count(facts.attempts) +
+  std::string text = display_count(facts.attempts) +
                      (facts.attempts == 1 ? " attempt at a trial of the main phase is stored"
                                           : " attempts at trials of the main phase are stored") +
                      counted_text(facts.counted, facts.attempts) + '.';
@@ -339,7 +339,7 @@ std::string late_text(const ReportedSession& session, const EventRow& event) {
   return stopped(capitalised(reported_session_name(session)) + " was resumed " +
                  fixed(hours("age_hours"), 1) +
                  " h after it had last run (the protocol allows at most " +
-                 reading_number(hours("maximum_age_hours")) + " h): " + phrase_of(event).english());
+                 display_number(hours("maximum_age_hours")) + " h): " + phrase_of(event).english());
 }
 
 ReportText withdrawals_text(std::span<const WithdrawalRow> withdrawals) {
@@ -355,12 +355,12 @@ ReportText withdrawals_text(std::span<const WithdrawalRow> withdrawals) {
   }
   std::vector<std::string> reasons{};
   for (const auto& [reason, count] : counts) {
-    reasons.push_back(reason + (counts.size() > 1 ? " " + reading_count(count) : ""));
+    reasons.push_back(reason + (counts.size() > 1 ? " " + display_count(count) : ""));
   }
   const std::size_t count = withdrawals.size();
   const std::string data = deleted == count ? "deleted"
                            : deleted == 0   ? "kept"
-                                            : "deleted for " + reading_count(deleted) + " of them";
+                                            : "deleted for " + display_count(deleted) + " of them";
   return {"In the whole study, " + count_in_words(count) +
           (count == 1 ? " participant was" : " participants were") + " withdrawn (" +
           listed(reasons) + "); the data were " + data + " and are not included in this report."};

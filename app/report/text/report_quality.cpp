@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "analysis/numbers/summary.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/report/text/report_sections.h"
 #include "app/words/text_parts.h"
 #include "renderers/servo/servo_loop.h"
@@ -22,7 +22,7 @@ using QualityRow = std::vector<std::string>;
 QualityRow time_row(const std::string& what, const std::vector<double>& values_s) {
   const std::optional<Summary> summary = summary_of(values_s);
   if (!summary) return {what, "–", "–"};
-  return {what, reading_quantity(summary->p50, "s"), reading_quantity(summary->maximum, "s")};
+  return {what, display_quantity(summary->p50, "s"), display_quantity(summary->maximum, "s")};
 }
 
 std::uint64_t unsigned_count(std::int64_t count) {
@@ -30,9 +30,9 @@ std::uint64_t unsigned_count(std::int64_t count) {
 }
 
 QualityRow count_row(const std::string& what, const ReportedCount& count, const std::string& of) {
-  return {what, reading_count(unsigned_count(count.total)),
-          reading_count(count.affected) + " of " + reading_count(count.of) + ' ' + of,
-          reading_count(unsigned_count(count.worst))};
+  return {what, display_count(unsigned_count(count.total)),
+          display_count(count.affected) + " of " + display_count(count.of) + ' ' + of,
+          display_count(unsigned_count(count.worst))};
 }
 
 /// The name of a quantity ends in its unit: "speed_m_per_s" → "speed", "m/s".
@@ -56,17 +56,17 @@ NamedQuantity named_quantity(const std::string& quantity) {
 std::string band_text(const std::optional<double>& minimum, const std::optional<double>& maximum,
                       const std::string& unit) {
   if (minimum && maximum) {
-    return reading_quantity(*minimum, unit) + " to " + reading_quantity(*maximum, unit);
+    return display_quantity(*minimum, unit) + " to " + display_quantity(*maximum, unit);
   }
-  if (minimum) return "at least " + reading_quantity(*minimum, unit);
-  if (maximum) return "at most " + reading_quantity(*maximum, unit);
+  if (minimum) return "at least " + display_quantity(*minimum, unit);
+  if (maximum) return "at most " + display_quantity(*maximum, unit);
   return "none";
 }
 
 std::string times(const ReportedCount& count, const std::string& none, const std::string& one,
                   const std::string& some) {
   if (count.total == 0) return none;
-  return reading_count(unsigned_count(count.total)) + ' ' + (count.total == 1 ? one : some) +
+  return display_count(unsigned_count(count.total)) + ' ' + (count.total == 1 ? one : some) +
          " in " + count_in_words(count.affected) + (count.affected == 1 ? " attempt" : " attempts");
 }
 
@@ -79,7 +79,7 @@ std::string in_contact_text(const ReportedServo& servo) {
 
 /// "12 ticks of one attempt"
 std::string ticks_of(const ReportedCount& count) {
-  return reading_count(unsigned_count(count.total)) +
+  return display_count(unsigned_count(count.total)) +
          (count.total == 1 ? " tick of " : " ticks of ") + count_in_words(count.affected) +
          (count.affected == 1 ? " attempt" : " attempts");
 }
@@ -92,11 +92,11 @@ ReportText timing_text(const ReportFacts& facts) {
     rates.insert(session.row.rate_Hz);
   }
   std::vector<std::string> rate_texts{};
-  for (const double rate : rates) rate_texts.push_back(reading_number(rate));
+  for (const double rate : rates) rate_texts.push_back(display_number(rate));
   std::string text =
       "The servo loop was set to " + listed(rate_texts) + " Hz; it ran " +
-      reading_count(unsigned_count(facts.servo.ticks)) + " ticks in " +
-      reading_count(facts.servo.attempts) + (facts.servo.attempts == 1 ? " attempt" : " attempts") +
+      display_count(unsigned_count(facts.servo.ticks)) + " ticks in " +
+      display_count(facts.servo.attempts) + (facts.servo.attempts == 1 ? " attempt" : " attempts") +
       (facts.other_kinds.empty()
            ? "."
            : ", " + listed({facts.other_kinds.begin(), facts.other_kinds.end()}) + " included.");
@@ -108,8 +108,8 @@ ReportText timing_text(const ReportFacts& facts) {
   const std::optional<Summary> lateness = summary_of(facts.servo.lateness_p99_s);
   if (lateness) {
     text += " In the median attempt, 99 % of the ticks began at most " +
-            reading_quantity(lateness->p50, "s") + " late; in the worst attempt, " +
-            reading_quantity(lateness->maximum, "s") + '.';
+            display_quantity(lateness->p50, "s") + " late; in the worst attempt, " +
+            display_quantity(lateness->maximum, "s") + '.';
   }
   if (pacings.contains(kStepped)) {
     text += " Some sessions were stepped on a simulated clock, where no tick can be late.";
@@ -258,22 +258,22 @@ ReportSection exploration_section(const ReportFacts& facts) {
     const bool is_limited = minimum || maximum;
     has_limits = has_limits || is_limited;
     table.rows.push_back(
-        {words.name, band_text(minimum, maximum, words.unit), reading_count(band.means.size()),
-         reading_quantity(means->mean, words.unit),
-         reading_quantity(means->p05, words.unit) + " to " +
-             reading_quantity(means->p95, words.unit),
-         fractions && is_limited ? reading_percent(fractions->mean) : "–",
-         judged ? reading_count(band.passed) + " of " + reading_count(band.judged) : "–"});
+        {words.name, band_text(minimum, maximum, words.unit), display_count(band.means.size()),
+         display_quantity(means->mean, words.unit),
+         display_quantity(means->p05, words.unit) + " to " +
+             display_quantity(means->p95, words.unit),
+         fractions && is_limited ? display_percent(fractions->mean) : "–",
+         judged ? display_count(band.passed) + " of " + display_count(band.judged) : "–"});
     if (judged && is_limited) {
       const double share = static_cast<double>(band.passed) / static_cast<double>(band.judged);
       required.push_back(words.name + " (" + band_text(minimum, maximum, words.unit) + ") on " +
-                         reading_count(band.passed) + " of " + reading_count(band.judged) +
+                         display_count(band.passed) + " of " + display_count(band.judged) +
                          (band.judged == 1 ? " surface (" : " surfaces (") +
-                         reading_percent(share) + ')');
+                         display_percent(share) + ')');
     } else if (is_limited && fractions) {
       described.push_back(
           words.name + " was in its band (" + band_text(minimum, maximum, words.unit) + ") for " +
-          reading_percent(fractions->mean) +
+          display_percent(fractions->mean) +
           (quantity == "normal_force_N" ? " of the contact time" : " of the strokes"));
     }
   }

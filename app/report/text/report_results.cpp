@@ -16,8 +16,8 @@
 #include "app/findings/methods/discrimination/thresholds/threshold_columns.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/displayed_table.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/study_tests.h"
 #include "app/findings/outcome/tally.h"
@@ -59,7 +59,7 @@ std::vector<std::string> answers_in(const ResultTable& table, Told& told) {
     const auto value = row.number(kShare);
     if (!value) continue;
     const auto count = [&row](const ResultColumn& column) {
-      return reading_whole(std::llround(row.number(column).value_or(0.0)));
+      return display_whole(std::llround(row.number(column).value_or(0.0)));
     };
     Proportion& answer = answers.emplace_back();
     std::string key{};
@@ -73,14 +73,14 @@ std::vector<std::string> answers_in(const ResultTable& table, Told& told) {
     // Names from the study are unchanged.
     answer.text = (about.starts_with("all ") ? capitalised(about) : about) + ": " +
                   count(table.columns[hits]) + ' ' + table.columns[hits].id + " of " + count(kOf) +
-                  " (" + reading_percent(*value) + "; 95 % CI [" +
-                  reading_percent(interval.low.value_or(0.0)) + ", " +
-                  reading_percent(interval.high.value_or(1.0)) + "])";
+                  " (" + display_percent(*value) + "; 95 % CI [" +
+                  display_percent(interval.low.value_or(0.0)) + ", " +
+                  display_percent(interval.high.value_or(1.0)) + "])";
     if (const auto by_chance = row.number(kChance)) {
-      answer.text += ", compared with a chance level of " + reading_percent(*by_chance);
+      answer.text += ", compared with a chance level of " + display_percent(*by_chance);
     }
     if (const auto p = row.number(kP)) {
-      answer.text += "; " + reading_p(*p);
+      answer.text += "; " + display_p(*p);
       answer.numbers = {*value, *p};
     }
     if (table.has(kPersons)) answer.text += " (n = " + count(kPersons) + ')';
@@ -344,14 +344,14 @@ std::vector<std::string> refusals_in(const AnalysisOutcome& outcome) {
     if (same.size() > kMostKeys + 1) {
       const std::size_t more = same.size() - kMostKeys;
       same.resize(kMostKeys);
-      same.push_back(reading_count(more) + " more");
+      same.push_back(display_count(more) + " more");
     }
     sentences.push_back(stopped(capitalised(listed(same)) + ": " + reason));
   }
   if (further > 0) {
     sentences.push_back(
         (further == 1 ? "One number of the appendix or of a table is"
-                      : reading_count(further) + " numbers of the appendix or of "
+                      : display_count(further) + " numbers of the appendix or of "
                                                  "tables are") +
         std::string(
             " not defined for these data; asperity analyze STUDY --json lists each by name."));

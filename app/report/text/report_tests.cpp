@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "analysis/numbers/number_text.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/found_numbers.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/test_methods.h"
 #include "app/words/text_parts.h"
 
@@ -201,8 +201,8 @@ std::string word_of_factor(const std::string& name) {
 /// For running text: two decimals, or as many as a small number requires.
 std::string said_number(double value) {
   const double size = std::abs(value);
-  if (size >= 0.095 && size < 1000.0) return reading_signed(value, 2);
-  return size >= 0.0095 && size < 0.095 ? reading_signed(value, 3) : reading_number(value);
+  if (size >= 0.095 && size < 1000.0) return display_signed(value, 2);
+  return size >= 0.0095 && size < 0.095 ? display_signed(value, 3) : display_number(value);
 }
 
 /// "0.0005" for the level "5e-04"; a text that is not a number is unchanged.
@@ -211,7 +211,7 @@ std::string without_power(const std::string& level) {
   double value = 0.0;
   const char* const end = level.data() + level.size();
   const auto read = std::from_chars(level.data(), end, value);
-  return read.ec == std::errc() && read.ptr == end ? reading_number(value) : level;
+  return read.ec == std::errc() && read.ptr == end ? display_number(value) : level;
 }
 
 /// The text for the program's name of an effect or a coefficient.
@@ -231,7 +231,7 @@ std::string words_of_value(const std::string& value) {
 
 std::string printed_interval(const Finding& finding) {
   const double confidence = finding.confidence.value_or(0.95);
-  return reading_percent(confidence) + " CI [" + said_number(*finding.low) + ", " +
+  return display_percent(confidence) + " CI [" + said_number(*finding.low) + ", " +
          said_number(*finding.high) + ']';
 }
 
@@ -277,7 +277,7 @@ std::string statistic_of(const ReportedTest& test) {
             (degrees == std::round(degrees) ? fixed(degrees, 0) : fixed(degrees, 1));
   }
   if (!test.degrees.empty()) text += ')';
-  return text + " = " + reading_signed(*test.statistic->value, 2);
+  return text + " = " + display_signed(*test.statistic->value, 2);
 }
 
 std::string sentence_of(const ReportedTest& test) {
@@ -301,9 +301,9 @@ std::string sentence_of(const ReportedTest& test) {
   text += method + ": ";
   const std::string statistic = statistic_of(test);
   if (!statistic.empty()) text += statistic + ", ";
-  text += reading_p(*test.p->value);
-  if (test.holm != nullptr) text += ", Holm-corrected " + reading_p(*test.holm->value);
-  return capital(text) + " (n = " + reading_count(test.p->n) + ").";
+  text += display_p(*test.p->value);
+  if (test.holm != nullptr) text += ", Holm-corrected " + display_p(*test.holm->value);
+  return capital(text) + " (n = " + display_count(test.p->n) + ").";
 }
 
 std::string words_of_key(const std::string& key) {

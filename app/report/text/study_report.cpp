@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/study_analysis.h"
 #include "app/findings/study/analyze_study.h"
 #include "app/report/text/figure_parts.h"
@@ -106,9 +106,9 @@ ReportChapter overview_chapter(const std::vector<ReportFacts>& all,
                                          });
     table.rows.push_back({facts.protocol.name + ' ' + facts.protocol.version,
                           facts.protocol.kind + ", " + facts.protocol.design,
-                          group_text(facts.group), reading_count(facts.participants.size()),
-                          reading_count(facts.sessions.size()), std::to_string(completed),
-                          reading_count(facts.attempts), reading_count(facts.counted)});
+                          group_text(facts.group), display_count(facts.participants.size()),
+                          display_count(facts.sessions.size()), std::to_string(completed),
+                          display_count(facts.attempts), display_count(facts.counted)});
   }
   table.note = "Attempts are those of the main phase.";
   std::string text =

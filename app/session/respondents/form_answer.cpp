@@ -92,10 +92,11 @@ std::set<std::size_t> typed_options(const Question& question, const std::string&
 
 }  // namespace
 
-std::variant<Saying, FormAnswer> form_answer(const Question& question, const std::string& typed) {
+std::variant<ParticipantMessage, FormAnswer> form_answer(const Question& question,
+                                                         const std::string& typed) {
   if (typed.empty()) {
     if (question.optional) return FormAnswer{};
-    return Saying{.what = Saying::What::answer_needed};
+    return ParticipantMessage{.what = ParticipantMessage::What::answer_needed};
   }
   switch (question.form) {
     case Question::Form::text:
@@ -106,24 +107,24 @@ std::variant<Saying, FormAnswer> form_answer(const Question& question, const std
       const bool low = number && question.minimum && *number < *question.minimum;
       const bool high = number && question.maximum && *number > *question.maximum;
       if (number && !low && !high) return FormAnswer{std::move(answer)};
-      return Saying{.what = Saying::What::number_needed,
-                    .minimum = question.minimum,
-                    .maximum = question.maximum};
+      return ParticipantMessage{.what = ParticipantMessage::What::number_needed,
+                                .minimum = question.minimum,
+                                .maximum = question.maximum};
     }
     case Question::Form::scale: {
       const std::optional<double> number = number_in(with_decimal_point(typed));
       const std::optional<int> step = number ? question.scale.step_of(*number) : std::nullopt;
       if (step) return FormAnswer{number_text(question.scale.value_at(*step))};
-      return Saying{.what = Saying::What::number_needed,
-                    .minimum = question.scale.minimum,
-                    .maximum = question.scale.maximum};
+      return ParticipantMessage{.what = ParticipantMessage::What::number_needed,
+                                .minimum = question.scale.minimum,
+                                .maximum = question.scale.maximum};
     }
     case Question::Form::choice: {
       if (const auto option = typed_option(question, typed)) {
         return FormAnswer{question.options[*option]};
       }
-      return Saying{.what = Saying::What::option_needed,
-                    .number = static_cast<int>(question.options.size())};
+      return ParticipantMessage{.what = ParticipantMessage::What::option_needed,
+                                .number = static_cast<int>(question.options.size())};
     }
     case Question::Form::multiple_choice: {
       FormAnswer chosen{};
@@ -131,8 +132,8 @@ std::variant<Saying, FormAnswer> form_answer(const Question& question, const std
         chosen.push_back(question.options[option]);
       }
       if (!chosen.empty()) return chosen;
-      return Saying{.what = Saying::What::options_needed,
-                    .number = static_cast<int>(question.options.size())};
+      return ParticipantMessage{.what = ParticipantMessage::What::options_needed,
+                                .number = static_cast<int>(question.options.size())};
     }
   }
   return FormAnswer{};

@@ -16,7 +16,8 @@ namespace asperity {
 /// An option may be typed as its value, its text or its number; several options as their numbers,
 /// separated by blanks or commas; a point of a scale as its value. A decimal comma of a number is
 /// read as a point. An empty text leaves an optional question empty.
-std::variant<Saying, FormAnswer> form_answer(const Question& question, const std::string& typed);
+std::variant<ParticipantMessage, FormAnswer> form_answer(const Question& question,
+                                                         const std::string& typed);
 
 /// A number typed with a decimal comma, with a decimal point, as numbers are stored. Any other text
 /// is returned unchanged, including one that might contain thousands (is_unclear_estimate).

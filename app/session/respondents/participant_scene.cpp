@@ -40,8 +40,8 @@ std::vector<ParticipantScene::Choice> choices_of(const Trial& trial,
       choice.text = option.text;
     } else {
       choice.key = "0";
-      choice.saying.what = Saying::What::cannot_tell;
-      choice.text = text_of(choice.saying);
+      choice.message.what = ParticipantMessage::What::cannot_tell;
+      choice.text = text_of(choice.message);
     }
     choices.push_back(std::move(choice));
   }
@@ -53,130 +53,131 @@ bool is_answered_by_pictures(const TrialQuestion& question) {
                      [](const Option& option) { return option.picture.has_value(); });
 }
 
-ParticipantScene scene_that_says(ParticipantScene::Kind kind, Saying saying) {
+ParticipantScene scene_that_says(ParticipantScene::Kind kind, ParticipantMessage message) {
   ParticipantScene scene{};
   scene.kind = kind;
-  scene.text = text_of(saying);
-  scene.text_saying = std::move(saying);
+  scene.text = text_of(message);
+  scene.text_message = std::move(message);
   return scene;
 }
 
 }  // namespace
 
-Phrase phrase_of(const Saying& saying) {
-  switch (saying.what) {
-    case Saying::What::nothing:
+Phrase phrase_of(const ParticipantMessage& message) {
+  switch (message.what) {
+    case ParticipantMessage::What::nothing:
       return {};
-    case Saying::What::feel_surface:
-      return phrase("ParticipantWords", "Feel surface %1 now.").with(saying.code);
-    case Saying::What::feel_patches:
-      return (saying.number == 2 ? phrase("ParticipantWords",
-                                          "Feel surfaces %1 and %2 now. They lie side by side.")
-                                 : phrase("ParticipantWords",
-                                          "Feel surfaces %1 to %2 now. They lie side by side."))
-          .with(saying.code, saying.last_code);
-    case Saying::What::lift_from_patches:
+    case ParticipantMessage::What::feel_surface:
+      return phrase("ParticipantWords", "Feel surface %1 now.").with(message.code);
+    case ParticipantMessage::What::feel_patches:
+      return (message.number == 2 ? phrase("ParticipantWords",
+                                           "Feel surfaces %1 and %2 now. They lie side by side.")
+                                  : phrase("ParticipantWords",
+                                           "Feel surfaces %1 to %2 now. They lie side by side."))
+          .with(message.code, message.last_code);
+    case ParticipantMessage::What::lift_from_patches:
       return phrase("ParticipantWords",
                     "You have finished with these surfaces. Please lift the handle.");
-    case Saying::What::lift:
+    case ParticipantMessage::What::lift:
       return phrase("ParticipantWords",
                     "You have finished with surface %1. Please lift the handle.")
-          .with(saying.code);
-    case Saying::What::put_mask_on:
+          .with(message.code);
+    case ParticipantMessage::What::put_mask_on:
       return phrase("ParticipantWords", "Please put on the eye mask.");
-    case Saying::What::take_mask_off:
+    case ParticipantMessage::What::take_mask_off:
       return phrase("ParticipantWords", "Please take off the eye mask.");
-    case Saying::What::cannot_tell:
+    case ParticipantMessage::What::cannot_tell:
       return phrase("ParticipantWords", "I cannot tell");
-    case Saying::What::feel_first:
-      return phrase("ParticipantWords", "Please feel surface %1 first.").with(saying.code);
-    case Saying::What::feel_longer:
+    case ParticipantMessage::What::feel_first:
+      return phrase("ParticipantWords", "Please feel surface %1 first.").with(message.code);
+    case ParticipantMessage::What::feel_longer:
       return phrase("ParticipantWords", "Please feel surface %1 a little longer.")
-          .with(saying.code);
-    case Saying::What::feel_all_longer:
+          .with(message.code);
+    case ParticipantMessage::What::feel_all_longer:
       return phrase("ParticipantWords",
                     "Please feel each of the surfaces again, and a little longer.");
-    case Saying::What::finish_first:
+    case ParticipantMessage::What::finish_first:
       return phrase("ParticipantWords", "Please finish with these surfaces first.");
-    case Saying::What::feel_named:
-      return phrase("ParticipantWords", "Confirm to feel surface %1.").with(saying.code);
-    case Saying::What::not_asked_yet:
+    case ParticipantMessage::What::feel_named:
+      return phrase("ParticipantWords", "Confirm to feel surface %1.").with(message.code);
+    case ParticipantMessage::What::not_asked_yet:
       return phrase("ParticipantWords", "Please wait for the question.");
-    case Saying::What::wait:
-      if (saying.number == 1) return phrase("ParticipantWords", "Please wait 1 more second.");
+    case ParticipantMessage::What::wait:
+      if (message.number == 1) return phrase("ParticipantWords", "Please wait 1 more second.");
       return phrase("ParticipantWords", "Please wait %1 more seconds.")
-          .with(std::to_string(saying.number));
-    case Saying::What::choose_first:
+          .with(std::to_string(message.number));
+    case ParticipantMessage::What::choose_first:
       return phrase("ParticipantWords", "Please choose first.");
-    case Saying::What::mark_first:
-      return saying.number == 1
+    case ParticipantMessage::What::mark_first:
+      return message.number == 1
                  ? phrase("ParticipantWords", "Please mark a point on the scale first.")
                  : phrase("ParticipantWords", "Please mark a point on every scale first.");
-    case Saying::What::assign_first:
+    case ParticipantMessage::What::assign_first:
       return phrase("ParticipantWords", "Please assign a picture to surface %1 first.")
-          .with(saying.code);
-    case Saying::What::feel_again:
-      return phrase("ParticipantWords", "Confirm to feel surface %1 again.").with(saying.code);
-    case Saying::What::no_going_back:
+          .with(message.code);
+    case ParticipantMessage::What::feel_again:
+      return phrase("ParticipantWords", "Confirm to feel surface %1 again.").with(message.code);
+    case ParticipantMessage::What::no_going_back:
       return phrase("ParticipantWords",
                     "The surfaces cannot be felt again. Please answer without feeling them.");
-    case Saying::What::not_touched:
-      return phrase("ParticipantWords", "Surface %1 was not touched.").with(saying.code);
-    case Saying::What::felt_often_enough:
+    case ParticipantMessage::What::not_touched:
+      return phrase("ParticipantWords", "Surface %1 was not touched.").with(message.code);
+    case ParticipantMessage::What::felt_often_enough:
       return phrase("ParticipantWords",
                     "Surface %1 cannot be felt again. Please continue without it.")
-          .with(saying.code);
-    case Saying::What::was_right:
+          .with(message.code);
+    case ParticipantMessage::What::was_right:
       return phrase("ParticipantWords", "Correct.");
-    case Saying::What::was_wrong:
-      if (saying.code.empty()) return phrase("ParticipantWords", "Incorrect.");
-      return phrase("ParticipantWords", "Incorrect. The correct response is %1.").with(saying.code);
-    case Saying::What::answer_needed:
+    case ParticipantMessage::What::was_wrong:
+      if (message.code.empty()) return phrase("ParticipantWords", "Incorrect.");
+      return phrase("ParticipantWords", "Incorrect. The correct response is %1.")
+          .with(message.code);
+    case ParticipantMessage::What::answer_needed:
       return phrase("ParticipantWords", "Please answer this question.");
-    case Saying::What::number_needed:
-      if (saying.minimum && saying.maximum) {
+    case ParticipantMessage::What::number_needed:
+      if (message.minimum && message.maximum) {
         return phrase("ParticipantWords", "Please enter a number from %1 to %2.")
-            .with(number_text(*saying.minimum), number_text(*saying.maximum));
+            .with(number_text(*message.minimum), number_text(*message.maximum));
       }
-      if (saying.minimum) {
+      if (message.minimum) {
         return phrase("ParticipantWords", "Please enter a number of at least %1.")
-            .with(number_text(*saying.minimum));
+            .with(number_text(*message.minimum));
       }
-      if (saying.maximum) {
+      if (message.maximum) {
         return phrase("ParticipantWords", "Please enter a number of at most %1.")
-            .with(number_text(*saying.maximum));
+            .with(number_text(*message.maximum));
       }
       return phrase("ParticipantWords", "Please enter a number.");
-    case Saying::What::option_needed:
+    case ParticipantMessage::What::option_needed:
       return phrase("ParticipantWords", "Please choose one of the answers.");
-    case Saying::What::options_needed:
+    case ParticipantMessage::What::options_needed:
       return phrase("ParticipantWords", "Please choose one or more of the answers.");
-    case Saying::What::estimate_needed:
+    case ParticipantMessage::What::estimate_needed:
       return phrase("ParticipantWords", "Please enter a number above 0, such as 7 or 0.5.");
-    case Saying::What::line_needed:
+    case ParticipantMessage::What::line_needed:
       return phrase("ParticipantWords", "Please draw a line first.");
-    case Saying::What::estimate_unclear:
+    case ParticipantMessage::What::estimate_unclear:
       return phrase("ParticipantWords",
                     "%1 is ambiguous. Please write thousands without a point or a comma, and "
                     "decimals with one or two decimal places.")
-          .with(saying.code);
-    case Saying::What::practice_resumes:
+          .with(message.code);
+    case ParticipantMessage::What::practice_resumes:
       return phrase("ParticipantWords",
                     "First, please do some practice trials again. They do not count. Confirm when "
                     "you are ready.");
-    case Saying::What::session_resumes:
+    case ParticipantMessage::What::session_resumes:
       return phrase("ParticipantWords",
                     "The session continues where it was interrupted. Confirm when you are ready.");
-    case Saying::What::check_estimate:
+    case ParticipantMessage::What::check_estimate:
       return phrase(
                  "ParticipantWords",
                  "Please check the number %1: enter it again, or enter the number that you meant.")
-          .with(saying.code);
+          .with(message.code);
   }
   return {};
 }
 
-std::string text_of(const Saying& saying) { return phrase_of(saying).english(); }
+std::string text_of(const ParticipantMessage& message) { return phrase_of(message).english(); }
 
 ParticipantScene scene_to_read(const std::string& text) {
   ParticipantScene scene{};
@@ -186,21 +187,23 @@ ParticipantScene scene_to_read(const std::string& text) {
 }
 
 ParticipantScene scene_of_refresher() {
-  return scene_that_says(ParticipantScene::Kind::text, {.what = Saying::What::practice_resumes});
+  return scene_that_says(ParticipantScene::Kind::text,
+                         {.what = ParticipantMessage::What::practice_resumes});
 }
 
 ParticipantScene scene_of_resuming() {
-  return scene_that_says(ParticipantScene::Kind::text, {.what = Saying::What::session_resumes});
+  return scene_that_says(ParticipantScene::Kind::text,
+                         {.what = ParticipantMessage::What::session_resumes});
 }
 
 namespace {
 
 ParticipantScene scene_at_surface(const Trial& trial, const std::vector<int>& felt, int now,
-                                  Saying saying) {
+                                  ParticipantMessage message) {
   for (const PlannedPresentation& planned : trial.presentations) {
-    if (planned.position == now) saying.code = planned.code;
+    if (planned.position == now) message.code = planned.code;
   }
-  ParticipantScene scene = scene_that_says(ParticipantScene::Kind::feel, std::move(saying));
+  ParticipantScene scene = scene_that_says(ParticipantScene::Kind::feel, std::move(message));
   scene.surfaces = surfaces_of(trial, felt);
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     scene.surfaces[i].now = trial.presentations[i].position == now;
@@ -219,26 +222,26 @@ ParticipantScene scene_at_surface(const Trial& trial, const std::vector<int>& fe
 }  // namespace
 
 ParticipantScene scene_of_surface(const Trial& trial, const std::vector<int>& felt, int now) {
-  return scene_at_surface(trial, felt, now, {.what = Saying::What::feel_surface});
+  return scene_at_surface(trial, felt, now, {.what = ParticipantMessage::What::feel_surface});
 }
 
 ParticipantScene scene_of_lifting(const Trial& trial, const std::vector<int>& felt, int now) {
-  return scene_at_surface(trial, felt, now, {.what = Saying::What::lift});
+  return scene_at_surface(trial, felt, now, {.what = ParticipantMessage::What::lift});
 }
 
 ParticipantScene scene_of_patches(const Trial& trial) {
-  Saying saying{.what = Saying::What::feel_patches,
-                .code = trial.presentations.front().code,
-                .last_code = trial.presentations.back().code,
-                .number = static_cast<int>(trial.presentations.size())};
-  ParticipantScene scene = scene_at_surface(trial, {}, 0, std::move(saying));
+  ParticipantMessage message{.what = ParticipantMessage::What::feel_patches,
+                             .code = trial.presentations.front().code,
+                             .last_code = trial.presentations.back().code,
+                             .number = static_cast<int>(trial.presentations.size())};
+  ParticipantScene scene = scene_at_surface(trial, {}, 0, std::move(message));
   for (ParticipantScene::Surface& surface : scene.surfaces) surface.now = true;
   return scene;
 }
 
 ParticipantScene scene_of_lifting_from_patches(const Trial& trial) {
   ParticipantScene scene =
-      scene_at_surface(trial, {}, 0, {.what = Saying::What::lift_from_patches});
+      scene_at_surface(trial, {}, 0, {.what = ParticipantMessage::What::lift_from_patches});
   for (ParticipantScene::Surface& surface : scene.surfaces) surface.now = true;
   return scene;
 }
@@ -304,8 +307,9 @@ ParticipantScene scene_of_question(const Trial& trial, std::span<const TrialQues
 ParticipantScene scene_of_doubt(const Trial& trial, std::span<const TrialQuestion> page,
                                 const std::vector<int>& felt, double estimate) {
   ParticipantScene scene = scene_of_question(trial, page, felt);
-  scene.text_saying = {.what = Saying::What::check_estimate, .code = number_text(estimate)};
-  scene.text = text_of(scene.text_saying);
+  scene.text_message = {.what = ParticipantMessage::What::check_estimate,
+                        .code = number_text(estimate)};
+  scene.text = text_of(scene.text_message);
   return scene;
 }
 
@@ -318,15 +322,17 @@ ParticipantScene scene_of_form(const Question& question) {
 }
 
 ParticipantScene scene_of_feedback(bool was_right, const std::string& right_answer) {
-  Saying saying{.what = was_right ? Saying::What::was_right : Saying::What::was_wrong};
-  if (!was_right) saying.code = right_answer;
-  return scene_that_says(ParticipantScene::Kind::feedback, std::move(saying));
+  ParticipantMessage message{.what = was_right ? ParticipantMessage::What::was_right
+                                               : ParticipantMessage::What::was_wrong};
+  if (!was_right) message.code = right_answer;
+  return scene_that_says(ParticipantScene::Kind::feedback, std::move(message));
 }
 
 ParticipantScene scene_of_mask(bool on) {
-  return on ? scene_that_says(ParticipantScene::Kind::mask_on, {.what = Saying::What::put_mask_on})
+  return on ? scene_that_says(ParticipantScene::Kind::mask_on,
+                              {.what = ParticipantMessage::What::put_mask_on})
             : scene_that_says(ParticipantScene::Kind::mask_off,
-                              {.what = Saying::What::take_mask_off});
+                              {.what = ParticipantMessage::What::take_mask_off});
 }
 
 }  // namespace asperity

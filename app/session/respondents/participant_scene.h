@@ -18,7 +18,7 @@ namespace asperity {
 
 /// A message of the program (not of the protocol), by its meaning: tones and windows distinguish
 /// these.
-struct Saying {
+struct ParticipantMessage {
   enum class What {
     nothing,
     feel_surface,  ///< surface `code` can be felt now
@@ -64,9 +64,9 @@ struct Saying {
   std::optional<double> maximum{};
 };
 /// Empty for no message.
-Phrase phrase_of(const Saying& saying);
+Phrase phrase_of(const ParticipantMessage& message);
 /// In English.
-std::string text_of(const Saying& saying);
+std::string text_of(const ParticipantMessage& message);
 
 /// The values at the right ends of the bars that show participants their bands. One scale applies
 /// to all explorations of a protocol, so that bands can be compared: a higher band lies further to
@@ -113,8 +113,8 @@ struct ParticipantScene {
     std::optional<std::string> picture{};  ///< study-relative; a surface or "cannot tell" has none
     /// For an option that is neither a picture nor a surface ("I cannot tell").
     std::string text{};
-    Saying saying{};      ///< its meaning, where it is a text of the program
-    bool chosen = false;  ///< of a choice
+    ParticipantMessage message{};  ///< its meaning, where it is a text of the program
+    bool chosen = false;           ///< of a choice
     /// Of an assignment: the code of the surface that the option was given to; or empty.
     std::string assigned_to{};
   };
@@ -140,10 +140,10 @@ struct ParticipantScene {
   std::string text{};  ///< the instruction, prompt or feedback
   std::string
       cue{};  ///< a short refusal or reminder ("Please feel surface C first."); usually empty
-  Saying text_saying{};          ///< the meaning of `text`, where it is not the protocol's
-  Saying cue_saying{};           ///< the meaning of `cue`
-  std::uint64_t cue_number = 0;  ///< counts the cues, so that the same one can be shown again
-  int block = 0;                 ///< "block 3 of 6"; 0: no progress is shown
+  ParticipantMessage text_message{};  ///< the meaning of `text`, where it is not the protocol's
+  ParticipantMessage cue_message{};   ///< the meaning of `cue`
+  std::uint64_t cue_number = 0;       ///< counts the cues, so that the same one can be shown again
+  int block = 0;                      ///< "block 3 of 6"; 0: no progress is shown
   int blocks = 0;
 
   std::vector<Surface> surfaces{};

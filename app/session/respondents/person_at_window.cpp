@@ -91,8 +91,8 @@ struct PersonAtWindow::Desk {
   /// The next input that is meant for the present scene.
   std::optional<ParticipantInput> hear();
   /// Shows a cue in the scene.
-  void remind(Saying saying);
-  void refuse(const ParticipantInput& input, Saying saying);
+  void remind(ParticipantMessage message);
+  void refuse(const ParticipantInput& input, ParticipantMessage message);
   /// Refuses an answer before the question is asked: surface `to_feel` has to be felt first.
   void refuse_answer(const ParticipantInput& input, std::optional<int> to_feel);
   void play(Cue cue, int number = 0) const {
@@ -189,30 +189,30 @@ std::optional<ParticipantInput> PersonAtWindow::Desk::hear() {
   }
 }
 
-void PersonAtWindow::Desk::remind(Saying saying) {
+void PersonAtWindow::Desk::remind(ParticipantMessage message) {
   change([&](ParticipantScene& scene) {
-    scene.cue = text_of(saying);
-    scene.cue_saying = std::move(saying);
+    scene.cue = text_of(message);
+    scene.cue_message = std::move(message);
     cues = std::max(cues, scene.cue_number) + 1;
     scene.cue_number = cues;
   });
 }
 
-void PersonAtWindow::Desk::refuse(const ParticipantInput& input, Saying saying) {
-  events.push_back({input.time_ns, "refused", text_of(saying),
+void PersonAtWindow::Desk::refuse(const ParticipantInput& input, ParticipantMessage message) {
+  events.push_back({input.time_ns, "refused", text_of(message),
                     nlohmann::ordered_json{{"input", description_of(input)}}.dump()});
-  remind(std::move(saying));
+  remind(std::move(message));
   play(Cue::refused);
 }
 
 void PersonAtWindow::Desk::refuse_answer(const ParticipantInput& input,
                                          std::optional<int> to_feel) {
   if (is_side_by_side && now != 0) {
-    refuse(input, {.what = Saying::What::finish_first});
+    refuse(input, {.what = ParticipantMessage::What::finish_first});
   } else if (to_feel) {
-    refuse(input, {.what = Saying::What::feel_first, .code = code_of(*to_feel)});
+    refuse(input, {.what = ParticipantMessage::What::feel_first, .code = code_of(*to_feel)});
   } else {
-    refuse(input, {.what = Saying::What::not_asked_yet});
+    refuse(input, {.what = ParticipantMessage::What::not_asked_yet});
   }
 }
 
@@ -281,7 +281,7 @@ void PersonAtWindow::Desk::show_sheet(const Trial& trial) {
       scene.wished_surface = wished(trial);
     }
     scene.cue.clear();
-    scene.cue_saying = {};
+    scene.cue_message = {};
   });
 }
 
@@ -298,7 +298,7 @@ std::optional<Reply> PersonAtWindow::Desk::hear_answer(const Trial& trial,
   }
   if (std::holds_alternative<WishToFeelAgain>(result)) return hear_wish(trial, input);
   if (const auto* const refused = std::get_if<SheetRefused>(&result)) {
-    refuse(input, refused->saying);
+    refuse(input, refused->message);
   } else if (const auto* const changed = std::get_if<SheetChanged>(&result)) {
     // A held button takes effect when it is released.
     if (changed->needs_new_reading) {
@@ -308,8 +308,8 @@ std::optional<Reply> PersonAtWindow::Desk::hear_answer(const Trial& trial,
     if (changed->cue) play(*changed->cue, changed->number);
   } else if (std::holds_alternative<PointedAtFeelingAgain>(result)) {
     show_sheet(trial);
-    remind({.what =
-                visits.of(wished(trial)) == 0 ? Saying::What::feel_named : Saying::What::feel_again,
+    remind({.what = visits.of(wished(trial)) == 0 ? ParticipantMessage::What::feel_named
+                                                  : ParticipantMessage::What::feel_again,
             .code = code_of(wished(trial))});
     play(Cue::surface, wished(trial));
   }
@@ -320,13 +320,13 @@ std::optional<Reply> PersonAtWindow::Desk::hear_answer(const Trial& trial,
 std::optional<Reply> PersonAtWindow::Desk::hear_wish(const Trial& trial,
                                                      const ParticipantInput& input) {
   if (!trial.arrangement.allows_revisits()) {
-    refuse(input, {.what = Saying::What::no_going_back});
+    refuse(input, {.what = ParticipantMessage::What::no_going_back});
     return {};
   }
   sheet->forget_feeling_again();
   const int position = input.kind == Kind::surface ? input.number : wished(trial);
   if (!visits.may_visit(trial, position)) {
-    refuse(input, {.what = Saying::What::felt_often_enough, .code = code_of(position)});
+    refuse(input, {.what = ParticipantMessage::What::felt_often_enough, .code = code_of(position)});
     return {};
   }
   return Reply{FeelAgain{position}, input.time_ns};
@@ -355,8 +355,8 @@ void PersonAtWindow::read(const std::string& text, double minimum_s, const Wait&
       if (desk_->turned_page(input) || !continues(input)) return false;
       if (input.time_ns >= until_ns) return true;
       const double left_s = 1e-9 * static_cast<double>(until_ns - input.time_ns);
-      desk_->refuse(input,
-                    {.what = Saying::What::wait, .number = static_cast<int>(std::ceil(left_s))});
+      desk_->refuse(input, {.what = ParticipantMessage::What::wait,
+                            .number = static_cast<int>(std::ceil(left_s))});
       return false;
     });
     if (is_over) return;
@@ -436,10 +436,11 @@ bool PersonAtWindow::wants_next(bool may_go) {
       return true;
     }
     if (desk_->is_side_by_side) {
-      desk_->refuse(*input, {.what = Saying::What::feel_all_longer});
+      desk_->refuse(*input, {.what = ParticipantMessage::What::feel_all_longer});
       continue;
     }
-    desk_->refuse(*input, {.what = Saying::What::feel_longer, .code = desk_->code_of(desk_->now)});
+    desk_->refuse(*input, {.what = ParticipantMessage::What::feel_longer,
+                           .code = desk_->code_of(desk_->now)});
   }
   return false;
 }
@@ -493,7 +494,8 @@ Reply PersonAtWindow::ask(const Trial& trial, std::span<const TrialQuestion> pag
   desk_->unexpected_until_ns =
       std::exchange(desk_->ends_without_request, false) ? desk_->after_shown_ns(kUnexpected_s) : 0;
   if (const std::optional<int> untouched = std::exchange(desk_->untouched, {})) {
-    desk_->remind({.what = Saying::What::not_touched, .code = desk_->code_of(*untouched)});
+    desk_->remind(
+        {.what = ParticipantMessage::What::not_touched, .code = desk_->code_of(*untouched)});
     desk_->play(Cue::refused);
   }
   std::optional<std::int64_t> until_ns{};
@@ -541,8 +543,8 @@ FormAnswer PersonAtWindow::answer(const Question& question, const Wait& wait) {
     } else {
       return false;
     }
-    std::variant<Saying, FormAnswer> read = form_answer(question, text);
-    if (auto* const refusal = std::get_if<Saying>(&read)) {
+    std::variant<ParticipantMessage, FormAnswer> read = form_answer(question, text);
+    if (auto* const refusal = std::get_if<ParticipantMessage>(&read)) {
       desk_->refuse(input, std::move(*refusal));
       return false;
     }

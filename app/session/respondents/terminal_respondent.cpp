@@ -207,7 +207,8 @@ std::variant<NoAnswer, FeelAgain, Answer> TerminalRespondent::ask(
     if (const std::optional<int> owed = visits_.owed(trial)) {
       const PlannedPresentation& first =
           trial.presentations.at(static_cast<std::size_t>(*owed - 1));
-      output_ << text_of({.what = Saying::What::feel_first, .code = first.code}) << '\n';
+      output_ << text_of({.what = ParticipantMessage::What::feel_first, .code = first.code})
+              << '\n';
       continue;
     }
     std::variant<NextLine, Answer> taken = dialogue->take(*typed);
@@ -228,7 +229,8 @@ std::optional<int> TerminalRespondent::wish_in(const std::string& typed, const T
   std::string codes{};
   for (const PlannedPresentation& surface : trial.presentations) {
     if (surface.code == code && !visits_.may_visit(trial, surface.position)) {
-      output_ << text_of({.what = Saying::What::felt_often_enough, .code = code}) << '\n';
+      output_ << text_of({.what = ParticipantMessage::What::felt_often_enough, .code = code})
+              << '\n';
       return {};
     }
     if (surface.code == code) return surface.position;
@@ -261,12 +263,12 @@ FormAnswer TerminalRespondent::answer(const Question& question, const Wait& wait
   for (;;) {
     output_ << "Your answer" << unit << ": " << std::flush;
     const std::string typed = line(wait).value_or(std::string());
-    std::variant<Saying, FormAnswer> read = form_answer(question, typed);
-    const auto* const refusal = std::get_if<Saying>(&read);
+    std::variant<ParticipantMessage, FormAnswer> read = form_answer(question, typed);
+    const auto* const refusal = std::get_if<ParticipantMessage>(&read);
     if (refusal == nullptr) return std::get<FormAnswer>(std::move(read));
-    if (refusal->what == Saying::What::option_needed) {
+    if (refusal->what == ParticipantMessage::What::option_needed) {
       output_ << "Please enter a number from 1 to " << question.options.size() << ".\n";
-    } else if (refusal->what == Saying::What::options_needed) {
+    } else if (refusal->what == ParticipantMessage::What::options_needed) {
       output_ << "Please enter one or more numbers from 1 to " << question.options.size() << ".\n";
     } else {
       output_ << text_of(*refusal) << '\n';

@@ -12,7 +12,7 @@
 #include "app/session/stimulus_builder.h"
 #include "app/tasks/checks/device_check.h"
 #include "app/tasks/protocol_files.h"
-#include "app/tasks/sitting.h"
+#include "app/tasks/session_run.h"
 #include "app/words/device_remarks.h"
 #include "app/words/time_ago.h"
 #include "device/simulated_models.h"

@@ -11,7 +11,7 @@
 #include "app/records/session_conditions.h"
 #include "app/session/rig/rig.h"
 #include "app/session/session_setup.h"
-#include "app/tasks/sitting.h"
+#include "app/tasks/session_run.h"
 #include "app/tasks/unfinished_session.h"
 #include "device/pointer_device.h"
 

@@ -20,7 +20,7 @@
 #include "app/session/session_compute.h"
 #include "app/session/session_setup.h"
 #include "app/tasks/protocol_files.h"
-#include "app/tasks/sitting.h"
+#include "app/tasks/session_run.h"
 #include "app/tasks/warnings/plugin_warnings.h"
 #include "app/tasks/warnings/stimulus_warnings.h"
 #include "app/words/phrase.h"
@@ -200,7 +200,7 @@ class Simulation final {
   void prepare(Study& study);
   void check_sessions(const Study& study) const;
   bool is_interrupted(const Study& study, const Batch& batch) const;
-  std::uint64_t seed_of(int number, int sitting) const;
+  std::uint64_t seed_of(int number, int session_index) const;
   void work();
   void take_through(Study& study, int number);
   bool keeps_recordings(int number) const;
@@ -226,10 +226,10 @@ class Simulation final {
   std::exception_ptr failure_{};
 };
 
-std::uint64_t Simulation::seed_of(int number, int sitting) const {
+std::uint64_t Simulation::seed_of(int number, int session_index) const {
   return random_.split("session")
       .split(static_cast<std::uint64_t>(number))
-      .split(static_cast<std::uint64_t>(sitting))
+      .split(static_cast<std::uint64_t>(session_index))
       .bits();
 }
 
@@ -247,13 +247,13 @@ void Simulation::check_sessions(const Study& study) const {
   for (int i = 0; i < batch_.participants; ++i) {
     const int number = batch_.first + i;
     const std::string label = virtual_person(number, random_, "").label;
-    int sitting = 0;
+    int session_index = 0;
     for (const Protocol& protocol : protocols_) {
       const std::vector<SessionRow> before = sessions_with(study, label, protocol);
       for (std::size_t repeat = 0; repeat < static_cast<std::size_t>(protocol.sessions);
-           ++repeat, ++sitting) {
+           ++repeat, ++session_index) {
         if (repeat >= before.size() ||
-            before[repeat].seed == std::to_string(seed_of(number, sitting))) {
+            before[repeat].seed == std::to_string(seed_of(number, session_index))) {
           continue;
         }
         throw std::runtime_error("session " + std::to_string(before[repeat].session) + " of " +
@@ -361,9 +361,9 @@ void Simulation::prepare(Study& study) {
   std::vector<ParticipantRow> added{};
   for (int i = 0; i < batch_.participants; ++i) {
     if (!is_included(i)) continue;
-    const std::int64_t first_sitting = std::int64_t{batch_.first + i - 1} * sessions_each_;
+    const std::int64_t first_session = std::int64_t{batch_.first + i - 1} * sessions_each_;
     ParticipantRow person =
-        virtual_person(batch_.first + i, random_, SimulatedClock(first_sitting).utc());
+        virtual_person(batch_.first + i, random_, SimulatedClock(first_session).utc());
     person.answers_json = with_batch(person.answers_json, batch_);
     added.push_back(std::move(person));
   }
@@ -426,14 +426,14 @@ void Simulation::take_through(Study& study, int number) {
     return;
   }
   const ParticipantRow& person = *found;
-  int sitting = 0;
+  int session_index = 0;
   for (const Protocol& protocol : protocols_) {
     const std::vector<SessionRow> before = sessions_with(study, person.label, protocol);
     for (std::size_t repeat = 0; repeat < static_cast<std::size_t>(protocol.sessions);
-         ++repeat, ++sitting) {
+         ++repeat, ++session_index) {
       if (stop_.stop_requested()) return;
-      const std::uint64_t seed = seed_of(number, sitting);
-      const std::int64_t index = std::int64_t{number - 1} * sessions_each_ + sitting;
+      const std::uint64_t seed = seed_of(number, session_index);
+      const std::int64_t index = std::int64_t{number - 1} * sessions_each_ + session_index;
       const std::optional<SessionRow> row =
           repeat < before.size() ? std::optional(before[repeat]) : std::nullopt;
       if (!row || !has_ended(study, protocol, *row)) {
@@ -459,23 +459,23 @@ void Simulation::hold(Study& study, const ParticipantRow& person, const Protocol
                       std::int64_t calendar_index, std::uint64_t seed,
                       std::optional<SessionRow> unfinished) {
   const int number = number_in_label(person.label);
-  Sitting sitting{};
-  sitting.participant = person;
-  sitting.mode = SessionMode::simulate;
-  sitting.seed = seed;
+  SessionRun session_run{};
+  session_run.participant = person;
+  session_run.mode = SessionMode::simulate;
+  session_run.seed = seed;
   const Allocation allocation = allocation_in_turn(protocol, number - 1);
-  sitting.counterbalance_row = allocation.counterbalance_row;
-  if (protocol.groups) sitting.group = allocation.group;
-  sitting.record = keeps_recordings(number);
-  sitting.level_program = program_for(protocol);
+  session_run.counterbalance_row = allocation.counterbalance_row;
+  if (protocol.groups) session_run.group = allocation.group;
+  session_run.record = keeps_recordings(number);
+  session_run.level_program = program_for(protocol);
   const StudyLock lock(study.folder(), Study::session_lock_name(person.label));
   SteppedRig rig(rig_settings_for(protocol, {}, inputs_.device), calendar_index);
   if (unfinished) {
     rig.move_clock_to(std::max(rig.clock().now_ns(), last_time_ns(study, *unfinished)));
-    sitting.unfinished = std::move(unfinished);
+    session_run.unfinished = std::move(unfinished);
   }
   const SessionEnd end =
-      sit(study, protocol, builder_, program_, sitting, rig, nullptr, stop_, done_);
+      run_on_rig(study, protocol, builder_, program_, session_run, rig, nullptr, stop_, done_);
   if (end.state != SessionState::completed && !end.as_the_protocol_says &&
       !stop_.stop_requested()) {
     if (inputs_.shard) {

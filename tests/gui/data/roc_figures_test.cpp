@@ -15,9 +15,9 @@
 #include "app/findings/gathering/answer_columns.h"
 #include "app/findings/methods/discrimination/sensitivity/confidence_roc.h"
 #include "app/findings/outcome/analysis_outcome.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/figure.h"
 #include "app/findings/outcome/found_numbers.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/study/figures_of.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/app/stored_tables.h"
@@ -130,7 +130,7 @@ TEST(RocFigures, DrawTheFittedCurveThroughThePointsOverItsArea) {
   EXPECT_NEAR(curve.back().y, 1.0, 1e-4);
   const double area = *FoundNumbers(findings).value("uv.az", "wood");
   EXPECT_NEAR(area_below(curve), area, 1e-3);
-  EXPECT_THAT(figure.note.english(), HasSubstr("A_z: wood: " + reading_number(area) + "."));
+  EXPECT_THAT(figure.note.english(), HasSubstr("A_z: wood: " + display_number(area) + "."));
 }
 
 TEST(RocFigures, HaveACurveForEveryLevelAndAFigureForEveryParticipant) {

@@ -161,7 +161,7 @@ TEST(ParticipantView, AsksAHandThatIsToLiftForNothing) {
   const QColor outside("#D55E00");
   const QImage pressed_little = guide_with(seat, 0.3, 0.01);
   EXPECT_GT(pixels_of(pressed_little, outside, pressed_little.rect()), 200);
-  scene.text_saying = {.what = Saying::What::lift, .code = "B"};
+  scene.text_message = {.what = ParticipantMessage::What::lift, .code = "B"};
   seat.show(scene);
   auto* guide = seat.view.findChild<LiveGuide*>();
   EXPECT_TRUE(eventually([&] { return !guide->shown().pressing_N; }));
@@ -186,7 +186,7 @@ TEST(ParticipantView, LeadsTheHandByATargetUntilItIsToLift) {
   ASSERT_TRUE(before);
   EXPECT_LE(std::abs(*before), 0.03);
   EXPECT_TRUE(eventually([&] { return guide->shown().target_along_m != before; }));
-  scene.text_saying = {.what = Saying::What::lift, .code = "B"};
+  scene.text_message = {.what = ParticipantMessage::What::lift, .code = "B"};
   seat.show(scene);
   EXPECT_TRUE(eventually([&] { return !guide->shown().target_along_m; }));
 }

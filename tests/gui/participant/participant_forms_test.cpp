@@ -164,8 +164,8 @@ TEST(ParticipantView, KeepsANumberThatIsToBeChecked) {
   Seat seat(scenes::magnitude());
   for (const Qt::Key key : {Qt::Key_5, Qt::Key_0, Qt::Key_0}) seat.key(key);
   ParticipantScene doubted = scenes::magnitude();
-  doubted.text_saying = {.what = Saying::What::check_estimate, .code = "500"};
-  doubted.text = text_of(doubted.text_saying);
+  doubted.text_message = {.what = ParticipantMessage::What::check_estimate, .code = "500"};
+  doubted.text = text_of(doubted.text_message);
   seat.show(doubted);
   seat.key(Qt::Key_Return);
   EXPECT_EQ(seat.last().text, "500");

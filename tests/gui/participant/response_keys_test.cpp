@@ -379,7 +379,7 @@ TEST(ResponseKeys, HaveKeysAndClicksRefusedBetweenTwoSurfaces) {
   ParticipantScene between = scenes::feel(3);
   between.kind = ParticipantScene::Kind::blank;
   between.text.clear();
-  between.text_saying = {};
+  between.text_message = {};
   desk.show(between);
   desk.focus(desk.button);
   desk.key(Qt::Key_1);

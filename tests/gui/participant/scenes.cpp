@@ -324,8 +324,8 @@ std::vector<std::pair<std::string, ParticipantScene>> all() {
   scenes.emplace_back("scale-labels", scale_with_labels());
   scenes.emplace_back("scales", scales(5));
   ParticipantScene doubted = magnitude();
-  doubted.text_saying = {.what = Saying::What::check_estimate, .code = "500"};
-  doubted.text = text_of(doubted.text_saying);
+  doubted.text_message = {.what = ParticipantMessage::What::check_estimate, .code = "500"};
+  doubted.text = text_of(doubted.text_message);
   doubted.can_switch = true;
   scenes.emplace_back("magnitude-checked", doubted);
   ParticipantScene feedback = in_block(ParticipantScene::Kind::feedback, "That was picture 4.");

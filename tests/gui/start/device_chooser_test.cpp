@@ -165,11 +165,11 @@ TEST_F(TheDeviceChooser, ListsWhatCanBeUsedAndSaysOfTheOthersWhyNot) {
     EXPECT_TRUE(is_enabled(device)) << device;
   }
   EXPECT_FALSE(is_enabled("force_dimension:43"));
-  EXPECT_FALSE(is_seen("device_hindrances"));
+  EXPECT_FALSE(is_seen("device_blockers"));
   click("device_why");
-  EXPECT_TRUE(is_seen("device_hindrances"));
-  EXPECT_TRUE(shown("device_hindrances").contains(QString::number(kUnknownType)))
-      << shown("device_hindrances").toStdString();
+  EXPECT_TRUE(is_seen("device_blockers"));
+  EXPECT_TRUE(shown("device_blockers").contains(QString::number(kUnknownType)))
+      << shown("device_blockers").toStdString();
   EXPECT_EQ(page->order().inputs.device, "simulated") << "as long as nobody chooses another one";
   pick("mouse");
   EXPECT_TRUE(shown("device_text").contains("The participant feels no force"));

@@ -895,11 +895,11 @@ TEST_F(StudyPages, StayWithTheStudyAndTheAttemptWhenTheThemeChanges) {
 /// A survey of two drivers: one of a device that is not set up yet, one without its maker's library.
 std::vector<SurveyedDriver> found_devices(bool has_firmware) {
   AttachedDevice falcon{.model = "Novint Falcon", .serial = "A7", .place = "usb 1-2"};
-  if (!has_firmware) falcon.hindrance = "Name the file of its firmware.";
+  if (!has_firmware) falcon.blocker = "Name the file of its firmware.";
   return {{.id = "simulated", .summary = "no participant feels it"},
           {.id = "falcon", .summary = "over USB", .survey = {.attached = {falcon}}},
           {.id = "openhaptics",
-           .survey = {.hindrance = "OpenHaptics is not installed. Name it with --library FILE."}}};
+           .survey = {.blocker = "OpenHaptics is not installed. Name it with --library FILE."}}};
 }
 
 TEST_F(PagesToRead, SayOfEveryDeviceWhatWouldMakeItUsableAndLookAgain) {

@@ -15,8 +15,8 @@
 #include "app/findings/methods/discrimination/thresholds/discrimination_tracks.h"
 #include "app/findings/methods/discrimination/thresholds/shown_thresholds.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/level_words.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/task_words.h"
 #include "app/words/text_parts.h"
 #include "protocols/design/block_factors.h"
@@ -157,7 +157,7 @@ std::string task_of_block(const Block& block) {
   if (asked != nullptr) text += ": " + quoted(asked->prompt);
   if (asked == nullptr || !asked->prompt.ends_with('?')) text += '.';
   text += " The " + words_of_parameter(block.vary->parameter) + " of the standard is " +
-          reading_quantity(*block.vary->standard, unit_of_varied(block)) +
+          display_quantity(*block.vary->standard, unit_of_varied(block)) +
           "; that of the comparison " + levels_text(block, "it") + ". ";
   if (block.procedure) {
     text += "Choice of the level: " + procedure_text(block) + ". ";
@@ -211,7 +211,7 @@ std::string paper_task_of_discrimination(const Protocol& protocol) {
              ? " In the block " + quoted(block->name) + ", they were presented" + paper_task(*block)
              : std::string()) +
         " The " + words_of_parameter(block->vary->parameter) + " of the standard was " +
-        reading_quantity(*block->vary->standard, unit_of_varied(*block)) +
+        display_quantity(*block->vary->standard, unit_of_varied(*block)) +
         "; that of the comparison " +
         (chooses_levels_from_answers(*block) ? as_possible(levels_text(*block, "it"))
                                              : in_past(levels_text(*block, "it"))) +

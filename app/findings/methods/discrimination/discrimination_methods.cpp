@@ -17,7 +17,7 @@
 #include "app/findings/methods/discrimination/thresholds/discrimination_thresholds.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_tracks.h"
 #include "app/findings/methods/discrimination/thresholds/unforced_functions.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "protocols/design/block_factors.h"
 #include "protocols/kinds/discrimination.h"
 #include "protocols/plan/block_design.h"
@@ -105,8 +105,8 @@ std::string interval_sentence(const Block& block, const UnforcedParticipants& un
   const bool has_prior = posterior_track_of(first) != nullptr;
   const bool is_external = std::holds_alternative<External>(first);
   return (asks_for_performance(block) ? " The slope of the function was limited to " +
-                                            reading_number(kSlopesOfProcedures.least) + " to " +
-                                            reading_number(kSlopesOfProcedures.greatest) + '.'
+                                            display_number(kSlopesOfProcedures.least) + " to " +
+                                            display_number(kSlopesOfProcedures.greatest) + '.'
                                       : std::string()) +
          (is_external
               ? " Confidence intervals of single participants were not computed: the levels "
@@ -279,8 +279,8 @@ std::string sensitivity_sentences(const AnalysisOutcome& outcome) {
       least = std::min(least, of.first / of.second);
       most = std::max(most, of.first / of.second);
     }
-    text += " The rate of the response “cannot tell” was " + reading_percent(unsure / all) +
-            (least < most ? " (" + reading_percent(least) + " to " + reading_percent(most) +
+    text += " The rate of the response “cannot tell” was " + display_percent(unsure / all) +
+            (least < most ? " (" + display_percent(least) + " to " + display_percent(most) +
                                 " for single participants)"
                           : std::string()) +
             '.';

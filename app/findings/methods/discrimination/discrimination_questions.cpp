@@ -15,8 +15,8 @@
 #include "app/findings/methods/discrimination/thresholds/left_out_thresholds.h"
 #include "app/findings/methods/discrimination/thresholds/unfinished_tracks.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/found_numbers.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/test_sentences.h"
 
@@ -167,8 +167,8 @@ Phrase method_of_thresholds(const DiscriminationResults& results) {
       .with(method, phrase("Analysis",
                            "With an adaptive procedure, the slope was limited "
                            "to %1 to %2.")
-                        .with(reading_number(kSlopesOfProcedures.least),
-                              reading_number(kSlopesOfProcedures.greatest)));
+                        .with(display_number(kSlopesOfProcedures.least),
+                              display_number(kSlopesOfProcedures.greatest)));
 }
 
 void ask_thresholds(const DiscriminationResults& results, AnalysisOutcome& outcome) {
@@ -241,14 +241,14 @@ void ask_equality(const DiscriminationResults& results, const StudyTests& tests,
                    .with(answer, about, words_of_status(test->status));
     }
     if (!test->p) continue;
-    const Sayings sayings = sayings_of(
+    const TestStatements statements = statements_of(
         *test,
         {.numbers =
              phrase("Analysis", "difference from the standard, %1: %2.").with(about, p_text(*test)),
          .significant = phrase("Analysis", "Significant %1"),
          .not_significant = phrase("Analysis", "No significant %1"),
          .exploratory = phrase("Analysis", "Test of the %1")});
-    answer = phrase("Analysis", "%1 %2").with(answer, said_of(*test, sayings));
+    answer = phrase("Analysis", "%1 %2").with(answer, said_of(*test, statements));
   }
   add_question(outcome, name.c_str(), question, answer, method, kMeanThresholds,
                first_mean(results, "mean.pse", found));
@@ -300,16 +300,17 @@ void ask_conditions(const DiscriminationResults& results, const StudyTests& test
     return;
   }
   const Phrase means = compared_thresholds_text(results);
-  const Sayings sayings =
-      sayings_of(*test, {.numbers = phrase("Analysis",
-                                           "geometric mean thresholds of %1 participants: %2 (%3).")
-                                        .with(std::to_string(complete), means, p_text(*test)),
-                         .exploratory = {},
-                         .compares = true})
+  const TestStatements statements =
+      statements_of(
+          *test,
+          {.numbers = phrase("Analysis", "geometric mean thresholds of %1 participants: %2 (%3).")
+                          .with(std::to_string(complete), means, p_text(*test)),
+           .exploratory = {},
+           .compares = true})
           .with([&](const Phrase& answer) {
             return with_left_out_participants(answer, results, complete);
           });
-  add_question(outcome, name.c_str(), question, said_of(*test, sayings), method, kMeanThresholds,
+  add_question(outcome, name.c_str(), question, said_of(*test, statements), method, kMeanThresholds,
                shown);
 }
 

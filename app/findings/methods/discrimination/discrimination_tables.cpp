@@ -21,8 +21,8 @@
 #include "app/findings/methods/discrimination/thresholds/threshold_columns.h"
 #include "app/findings/methods/discrimination/thresholds/unforced_functions.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/found_numbers.h"
-#include "app/findings/outcome/reading_number.h"
 #include "protocols/design/block_factors.h"
 
 namespace asperity {
@@ -416,8 +416,8 @@ Phrase note_on_thresholds(const GatheredAnswers& gathered,
     add(phrase("Analysis",
                "With an adaptive procedure, the slope of a Weibull function is limited to %1 to "
                "%2.")
-            .with(reading_number(kSlopesOfProcedures.least),
-                  reading_number(kSlopesOfProcedures.greatest)));
+            .with(display_number(kSlopesOfProcedures.least),
+                  display_number(kSlopesOfProcedures.greatest)));
   }
   if (shown.has_repeated_procedure) {
     add(phrase("Analysis",

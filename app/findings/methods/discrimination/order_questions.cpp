@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <string>
 
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/found_numbers.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/test_sentences.h"
 
@@ -36,11 +36,11 @@ void add_answer(AnalysisOutcome& outcome, const OrderQuestion& asked, const Phra
                  finding);
     return;
   }
-  const Sayings sayings =
-      sayings_of(*test, {.numbers = phrase("Analysis", "%1 (%2).").with(estimate, p_text(*test)),
-                         .exploratory = phrase("Analysis", "On average, %1")});
-  add_question(outcome, asked.name.c_str(), asked.question, said_of(*test, sayings), asked.method,
-               asked.table, finding);
+  const TestStatements statements =
+      statements_of(*test, {.numbers = phrase("Analysis", "%1 (%2).").with(estimate, p_text(*test)),
+                            .exploratory = phrase("Analysis", "On average, %1")});
+  add_question(outcome, asked.name.c_str(), asked.question, said_of(*test, statements),
+               asked.method, asked.table, finding);
 }
 
 void ask_order(const DiscriminationResults& results, const StudyTests& tests,
@@ -67,10 +67,10 @@ void ask_order(const DiscriminationResults& results, const StudyTests& tests,
                  method, kOrderEffect, nullptr);
     return;
   }
-  Phrase difference = phrase("Analysis", "%1 percentage points").with(reading_points(*mean->value));
+  Phrase difference = phrase("Analysis", "%1 percentage points").with(display_points(*mean->value));
   if (mean->low && mean->high) {
     difference = phrase("Analysis", "%1 (95 % CI [%2, %3])")
-                     .with(difference, reading_points(*mean->low), reading_points(*mean->high));
+                     .with(difference, display_points(*mean->low), display_points(*mean->high));
   }
   const Phrase estimate =
       (is_sequential
@@ -93,10 +93,10 @@ Phrase proportions_by_place(const DiscriminationResults& results, const FoundNum
     const Finding* const mean = found.find("place.proportion", key_of_place(results.name, place));
     if (mean == nullptr || !mean->value) return {};
     Phrase one =
-        phrase("Analysis", "%1 %2").with(kCodesOfPlaces[place], reading_percent(*mean->value));
+        phrase("Analysis", "%1 %2").with(kCodesOfPlaces[place], display_percent(*mean->value));
     if (mean->low && mean->high) {
       one = phrase("Analysis", "%1 (95 % CI [%2, %3])")
-                .with(one, reading_percent(*mean->low), reading_percent(*mean->high));
+                .with(one, display_percent(*mean->low), display_percent(*mean->high));
     }
     all = all.empty() ? one : phrase("Analysis", "%1; %2").with(all, one);
   }

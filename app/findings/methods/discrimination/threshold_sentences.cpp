@@ -16,8 +16,8 @@
 #include "app/findings/methods/discrimination/thresholds/left_out_thresholds.h"
 #include "app/findings/methods/discrimination/thresholds/unfinished_tracks.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/found_numbers.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/words/text_parts.h"
 
@@ -57,7 +57,7 @@ std::string ratio_sentences(const std::vector<Finding>& findings, const std::str
     const std::size_t bar = ratio.key.find('|');
     text += " The ratio of the " + measure + "s (" + words_of_condition(ratio.key.substr(0, bar)) +
             " / " + words_of_condition(ratio.key.substr(bar + 1)) + ") was " +
-            quantity_with_interval(ratio).english() + ", N = " + reading_count(ratio.n) +
+            quantity_with_interval(ratio).english() + ", N = " + display_count(ratio.n) +
             " participants with both.";
   }
   return text;
@@ -136,7 +136,7 @@ std::string missing_sentences(const std::vector<Finding>& findings, QuantityName
     text += " No " + measure + " was estimated for " +
             (missing.of == 1 ? "the only participant"
                              : count_in_words(missing.participants) + " of " +
-                                   reading_count(missing.of) + " participants") +
+                                   display_count(missing.of) + " participants") +
             (condition == "all" ? "" : " in the condition " + words_of_condition(condition)) +
             " (" + reasons + ").";
   }
@@ -190,12 +190,12 @@ EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {
       return mean->n == shown.front()->n;
     });
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (!is_same_n) parts[i] += " for " + reading_count(shown[i]->n) + " participants";
+      if (!is_same_n) parts[i] += " for " + display_count(shown[i]->n) + " participants";
     }
     text += text.empty() ? "Mean thresholds were: " : "; ";
     if (condition != "all") text += words_of_condition(condition) + ", ";
     text += comma_separated(parts);
-    if (is_same_n) text += ", N = " + reading_count(shown.front()->n);
+    if (is_same_n) text += ", N = " + display_count(shown.front()->n);
   }
   if (!text.empty()) text += '.';
   const std::string of_difference = detections.empty() ? "JND" : "threshold";

@@ -11,7 +11,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/findings/methods/magnitude/magnitude_sentences.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 
 namespace asperity {
 
@@ -105,7 +105,7 @@ std::string paper_task_of_magnitude(const Protocol& protocol) {
   if (const LineForm* const lines = lines_of(protocol)) {
     return ", and a line was to be drawn whose length matched " + to_what +
            " (cross-modality matching to line length; the longest line had " +
-           reading_percent(lines->longest) + " of the width of the screen).";
+           display_percent(lines->longest) + " of the width of the screen).";
   }
   return ", and a number above 0 was to be assigned to " + to_what +
          " (absolute magnitude estimation with free modulus).";

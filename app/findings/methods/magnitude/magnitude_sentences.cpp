@@ -9,8 +9,8 @@
 #include "app/findings/methods/magnitude/roughness_peaks.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/drawn_table.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/words/text_parts.h"
 
 namespace asperity {
@@ -26,13 +26,13 @@ std::map<std::string, std::string> reported_peaks(const AnalysisOutcome& outcome
     const RowReader row(*table, cells);
     const auto peak = row.number(kPeakSpacing);
     if (!peak) continue;
-    std::string text = reading_quantity(*peak, "m");
+    std::string text = display_quantity(*peak, "m");
     const Interval interval = row.interval(kPeakSpacing);
     if (interval.low && interval.high) {
-      text += ", 95 % CI [" + reading_quantity(*interval.low, "m") + ", " +
-              reading_quantity(*interval.high, "m") + ']';
+      text += ", 95 % CI [" + display_quantity(*interval.low, "m") + ", " +
+              display_quantity(*interval.high, "m") + ']';
     }
-    if (const auto p = row.number(kInteriorP)) text += ", " + reading_p(*p);
+    if (const auto p = row.number(kInteriorP)) text += ", " + display_p(*p);
     peaks[row.text(columns::kCondition)] = text;
   }
   return peaks;
@@ -71,7 +71,7 @@ EstimateSentence exponents_sentence(const AnalysisOutcome& outcome) {
                   " of log estimate on " + (is_of_spacings ? "log spacing" : "log predictor") +
                   " (exponent of a power function) " + (means.size() == 1 ? "was " : "were ") +
                   all_estimates(means, "all",
-                                [](double value) { return reading_signed(value, kDecimals); }) +
+                                [](double value) { return display_signed(value, kDecimals); }) +
                   '.'};
 }
 

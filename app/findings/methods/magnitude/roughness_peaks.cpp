@@ -9,7 +9,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/findings/outcome/columns.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/test_sentences.h"
 
 namespace asperity {
@@ -128,7 +128,7 @@ void ask_peaks(const std::vector<std::string>& conditions, const std::vector<std
     } else if (peak_status(found, condition, spacings) == kNoInterior) {
       const std::optional<double> p = found.value("invU.p", condition);
       one = p ? phrase("Analysis", "%1 without a significant interior maximum (%2)")
-                    .with(condition, reading_p(*p))
+                    .with(condition, display_p(*p))
               : phrase("Analysis",
                        "%1 without a test for an interior maximum, because all "
                        "participants have the same curve")
@@ -137,10 +137,10 @@ void ask_peaks(const std::vector<std::string>& conditions, const std::vector<std
       one = phrase("Analysis",
                    "%1 at %2 (95 % CI [%3, %4]; test for an interior maximum %5; "
                    "R² of the mean parabola %6)")
-                .with(condition, reading_quantity(*peak->value, "m"),
-                      reading_quantity(*peak->low, "m"), reading_quantity(*peak->high, "m"),
-                      reading_p(found.value("invU.p", condition).value_or(1.0)),
-                      reading_bounded(found.value("pooled.quad.r2", condition).value_or(0.0)));
+                .with(condition, display_quantity(*peak->value, "m"),
+                      display_quantity(*peak->low, "m"), display_quantity(*peak->high, "m"),
+                      display_p(found.value("invU.p", condition).value_or(1.0)),
+                      display_bounded(found.value("pooled.quad.r2", condition).value_or(0.0)));
     } else if (status->word == "outside_range") {
       one = phrase("Analysis", "%1 outside the range of the tested spacings").with(condition);
     } else {

@@ -36,7 +36,7 @@ void ask_items(const FoundNumbers& found, const StudyTests& tests, AnalysisOutco
       "Analysis",
       "For this participant only: %1 of the items were matched correctly (%2), compared with a "
       "chance level of %3; permutation test, %4. More participants are needed."));
-  Sayings sayings = sayings_of(
+  TestStatements statements = statements_of(
       *test,
       {.numbers = with_numbers(phrase(
            "Analysis",
@@ -44,10 +44,10 @@ void ask_items(const FoundNumbers& found, const StudyTests& tests, AnalysisOutco
            "a chance level of %3; permutation test over participants, %4.")),
        .not_significant = phrase("Analysis", "Not significantly above chance: %1"),
        .exploratory = {}});
-  if (mean->n == 1) sayings.claim = sayings.told = of_one;
+  if (mean->n == 1) statements.claim = statements.told = of_one;
   add_question(
       outcome, "items", phrase("Analysis", "Are textures matched to their pictures above chance?"),
-      said_of(*test, sayings),
+      said_of(*test, statements),
       phrase(
           "Analysis",
           "%1 The total of correctly matched items is compared with its exact permutation null "

@@ -17,8 +17,8 @@
 #include "app/findings/gathering/answer_columns.h"
 #include "app/findings/methods/paired_comparison/paired_comparison_analysis.h"
 #include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/estimate_sentences.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/tally.h"
 #include "app/findings/outcome/test_sentences.h"
@@ -361,7 +361,7 @@ ConsistencyOfPeople add_people_consistency(const PairedStudy& study, AnalysisOut
              "a: number per round. ζ, the coefficient of consistence: 1 without circular triads, 0 "
              "with as many as possible, %1 on average under guessing. p: exact probability of at "
              "most as many circular triads in these rounds under guessing, uncorrected.")
-          .with(reading_bounded(found.under_guessing))};
+          .with(display_bounded(found.under_guessing))};
   for (const auto& [person, rounds] : of_people) {
     ResultRow row{
         study.choices.gathered.people[person].label, count_cell(rounds.evaluated), {}, {}, {}};
@@ -415,14 +415,14 @@ void ask_items(const PairedStudy& study, const FoundNumbers& found, const StudyT
                  method, kScores, most);
     return;
   }
-  const Sayings sayings = sayings_of(
+  const TestStatements statements = statements_of(
       *test,
       {.numbers = phrase("Analysis",
                          "%1 was chosen most often, in %2 of its comparisons (%3), and %4 "
                          "least often, in %5 (%6). Friedman test: %7.")
                       .with(most->key, percent(*most->value), interval_text(*most), least->key,
                             percent(*least->value), interval_text(*least), p_text(*test))});
-  add_question(outcome, "preference", question, said_of(*test, sayings), method, kScores, most);
+  add_question(outcome, "preference", question, said_of(*test, statements), method, kScores, most);
 }
 
 void ask_fit(const PairedStudy& study, const FoundNumbers& found, AnalysisOutcome& outcome) {
@@ -456,7 +456,7 @@ void ask_fit(const PairedStudy& study, const FoundNumbers& found, AnalysisOutcom
                     "The comparisons differ significantly from the %1: %2, %3. Values on "
                     "one scale do not describe them completely.")
            : phrase("Analysis", "The comparisons do not differ significantly from the %1: %2, %3."))
-          .with(model_name(found), statistic, reading_p(*p)),
+          .with(model_name(found), statistic, display_p(*p)),
       phrase(
           "Analysis",
           "Likelihood-ratio test against a separate probability of each outcome for every pair, "
@@ -478,17 +478,17 @@ void ask_consistency(const ConsistencyOfPeople& people, AnalysisOutcome& outcome
   const FoundNumbers found(made);
   const Finding* const mean = found.find("mean.zeta");
   if (mean == nullptr || !mean->value) return;
-  Phrase zeta = phrase("Analysis", "ζ = %1").with(reading_bounded(*mean->value));
+  Phrase zeta = phrase("Analysis", "ζ = %1").with(display_bounded(*mean->value));
   if (mean->low && mean->high) {
     zeta = phrase("Analysis", "%1, 95 % CI [%2, %3]")
-               .with(zeta, reading_bounded(*mean->low), reading_bounded(*mean->high));
+               .with(zeta, display_bounded(*mean->low), display_bounded(*mean->high));
   }
   add_question(outcome, kConsistency,
                phrase("Analysis", "Are the participants' choices consistent?"),
                phrase("Analysis",
                       "Mean coefficient of consistence: %1. It is 1 without circular triads, and "
                       "%2 on average under guessing.")
-                   .with(zeta, reading_bounded(people.under_guessing)),
+                   .with(zeta, display_bounded(people.under_guessing)),
                phrase("Analysis",
                       "Kendall’s ζ of each complete round without ties, averaged over the rounds "
                       "of a participant; the CI of the mean is t-based."),
@@ -646,14 +646,14 @@ void analyze_paired_comparison(const GatheredAnswers& gathered, AnalysisOutcome&
                                  .quantity = "mean.score",
                                  .items = study.choices.items,
                                  .tests = {"preference"},
-                                 .shown = reading_percent});
+                                 .shown = display_percent});
   // A pair is tested by its own comparisons, not by those with other items.
   state_means_of_items(outcome, {.analysis = "choice",
                                  .quantity = "subj.mean",
                                  .items = study.choices.items,
                                  .tests_of_pairs = {"pairs"},
                                  .within_pairs = true,
-                                 .shown = reading_percent});
+                                 .shown = display_percent});
 
   ask_items(study, found_scores, tests, outcome);
   ask_pairs({.question = phrase("Analysis", "Which item of a pair is chosen more often?"),

@@ -19,8 +19,8 @@
 #include "app/findings/methods/rating/rating_models.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/estimate_sentences.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/test_sentences.h"
 #include "app/findings/shared/accompanying_scales.h"
@@ -82,16 +82,16 @@ ResultTable table_of_scales(const GatheredAnswers& gathered, const std::vector<R
 
 std::string rating_shown(double mean) {
   constexpr int kDecimals = 2;
-  return reading_signed(mean, kDecimals);
+  return display_signed(mean, kDecimals);
 }
 
 /// "4.25 (95 % CI [3.90, 4.60])"
 Phrase mean_text(const Finding& mean) {
   constexpr int kDecimals = 2;
-  const std::string value = reading_signed(*mean.value, kDecimals);
+  const std::string value = display_signed(*mean.value, kDecimals);
   if (!mean.low || !mean.high) return Phrase(value);
   return phrase("Analysis", "%1 (95 % CI [%2, %3])")
-      .with(value, reading_signed(*mean.low, kDecimals), reading_signed(*mean.high, kDecimals));
+      .with(value, display_signed(*mean.low, kDecimals), display_signed(*mean.high, kDecimals));
 }
 
 std::vector<RepeatedEstimate> repeated_ratings(const RatedScale& scale) {
@@ -213,7 +213,7 @@ void ask_about(const RatedScale& scale, const FoundNumbers& found, const StudyTe
     return *one.first->value < *other.first->value;
   };
   const auto [low, high] = std::minmax_element(means.begin(), means.end(), by_value);
-  const Sayings sayings = sayings_of(
+  const TestStatements statements = statements_of(
       *test,
       {.numbers =
            phrase(
@@ -222,7 +222,7 @@ void ask_about(const RatedScale& scale, const FoundNumbers& found, const StudyTe
                .with(words_of_condition(high->second), mean_text(*high->first),
                      words_of_condition(low->second), mean_text(*low->first), p_text(*test)),
        .compares = true});
-  add_question(outcome, name.c_str(), question, said_of(*test, sayings), method, kRatings,
+  add_question(outcome, name.c_str(), question, said_of(*test, statements), method, kRatings,
                high->first);
 }
 

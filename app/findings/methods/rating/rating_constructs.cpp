@@ -12,8 +12,8 @@
 
 #include "analysis/scales/cronbach_alpha.h"
 #include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/found_numbers.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/tidy/finding_list.h"
 
@@ -97,11 +97,11 @@ void ask(const std::string& name, const ConstructDeclaration& construct, const F
   if (alpha.value && alpha.low && alpha.high) {
     answer = phrase("Analysis",
                     "Cronbach’s α = %1, 95 % CI [%2, %3], N = %4 participants, of the scales %5.")
-                 .with(reading_bounded(*alpha.value), reading_bounded(*alpha.low),
-                       reading_bounded(*alpha.high), std::to_string(alpha.n), scales);
+                 .with(display_bounded(*alpha.value), display_bounded(*alpha.low),
+                       display_bounded(*alpha.high), std::to_string(alpha.n), scales);
   } else if (alpha.value) {
     answer = phrase("Analysis", "Cronbach’s α = %1, N = %2 participants, of the scales %3.")
-                 .with(reading_bounded(*alpha.value), std::to_string(alpha.n), scales);
+                 .with(display_bounded(*alpha.value), std::to_string(alpha.n), scales);
   }
   if (alpha.value && *alpha.value < 0.0) {
     answer =

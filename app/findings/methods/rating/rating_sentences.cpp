@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 
 namespace asperity {
 
@@ -28,9 +28,9 @@ std::vector<const Finding*> numbers_ending(const AnalysisOutcome& outcome,
 
 /// "= .71, 95 % CI [.38, .91]", without the interval where there is none.
 std::string estimate_with_interval(const Finding& one) {
-  std::string text = "= " + reading_bounded(*one.value);
+  std::string text = "= " + display_bounded(*one.value);
   if (one.low && one.high) {
-    text += ", 95 % CI [" + reading_bounded(*one.low) + ", " + reading_bounded(*one.high) + ']';
+    text += ", 95 % CI [" + display_bounded(*one.low) + ", " + display_bounded(*one.high) + ']';
   }
   return text;
 }
@@ -84,14 +84,14 @@ std::string components_text(const AnalysisOutcome& outcome) {
   if (first.empty() || retained.empty()) return {};
   const Finding& share = *first.front();
   std::string text =
-      " The first principal component had " + reading_percent(*share.value) + " of the variance";
+      " The first principal component had " + display_percent(*share.value) + " of the variance";
   const std::vector<const Finding*> corrected =
       numbers_ending(outcome, kComponentAnalysis, "proportion.corrected", "C1");
   if (!corrected.empty()) {
     const Finding& jackknifed = *corrected.front();
     text += " of the items’ means (without the participants’ deviations: " +
-            reading_percent(*jackknifed.value) + ", 95 % CI [" + reading_percent(*jackknifed.low) +
-            ", " + reading_percent(*jackknifed.high) + "])";
+            display_percent(*jackknifed.value) + ", 95 % CI [" + display_percent(*jackknifed.low) +
+            ", " + display_percent(*jackknifed.high) + "])";
   }
   const auto count = static_cast<std::uint64_t>(*retained.front()->value);
   return text + "; parallel analysis retained " + count_in_words(count) +

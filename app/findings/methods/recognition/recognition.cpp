@@ -15,7 +15,7 @@
 #include "app/findings/methods/recognition/recognition_confusions.h"
 #include "app/findings/methods/recognition/recognition_similarity.h"
 #include "app/findings/outcome/columns.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/tally.h"
 #include "app/findings/outcome/test_sentences.h"
@@ -135,7 +135,7 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
       phrase("Analysis",
              "For this participant only: %1 of the responses were correct (%2), compared with a "
              "chance level of %3; %4. More participants are needed."));
-  Sayings sayings = sayings_of(
+  TestStatements statements = statements_of(
       *test, {.numbers = with_numbers(phrase(
                   "Analysis",
                   "on average %1 of a participant's responses were correct (%2), compared with a "
@@ -145,8 +145,8 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
                                  : phrase("Analysis", "Yes: %1"),
               .not_significant = phrase("Analysis", "Not significantly above chance: %1"),
               .exploratory = {}});
-  if (mean->n == 1) sayings.claim = sayings.told = of_one;
-  add_question(outcome, "right", question, said_of(*test, sayings), method, kAllShares, mean);
+  if (mean->n == 1) statements.claim = statements.told = of_one;
+  add_question(outcome, "right", question, said_of(*test, statements), method, kAllShares, mean);
 }
 
 void ask_information(const FoundNumbers& found, AnalysisOutcome& outcome) {
@@ -160,8 +160,8 @@ void ask_information(const FoundNumbers& found, AnalysisOutcome& outcome) {
   const Phrase sensitivity =
       dprime != nullptr && dprime->value && dprime->low && dprime->high
           ? phrase("Analysis", "d′ = %1, 95 % CI [%2, %3], n = %4 responses")
-                .with(reading_signed(*dprime->value, 2), reading_signed(*dprime->low, 2),
-                      reading_signed(*dprime->high, 2), std::to_string(dprime->n))
+                .with(display_signed(*dprime->value, 2), display_signed(*dprime->low, 2),
+                      display_signed(*dprime->high, 2), std::to_string(dprime->n))
           : phrase("Analysis", "d′ has no finite value");
   const Phrase answer =
       enough ? phrase("Analysis",

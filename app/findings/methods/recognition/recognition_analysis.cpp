@@ -5,7 +5,7 @@
 #include <array>
 #include <set>
 
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 
 namespace asperity {
 

@@ -13,8 +13,8 @@
 #include "app/findings/methods/selection/target_choices.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/estimate_sentences.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/tally.h"
 #include "app/findings/shared/choice_tables.h"
@@ -440,7 +440,7 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
                                    .items = selection.items,
                                    .tests = {"preference"},
                                    .tests_of_pairs = {"pairs", "target_pairs"},
-                                   .shown = reading_percent});
+                                   .shown = display_percent});
   }
 
   const std::string pairs = tests.is_in_family("target_pairs") ? "target_pairs" : "pairs";

@@ -16,7 +16,7 @@
 #include "app/findings/methods/similarity/similarity_configuration.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/columns.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/test_sentences.h"
 #include "app/findings/shared/group_comparisons.h"
@@ -287,8 +287,8 @@ void add_properties_table(const FoundNumbers& found, AnalysisOutcome& outcome) {
     properties.note = phrase("Analysis",
                              "%1 All properties together, as a configuration of their standardised "
                              "values: Procrustes r² = %2, permutation test (PROTEST) %3.")
-                          .with(properties.note, reading_bounded(*together),
-                                reading_p(found.value("protest.p").value_or(1.0)));
+                          .with(properties.note, display_bounded(*together),
+                                display_p(found.value("protest.p").value_or(1.0)));
   }
   outcome.tables.push_back(std::move(properties));
 }
@@ -320,17 +320,17 @@ void ask_about_configuration(const FoundNumbers& found, const StudyTests& tests,
     const Phrase qualified = qualification_of_stress(found);
     return qualified.empty() ? said : phrase("Analysis", "%1 %2").with(said, qualified);
   };
-  Sayings sayings = sayings_of(
+  TestStatements statements = statements_of(
       *test, {.numbers = with_numbers(phrase(
                   "Analysis",
                   "the configuration in %1 dimensions has a stress-1 of %2, and that of permuted "
                   "ratings is %3 on average. Permutation test: %4."))});
-  sayings.claim = with_numbers(
+  statements.claim = with_numbers(
       phrase("Analysis",
              "Yes: the configuration in %1 dimensions has a stress-1 of %2, lower than that of "
              "permuted ratings (mean %3). Permutation test: %4."));
-  add_question(outcome, kConfiguration, question, said_of(*test, sayings), method, kConfiguration,
-               stress);
+  add_question(outcome, kConfiguration, question, said_of(*test, statements), method,
+               kConfiguration, stress);
 }
 
 /// `parts`: those of the family's findings that are needed.

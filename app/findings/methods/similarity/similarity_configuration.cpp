@@ -9,8 +9,8 @@
 
 #include "analysis/dissimilarity/rated_dissimilarities.h"
 #include "analysis/numbers/number_text.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/estimate_sentences.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/tidy/finding_list.h"
 #include "app/words/text_parts.h"
 
@@ -129,7 +129,7 @@ EstimateSentence configuration_sentence(const AnalysisOutcome& outcome) {
     text +=
         " All measured properties together, as a configuration of their standardised values: "
         "Procrustes r² = " +
-        reading_bounded(*together) + ", permutation test (PROTEST) " + reading_p(*p) +
+        display_bounded(*together) + ", permutation test (PROTEST) " + display_p(*p) +
         ", uncorrected.";
   }
   return {.text = text};

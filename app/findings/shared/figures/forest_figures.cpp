@@ -10,9 +10,9 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/drawn_table.h"
 #include "app/findings/outcome/finding_parts.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/single_participants.h"
 #include "app/findings/outcome/tally.h"
 #include "app/findings/shared/choice_tables.h"
@@ -102,7 +102,7 @@ void add_rows(const std::vector<ForestRow>& rows, const std::vector<ForestKind>&
 
 /// Translates the program's words among the names of a table.
 Phrase word_of_cell(const ResultCell& cell) {
-  if (const auto* number = std::get_if<std::int64_t>(&cell)) return reading_whole(*number);
+  if (const auto* number = std::get_if<std::int64_t>(&cell)) return display_whole(*number);
   const auto* text = std::get_if<std::string>(&cell);
   if (text == nullptr) return "–";
   if (*text == "all") return phrase("Figures", "all");
@@ -481,9 +481,7 @@ std::vector<Figure> seedpaper_forests(const FoundNumbers& found) {
   const Phrase note = phrase("Figures",
                              "Proportions with Wilson 95 % CIs, one choice per participant and "
                              "experiment; choices in all experiments are treated as independent.");
-  figures.push_back({.name = "table_1",
-                     .title = phrase("Figures", "Choices"),
-                     .note = note});
+  figures.push_back({.name = "table_1", .title = phrase("Figures", "Choices"), .note = note});
   std::vector<ForestRow> choices = rows_of(found, "t1.prop");
   std::set<std::string> renderers{};
   for (const Finding* one : found.all("t1.prop")) renderers.insert(parts_of(one->key).back());

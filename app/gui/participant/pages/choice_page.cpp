@@ -168,7 +168,7 @@ double ChoiceLayout::width_of_options_in_words() const {
   double width = 0.0;
   for (const Scene::Choice& choice : scene_.choices) {
     if (choice.picture || choice.text.empty()) continue;
-    const QString text = words_of(choice.saying, choice.text, scene_.language);
+    const QString text = words_of(choice.message, choice.text, scene_.language);
     width = std::max(width, frame_.width_of_answer(text));
   }
   return std::min(body_.width(), width);
@@ -192,7 +192,7 @@ double ChoiceLayout::height_of_options_in_words() const {
   double height = 0.0;
   for (const Scene::Choice& choice : scene_.choices) {
     if (choice.picture || choice.text.empty()) continue;
-    const QString text = words_of(choice.saying, choice.text, scene_.language);
+    const QString text = words_of(choice.message, choice.text, scene_.language);
     height += frame_.height_of_answer(text, width) + frame_.px(frame_.kGap);
   }
   return height;

@@ -170,7 +170,7 @@ void PageFrame::end_controls(double controls_top) {
 
 void PageFrame::cue() {
   if (!shows_cue()) return;
-  const QString text = words_of(scene_.cue_saying, scene_.cue, scene_.language);
+  const QString text = words_of(scene_.cue_message, scene_.cue, scene_.language);
   const double width =
       std::min(cue_strip_.width(), width_of(text, letters(kText), false) + em(2 * kEdge));
   const double height =

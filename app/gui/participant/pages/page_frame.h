@@ -91,7 +91,7 @@ class PageFrame final {
 
   /// In the language of the scene.
   QString said(const Phrase& phrase) const { return words_in_language(scene_.language, phrase); }
-  QString scene_text() const { return words_of(scene_.text_saying, scene_.text, scene_.language); }
+  QString scene_text() const { return words_of(scene_.text_message, scene_.text, scene_.language); }
   /// The names of keys; what is printed on them where there is no room for that.
   QString return_key() const;
   QString space_key() const;

@@ -6,9 +6,11 @@
 
 namespace asperity {
 
-QString words_of(const Saying& saying, const std::string& text, const std::string& language) {
-  return saying.what == Saying::What::nothing ? QString::fromStdString(text)
-                                              : words_in_language(language, phrase_of(saying));
+QString words_of(const ParticipantMessage& message, const std::string& text,
+                 const std::string& language) {
+  return message.what == ParticipantMessage::What::nothing
+             ? QString::fromStdString(text)
+             : words_in_language(language, phrase_of(message));
 }
 
 }  // namespace asperity

@@ -10,7 +10,8 @@
 
 namespace asperity {
 
-/// The sentence of `saying` in this language (a BCP 47 tag); where it has none, `text` as the protocol wrote it.
-QString words_of(const Saying& saying, const std::string& text, const std::string& language);
+/// The sentence of `message` in this language (a BCP 47 tag); where it has none, `text` as the protocol wrote it.
+QString words_of(const ParticipantMessage& message, const std::string& text,
+                 const std::string& language);
 
 }  // namespace asperity

@@ -118,7 +118,7 @@ void add_pictures(PageFrame& frame, const QRectF& room) {
 ParticipantItem option_in_words(const PageFrame& frame, std::size_t index) {
   const Scene::Choice& choice = frame.scene().choices[index];
   return {.kind = ParticipantItem::Kind::option,
-          .text = words_of(choice.saying, choice.text, frame.scene().language),
+          .text = words_of(choice.message, choice.text, frame.scene().language),
           .key = frame.text_from(choice.key),
           .size_px = frame.letters(frame.kText),
           .chosen = choice.chosen,

@@ -11,8 +11,9 @@ std::variant<NextLine, Answer> NumberDialogue::take(const std::string& typed) {
   if (const std::optional<double> number = estimate_in(typed)) return Answer(GivenNumber{*number});
   return NextLine{
       text_of(is_unclear_estimate(typed)
-                  ? Saying{.what = Saying::What::estimate_unclear, .code = trimmed(typed)}
-                  : Saying{.what = Saying::What::estimate_needed})};
+                  ? ParticipantMessage{.what = ParticipantMessage::What::estimate_unclear,
+                                       .code = trimmed(typed)}
+                  : ParticipantMessage{.what = ParticipantMessage::What::estimate_needed})};
 }
 
 }  // namespace asperity

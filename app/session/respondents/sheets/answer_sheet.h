@@ -27,7 +27,7 @@ struct SheetChanged {
   bool needs_new_reading = false;
 };
 struct SheetRefused {
-  Saying saying{};  ///< the reason
+  ParticipantMessage message{};  ///< the reason
 };
 /// The participant requests to feel a surface again: the one that the input names, or the next.
 struct WishToFeelAgain {};

@@ -108,7 +108,8 @@ SheetResult AssignmentSheet::confirm() {
         .cue = Cue::surface, .number = static_cast<int>(current_) + 1, .needs_new_reading = true};
   }
   if (const std::optional<std::size_t> missing = first_without_option()) {
-    return SheetRefused{{.what = Saying::What::assign_first, .code = codes_.at(*missing)}};
+    return SheetRefused{
+        {.what = ParticipantMessage::What::assign_first, .code = codes_.at(*missing)}};
   }
   AssignedOptions assigned{};
   for (const std::optional<std::size_t>& given : given_) assigned.options.push_back(given.value());

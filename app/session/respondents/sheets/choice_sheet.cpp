@@ -60,7 +60,7 @@ SheetResult ChoiceSheet::point() {
 SheetResult ChoiceSheet::confirm() const {
   if (points_at_feeling_again_) return WishToFeelAgain{};
   if (chosen_) return only_answer(ChosenOption{*chosen_});
-  return SheetRefused{{.what = Saying::What::choose_first}};
+  return SheetRefused{{.what = ParticipantMessage::What::choose_first}};
 }
 
 void ChoiceSheet::mark(ParticipantScene& scene) const {

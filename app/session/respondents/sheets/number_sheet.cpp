@@ -18,7 +18,8 @@ SheetResult NumberSheet::take(const ParticipantInput& input) {
         return only_answer(GivenNumber{*number});
       }
       if (is_unclear_estimate(input.text)) {
-        return SheetRefused{{.what = Saying::What::estimate_unclear, .code = trimmed(input.text)}};
+        return SheetRefused{
+            {.what = ParticipantMessage::What::estimate_unclear, .code = trimmed(input.text)}};
       }
       break;
     case ParticipantInput::Kind::confirm:
@@ -33,7 +34,7 @@ SheetResult NumberSheet::take(const ParticipantInput& input) {
     case ParticipantInput::Kind::released:
       return SheetUnchanged{};
   }
-  return SheetRefused{{.what = Saying::What::estimate_needed}};
+  return SheetRefused{{.what = ParticipantMessage::What::estimate_needed}};
 }
 
 }  // namespace asperity

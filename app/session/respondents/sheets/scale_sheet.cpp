@@ -113,7 +113,7 @@ SheetResult ScaleSheet::confirm(const ParticipantInput& input) {
     current_ = *open;
     if (moves_on) return SheetChanged{.cue = Cue::next, .needs_new_reading = true};
     return SheetRefused{
-        {.what = Saying::What::mark_first, .number = static_cast<int>(marks_.size())}};
+        {.what = ParticipantMessage::What::mark_first, .number = static_cast<int>(marks_.size())}};
   }
   GivenAnswers answers{};
   for (const Mark& mark : marks_) {

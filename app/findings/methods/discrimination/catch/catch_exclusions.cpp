@@ -10,8 +10,8 @@
 
 #include "app/findings/methods/discrimination/thresholds/discrimination_results.h"
 #include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/drawn_table.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/result_table.h"
 #include "app/findings/outcome/study_tests.h"
 #include "protocols/file/stored_protocol.h"
@@ -25,7 +25,7 @@ Phrase words_of_rule(const CatchExclusion& rule) {
   return rule.more_errors_than ? phrase("Analysis", "more than %1 errors")
                                      .with(std::to_string(*rule.more_errors_than))
                                : phrase("Analysis", "errors in more than %1 of the catch trials")
-                                     .with(reading_percent(rule.error_rate_above.value_or(0.0)));
+                                     .with(display_percent(rule.error_rate_above.value_or(0.0)));
 }
 
 bool is_main_result(const std::string& name) {

@@ -10,7 +10,7 @@
 
 #include "app/findings/methods/discrimination/thresholds/discrimination_results.h"
 #include "app/findings/methods/discrimination/thresholds/threshold_columns.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "protocols/design/protocol.h"
 
 namespace asperity {
@@ -51,7 +51,7 @@ std::string range_over_participants(const std::map<std::string, CaughtResponses>
     most = std::max(most, of_errors ? 1.0 - correct : correct);
   }
   return least >= most ? std::string()
-                       : " (" + reading_percent(least) + " to " + reading_percent(most) +
+                       : " (" + display_percent(least) + " to " + display_percent(most) +
                              " for single participants)";
 }
 
@@ -63,7 +63,7 @@ std::string catch_sentence_of(CatchType type, const ResultTable& table) {
     sum.all += one.all;
   }
   if (sum.all == 0.0) return {};
-  const auto whole = [](double number) { return reading_count(static_cast<std::size_t>(number)); };
+  const auto whole = [](double number) { return display_count(static_cast<std::size_t>(number)); };
   if (type == CatchType::easy) {
     const std::string where =
         table.has(kCatchTypeColumn) ? " in easy catch trials" : " in catch trials";

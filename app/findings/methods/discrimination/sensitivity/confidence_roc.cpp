@@ -15,8 +15,8 @@
 #include "app/findings/gathering/answer_columns.h"
 #include "app/findings/methods/discrimination/thresholds/threshold_columns.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/found_numbers.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/tidy/finding_list.h"
 
@@ -151,7 +151,7 @@ void add_row(const DiscriminationResults& results, const std::pair<std::size_t, 
 Phrase with_interval(const Phrase& text, const Finding& finding) {
   if (!finding.low || !finding.high) return text;
   return phrase("Analysis", "%1 (95 % CI [%2, %3])")
-      .with(text, reading_number(*finding.low), reading_number(*finding.high));
+      .with(text, display_number(*finding.low), display_number(*finding.high));
 }
 
 /// "55 µm: mean A_z of 8 of 8 participants = 0.81 (95 % CI [0.75, 0.87]); mean area by trapezoids of 8 of 8 participants =
@@ -172,22 +172,22 @@ Phrase roc_text(const DiscriminationResults& results, const RatedLevels& levels,
     if (const Finding* const mean = found.find("uv.az.mean", id); mean != nullptr && mean->value) {
       one = phrase("Analysis", "%1: mean A_z of %2 of %3 participants = %4")
                 .with(one, std::to_string(mean->n), std::to_string(level.size()),
-                      reading_number(*mean->value));
+                      display_number(*mean->value));
       one = with_interval(one, *mean);
     }
     if (const Finding* const mean = found.find("auc.mean", id); mean != nullptr && mean->value) {
       one = phrase("Analysis", "%1; mean area by trapezoids of %2 of %3 participants = %4")
                 .with(one, std::to_string(mean->n), std::to_string(level.size()),
-                      reading_number(*mean->value));
+                      display_number(*mean->value));
       one = with_interval(one, *mean);
     }
     one = phrase("Analysis", "%1; of the pooled responses A_z = %2")
-              .with(one, reading_number(*area->value));
+              .with(one, display_number(*area->value));
     one = phrase("Analysis", "%1, d_a = %2, SD ratio %3")
-              .with(one, reading_number(*effect), reading_number(*ratio));
+              .with(one, display_number(*effect), display_number(*ratio));
     if (statistic && p) {
       one = phrase("Analysis", "%1, test of equal variances χ²(1) = %2, %3")
-                .with(one, reading_number(*statistic), reading_p(*p));
+                .with(one, display_number(*statistic), display_p(*p));
     }
     if (results.conditions.size() > 1) {
       one = phrase("Analysis", "%1, %2")

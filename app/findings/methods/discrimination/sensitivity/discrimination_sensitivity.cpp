@@ -17,8 +17,8 @@
 #include "app/findings/gathering/answer_columns.h"
 #include "app/findings/methods/discrimination/thresholds/threshold_columns.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/found_numbers.h"
-#include "app/findings/outcome/reading_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/tidy/finding_list.h"
 
@@ -258,10 +258,10 @@ Phrase mean_sensitivities(const DiscriminationResults& results, const UnboundedA
     if (mean == nullptr || !mean->value) continue;
     Phrase one = phrase("Analysis", "%1: %2")
                      .with(stated_quantity(place.second, results.study.task.varied.unit),
-                           reading_number(*mean->value));
+                           display_number(*mean->value));
     if (mean->low && mean->high) {
       one = phrase("Analysis", "%1 (95 % CI [%2, %3])")
-                .with(one, reading_number(*mean->low), reading_number(*mean->high));
+                .with(one, display_number(*mean->low), display_number(*mean->high));
     }
     if (of.is_any()) one = with_bound(one, of);
     if (results.conditions.size() > 1) {

@@ -13,8 +13,8 @@
 #include "app/findings/methods/discrimination/sensitivity/confidence_roc.h"
 #include "app/findings/methods/discrimination/thresholds/threshold_columns.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/drawn_table.h"
-#include "app/findings/outcome/reading_number.h"
 
 namespace asperity {
 
@@ -55,7 +55,7 @@ std::vector<FigurePlace> fitted_curve(const FoundNumbers& found, const std::stri
 Phrase fitted_area(const FoundNumbers& found, const std::string& key) {
   const Finding* const area = found.find("uv.az", key);
   if (area == nullptr || !area->value) return {};
-  return reading_number(*area->value);
+  return display_number(*area->value);
 }
 
 /// The curves of one figure, whose table is in the study.

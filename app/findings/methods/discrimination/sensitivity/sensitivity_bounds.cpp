@@ -7,7 +7,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/findings/outcome/cell_words.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/tidy/finding_list.h"
 
 namespace asperity {

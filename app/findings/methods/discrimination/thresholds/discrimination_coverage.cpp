@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 
 namespace asperity {
 
@@ -58,7 +58,7 @@ Phrase words_of_design(const SimulatedCoverage& simulated) {
                 .with(std::to_string(simulated.tracks), std::to_string(simulated.trials));
   return simulated.target > 0.0
              ? phrase("Analysis", "weighted up-down (%1 %), %2")
-                   .with(reading_number(100.0 * simulated.target), trials)
+                   .with(display_number(100.0 * simulated.target), trials)
              : phrase("Analysis", "%1-down/1-up, %2").with(std::to_string(simulated.down), trials);
 }
 
@@ -66,7 +66,7 @@ Phrase note_on_simulated(const std::vector<const SimulatedCoverage*>& rows) {
   Phrase all{};
   for (const SimulatedCoverage* const row : rows) {
     all = joined(all, phrase("Analysis", "%1 % of observers with slope β = %2")
-                          .with(reading_number(row->coverage_percent), reading_number(row->beta)));
+                          .with(display_number(row->coverage_percent), display_number(row->beta)));
   }
   return phrase("Analysis",
                 "In simulations of this procedure (%1), the 95 % CI of the threshold contained the "
@@ -82,7 +82,7 @@ Phrase note_on_others() {
   return phrase("Analysis",
                 "The coverage of the 95 % CIs was not simulated for the procedure of this study; "
                 "it was %1 to %2 % for simulated procedures of 60 and 80 trials.")
-      .with(reading_number(low->coverage_percent), reading_number(high->coverage_percent));
+      .with(display_number(low->coverage_percent), display_number(high->coverage_percent));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include "app/findings/methods/discrimination/thresholds/missing_threshold.h"
 #include "app/findings/outcome/cell_words.h"
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/words/text_parts.h"
 
@@ -165,7 +165,7 @@ std::string bound_sentences(const std::vector<Finding>& findings, QuantityName q
   for (const std::string& condition : conditions) {
     const LeftOutThresholds left_out = left_out_thresholds(findings, quantity, condition);
     if (left_out.missing() == 0 || left_out.missing() == left_out.of) continue;
-    text += " Of the " + reading_count(left_out.of) + ' ' + measure + 's' +
+    text += " Of the " + display_count(left_out.of) + ' ' + measure + 's' +
             (condition == "all" ? "" : " in the condition " + words_of_condition(condition)) +
             ", the mean does not include " + sides_text(left_out).english() + "; " +
             meaning_of(left_out).english() + '.';

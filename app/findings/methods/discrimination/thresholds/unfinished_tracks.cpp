@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <set>
 
+#include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/found_numbers.h"
-#include "app/findings/outcome/reading_number.h"
 
 namespace asperity {
 
@@ -45,7 +45,7 @@ std::string included_text(const UnfinishedTracks& unfinished, const std::string&
   }
   if (unfinished.included < unfinished.estimates) {
     return "the means include " + count_in_words(unfinished.included) + " of " +
-           reading_count(unfinished.estimates) + ' ' + measure +
+           display_count(unfinished.estimates) + ' ' + measure +
            "s of these tracks, for which the presented trials were sufficient";
   }
   return "the " + measure + (unfinished.estimates == 1 ? " was" : "s were") +
@@ -79,7 +79,7 @@ std::string unfinished_sentence(const std::vector<Finding>& findings) {
   const std::string participants = of_jnd.of.size() == 1
                                        ? "the only participant"
                                        : count_in_words(of_jnd.participants.size()) + " of " +
-                                             reading_count(of_jnd.of.size()) + " participants";
+                                             display_count(of_jnd.of.size()) + " participants";
   return " Tracks of " + participants + " were unfinished; " + how + '.';
 }
 

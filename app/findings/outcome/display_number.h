@@ -9,22 +9,22 @@ namespace asperity {
 
 /// Four digits, integers without decimals, very small and very large numbers in powers of ten:
 /// "0.6041", "−12", "2.5e-23".
-std::string reading_number(double value);
+std::string display_number(double value);
 
 /// "p = .011", and "p < .001" below that; without the zero before the point.
-std::string reading_p(double p);
+std::string display_p(double p);
 
 /// The same under a column heading that names p: ".011", "< .001".
-std::string reading_p_cell(double p);
+std::string display_p_cell(double p);
 
 /// "78 %"; one decimal where a whole per cent would be 0 or 100 for a proportion that is neither 0
 /// nor 1, and "< 0.1 %" or "> 99.9 %" where a decimal would be as well: a limit on the logit scale
 /// is never 0 or 1.
-std::string reading_percent(double share);
+std::string display_percent(double share);
 
 /// This many decimals, with a minus that is as wide as a plus; a number that rounds to zero has no
 /// sign.
-std::string reading_signed(double value, int decimals);
+std::string display_signed(double value, int decimals);
 
 /// The decimals of a number whose interval has this width, or of a standard error or other number of this size: as many as show two
 /// significant digits of it, but at least two and at most five. "0.93 [0.87, 0.99]", "1.0012 [0.9993, 1.0031]".
@@ -36,23 +36,23 @@ int decimals_of_height(double size_um, int coarse);
 
 /// This many decimals of a number that cannot exceed 1, such as a correlation: without the zero
 /// before the point, in APA style: ".71", "−.10", "1.00".
-std::string reading_bounded(double value, int decimals = 2);
+std::string display_bounded(double value, int decimals = 2);
 
 /// A difference of proportions in percentage points, one decimal: "−16.7".
-std::string reading_points(double difference);
+std::string display_points(double difference);
 
 /// A stated number with all of its digits and a suitable SI prefix of its unit: "102.5 µm".
 std::string stated_quantity(double value, const std::string& unit);
 
 /// Three digits and the unit with a suitable SI prefix: "31 µs", "50 mm/s", "0.8 N". A value of
 /// unit "1" or without a unit has none.
-std::string reading_quantity(double value, const std::string& unit);
+std::string display_quantity(double value, const std::string& unit);
 
 /// "1 234 567", with narrow no-break spaces.
-std::string reading_count(std::uint64_t count);
+std::string display_count(std::uint64_t count);
 
 /// "−3": a whole number with a minus sign.
-std::string reading_whole(std::int64_t value);
+std::string display_whole(std::int64_t value);
 
 /// The same text with no-break spaces within its numbers, for pages and labels that are broken into
 /// lines: "[0.16, 0.49]", "F(2, 38) = 5.17", "p = .031", "N = 20", "62 %", "4 N".

@@ -1,6 +1,6 @@
 // Formats with std::to_chars, whatever the locale; prefixes leave one to three digits before the point.
 
-#include "app/findings/outcome/reading_number.h"
+#include "app/findings/outcome/display_number.h"
 
 #include <algorithm>
 #include <array>
@@ -46,7 +46,7 @@ Prefix prefix_of(double value, std::string_view unit) {
   return prefixes.back();
 }
 
-std::string reading_digits(double value) {
+std::string display_digits(double value) {
   if (value == std::round(value) && std::abs(value) < 1e9) return fixed(value, 0);
   const bool in_powers = std::abs(value) < 1e-4 || std::abs(value) >= 1e9;
   return in_powers ? with_digits(value, std::chars_format::scientific, 1)
@@ -108,9 +108,9 @@ std::size_t end_of_numbers(std::string_view text, std::size_t open) {
 
 }  // namespace
 
-std::string reading_number(double value) { return with_minus(reading_digits(value)); }
+std::string display_number(double value) { return with_minus(display_digits(value)); }
 
-std::string reading_whole(std::int64_t value) { return with_minus(std::to_string(value)); }
+std::string display_whole(std::int64_t value) { return with_minus(std::to_string(value)); }
 
 std::string with_numbers_unbroken(const std::string& text) {
   std::vector<bool> is_inside(text.size(), false);
@@ -147,19 +147,19 @@ std::string with_numbers_unbroken(const std::string& text) {
   return unbroken;
 }
 
-std::string reading_p_cell(double p) {
+std::string display_p_cell(double p) {
   if (p < 0.001) return "< .001";
   const std::string digits = fixed(p, 3);
   if (digits == "1.000") return "> .999";
   return digits.starts_with("0.") ? digits.substr(1) : digits;
 }
 
-std::string reading_p(double p) {
-  const std::string cell = reading_p_cell(p);
+std::string display_p(double p) {
+  const std::string cell = display_p_cell(p);
   return (cell.starts_with('.') ? "p = " : "p ") + cell;
 }
 
-std::string reading_percent(double share) {
+std::string display_percent(double share) {
   // From two decimals of the proportion, so that tables, which print these, agree.
   std::string digits = fixed(share, 2);
   digits.erase(digits.find('.'), 1);
@@ -173,7 +173,7 @@ std::string reading_percent(double share) {
   return decimal == "100.0" ? "> 99.9 %" : decimal + " %";
 }
 
-std::string reading_signed(double value, int decimals) {
+std::string display_signed(double value, int decimals) {
   const std::string text = fixed(std::abs(value), decimals);
   const bool is_nothing = text.find_first_of("123456789") == std::string::npos;
   return (value < 0.0 && !is_nothing ? "−" : "") + text;
@@ -194,8 +194,8 @@ int decimals_of_height(double size_um, int coarse) {
   return std::min(2 - static_cast<int>(std::floor(std::log10(size_um))), kMost);
 }
 
-std::string reading_bounded(double value, int decimals) {
-  std::string text = reading_signed(value, decimals);
+std::string display_bounded(double value, int decimals) {
+  std::string text = display_signed(value, decimals);
   const std::size_t digits = text.find_first_of("0123456789");
   if (text.compare(digits, 2, "0.") == 0) text.erase(digits, 1);
   return text;
@@ -209,9 +209,9 @@ std::string stated_quantity(double value, const std::string& unit) {
   return with_minus(digits) + (whole_unit.empty() ? "" : ' ' + whole_unit);
 }
 
-std::string reading_points(double difference) { return reading_signed(100.0 * difference, 1); }
+std::string display_points(double difference) { return display_signed(100.0 * difference, 1); }
 
-std::string reading_quantity(double value, const std::string& unit) {
+std::string display_quantity(double value, const std::string& unit) {
   const Prefix prefix = prefix_of(value, unit);
   const double shown = value / prefix.factor;
   const std::string number =
@@ -222,7 +222,7 @@ std::string reading_quantity(double value, const std::string& unit) {
   return number + ' ' + prefix.text + unit;
 }
 
-std::string reading_count(std::uint64_t count) {
+std::string display_count(std::uint64_t count) {
   const std::string digits = std::to_string(count);
   if (digits.size() < 5) return digits;
   std::string text{};
@@ -236,7 +236,7 @@ std::string reading_count(std::uint64_t count) {
 std::string count_in_words(std::uint64_t count) {
   constexpr std::array<const char*, 10> kWords{"no",   "one", "two",   "three", "four",
                                                "five", "six", "seven", "eight", "nine"};
-  return count < kWords.size() ? kWords[count] : reading_count(count);
+  return count < kWords.size() ? kWords[count] : display_count(count);
 }
 
 }  // namespace asperity

@@ -15,7 +15,7 @@
 namespace asperity {
 
 /// The settings of a session, apart from its rig.
-struct Sitting {
+struct SessionRun {
   ParticipantRow participant{};
   std::optional<SessionRow> unfinished{};  ///< the session to resume; otherwise a new one is begun
   std::optional<LateResume> late{};        ///< it is older than the protocol's maximum
@@ -38,9 +38,10 @@ struct Sitting {
 /// observer does. The caller holds the participant's lock. `stop` requests the end after the
 /// current trial. Errors: PhrasedError, before anything is stored, for a device that the protocol does not accept and for
 /// an external program that is missing or cannot be used, unless every level of a resumed session is stored.
-SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
-               const ProgramIdentity& program, const Sitting& sitting, Rig& rig, Respondent* person,
-               const std::stop_token& stop, const std::function<void(const AttemptDone&)>& done,
-               const SessionLinks& links = {});
+SessionEnd run_on_rig(Study& study, const Protocol& protocol, StimulusBuilder& builder,
+                      const ProgramIdentity& program, const SessionRun& session_run, Rig& rig,
+                      Respondent* person, const std::stop_token& stop,
+                      const std::function<void(const AttemptDone&)>& done,
+                      const SessionLinks& links = {});
 
 }  // namespace asperity

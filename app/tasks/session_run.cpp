@@ -1,6 +1,6 @@
 // Begins or reopens the session, stores its conditions and device, and passes it to a conductor.
 
-#include "app/tasks/sitting.h"
+#include "app/tasks/session_run.h"
 
 #include <algorithm>
 #include <memory>
@@ -104,20 +104,21 @@ void store_changed_device(const Rig& rig, Study& study, const SessionRow& sessio
                                .data_json = device_json(device, rig.limits())});
 }
 
-void store_late_resume(const Sitting& sitting, Study& study, std::int64_t now_ns) {
-  if (!sitting.late) return;
-  const nlohmann::ordered_json data{{"age_hours", sitting.late->age_hours},
-                                    {"maximum_age_hours", sitting.late->maximum_age_hours}};
-  study.add_event(sitting.unfinished->id,
-                  event_row(now_ns, kResumedLate, sitting.late_reason, data.dump()));
+void store_late_resume(const SessionRun& session_run, Study& study, std::int64_t now_ns) {
+  if (!session_run.late) return;
+  const nlohmann::ordered_json data{{"age_hours", session_run.late->age_hours},
+                                    {"maximum_age_hours", session_run.late->maximum_age_hours}};
+  study.add_event(session_run.unfinished->id,
+                  event_row(now_ns, kResumedLate, session_run.late_reason, data.dump()));
 }
 
 }  // namespace
 
-SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
-               const ProgramIdentity& program, const Sitting& sitting, Rig& rig, Respondent* person,
-               const std::stop_token& stop, const std::function<void(const AttemptDone&)>& done,
-               const SessionLinks& links) {
+SessionEnd run_on_rig(Study& study, const Protocol& protocol, StimulusBuilder& builder,
+                      const ProgramIdentity& program, const SessionRun& session_run, Rig& rig,
+                      Respondent* person, const std::stop_token& stop,
+                      const std::function<void(const AttemptDone&)>& done,
+                      const SessionLinks& links) {
   const std::vector<Phrase> complaints = complaints_about_device(protocol, rig.capability());
   if (!complaints.empty()) {
     throw PhrasedError(
@@ -125,21 +126,21 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
             .with(complaints.front()));
   }
   OpenSession session{};
-  if (sitting.unfinished) {
-    session = reopen(study, protocol, *sitting.unfinished);
+  if (session_run.unfinished) {
+    session = reopen(study, protocol, *session_run.unfinished);
     // Once every level is stored, none is needed.
-    if (!session.course->is_complete()) require_program(protocol, sitting.level_program);
+    if (!session.course->is_complete()) require_program(protocol, session_run.level_program);
     store_changed_device(rig, study, session.row);
-    store_late_resume(sitting, study, rig.clock().now_ns());
+    store_late_resume(session_run, study, rig.clock().now_ns());
   } else {
-    require_program(protocol, sitting.level_program);
+    require_program(protocol, session_run.level_program);
     SessionConditions conditions{};
-    conditions.mode = sitting.mode;
-    conditions.seed = sitting.seed;
-    conditions.counterbalance_row = sitting.counterbalance_row;
-    conditions.group = sitting.group;
-    conditions.consent_utc = sitting.consent_utc;
-    conditions.mirrored = sitting.mirrored;
+    conditions.mode = session_run.mode;
+    conditions.seed = session_run.seed;
+    conditions.counterbalance_row = session_run.counterbalance_row;
+    conditions.group = session_run.group;
+    conditions.consent_utc = session_run.consent_utc;
+    conditions.mirrored = session_run.mirrored;
     conditions.pacing = rig.pacing();
     conditions.scheduling = rig.scheduling();
     conditions.device = rig.capability();
@@ -147,21 +148,21 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
     conditions.started_utc = rig.clock().utc();
     conditions.clock_zero_ns = rig.clock().now_ns();
     if (person == nullptr) conditions.observer_json = observer_json(protocol);
-    session = begin_session(study, protocol, sitting.participant.label, conditions, program);
+    session = begin_session(study, protocol, session_run.participant.label, conditions, program);
   }
-  store(sitting.device, study, session.row.id, rig.clock().now_ns());
+  store(session_run.device, study, session.row.id, rig.clock().now_ns());
   store_plugins(builder.models(), study, session.row.id, rig.clock().now_ns());
   std::unique_ptr<VirtualParticipant> stand_in{};
   if (person == nullptr) {
     const Random random = Random(std::stoull(session.row.seed)).split("participant");
     stand_in = std::make_unique<VirtualParticipant>(
-        protocol, expectations_of(protocol, builder, random), sitting.participant, random);
+        protocol, expectations_of(protocol, builder, random), session_run.participant, random);
     person = stand_in.get();
   }
   Conductor conductor(study, protocol, builder, rig, *person,
-                      {.record = sitting.record,
+                      {.record = session_run.record,
                        .makes_ahead = rig.pacing() == "real_time",
-                       .level_program = sitting.level_program,
+                       .level_program = session_run.level_program,
                        .conditions_json = conditions_json(program, rig, builder.models()),
                        .done = done,
                        .links = links});
