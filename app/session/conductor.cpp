@@ -16,6 +16,8 @@
 #include "app/session/trial_outcome.h"
 #include "app/words/coded_phrases.h"
 #include "app/words/reason.h"
+#include "protocols/plan/course.h"
+#include "protocols/texts/protocol_texts.h"
 
 namespace asperity {
 
@@ -113,6 +115,7 @@ void Conductor::begin() {
     course_.event("masking_noise", "", kNoNoise);
   }
   note_guidance();
+  note_texts();
   note_earlier_matches();
   course_.enter(SessionPhase::ready);
   supply_levels();
@@ -146,6 +149,20 @@ void Conductor::note_guidance() {
         return guidance == Guidance::experimenter || (guidance == Guidance::tones ? hears : sees);
       });
   course_.event("guidance", is_told ? "given" : "not_given");
+}
+
+void Conductor::note_texts() {
+  values_.clear();
+  if (!has_placeholders(protocol_)) return;
+  values_ = values_of_session(protocol_, example_plan(protocol_, allocation_of(session_.row)));
+  for (const TextAsRead& each : texts_as_read(protocol_, values_)) {
+    course_.event("text_as_read", each.text,
+                  nlohmann::ordered_json{{"place", each.pointer}}.dump());
+  }
+}
+
+std::string Conductor::as_read(const std::string& text) const {
+  return with_values(text, values_, protocol_.language);
 }
 
 SessionEnd Conductor::finish(std::int64_t began_ns) {
@@ -299,7 +316,8 @@ void Conductor::run_outside_trials(const std::function<void()>& step) {
   }
 }
 
-void Conductor::try_other(const PlanStep& step) {
+void Conductor::try_other(const PlanStep& planned) {
+  const PlanStep step = asperity::as_read(planned, values_, protocol_.language);
   if (const auto* screen = std::get_if<Protocol::Screen>(&step)) {
     if (!holds(screen->condition)) return;
     let_read(scene_to_read(screen->text));

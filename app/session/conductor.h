@@ -22,6 +22,7 @@
 #include "app/session/trial_tally.h"
 #include "app/session/upcoming_surfaces.h"
 #include "protocols/design/protocol.h"
+#include "protocols/texts/design_numbers.h"
 #include "results_schema/study.h"
 
 namespace asperity {
@@ -102,6 +103,9 @@ class Conductor final {
   void begin();
   SessionFacts facts_of_session() const;
   void note_guidance();
+  /// Computes the values of placeholders, and stores every text that has one as it is read.
+  void note_texts();
+  std::string as_read(const std::string& text) const;
   SessionEnd finish(std::int64_t began_ns);
   void end_after(const std::exception& error) noexcept;
   void stop(const Phrase& reason);
@@ -112,7 +116,7 @@ class Conductor final {
   void resume_repeats(std::size_t first);
   void run_outside_trials(const std::function<void()>& step);
   void run_other(const PlanStep& step);
-  void try_other(const PlanStep& step);
+  void try_other(const PlanStep& planned);
   void let_read(const ParticipantScene& scene);
   void rest(const Protocol::Break& pause);
   void rest_after_contact(const Trial& next);
@@ -196,6 +200,8 @@ class Conductor final {
   /// Block, stimulus, model and texture of the matches that are stored: each has its own event.
   std::set<std::array<std::string, 4>> noted_matches_{};
   double contact_since_break_s_ = 0.0;  ///< or since the session was begun or resumed
+
+  DesignValues values_{};  ///< of placeholders, where a text has one
 
   Wait outside_{};    ///< waits while there is no current trial
   Wait unheeding_{};  ///< waits regardless of requests and faults

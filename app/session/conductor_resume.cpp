@@ -23,7 +23,7 @@ void Conductor::lead_back(std::size_t first) {
   }
   if (!is_person) texts.clear();
   for (const std::string& text : texts) {
-    run_outside_trials([&] { let_read(scene_to_read(text)); });
+    run_outside_trials([&] { let_read(scene_to_read(as_read(text))); });
   }
   // The device may be a different one now, or the same one after a fault.
   for (std::size_t i = 0; i < first; ++i) {

@@ -31,12 +31,6 @@ ProtocolRow protocol_row(const Protocol& protocol) {
   return row;
 }
 
-Allocation allocation_of(const SessionRow& row) {
-  return {.seed = std::stoull(row.seed),
-          .counterbalance_row = row.counterbalance_row,
-          .group = row.group_level.value_or("")};
-}
-
 std::vector<PlannedTrialRow> planned_rows(const Plan& plan) {
   std::vector<PlannedTrialRow> rows{};
   rows.reserve(plan.trials.size());
@@ -80,6 +74,12 @@ bool is_stored_plan(const std::vector<PlannedTrialRow>& stored, const Course& co
 }
 
 }  // namespace
+
+Allocation allocation_of(const SessionRow& row) {
+  return {.seed = std::stoull(row.seed),
+          .counterbalance_row = row.counterbalance_row,
+          .group = row.group_level.value_or("")};
+}
 
 Random random_of_attempt(const SessionRow& session, int trial, int attempt) {
   return Random(std::stoull(session.seed))

@@ -51,6 +51,9 @@ struct OpenSession {
 std::string device_text(const DeviceCapability& device);
 std::string device_json(const DeviceCapability& device, const ForceLimits& limits);
 
+/// What determines the plan of a session.
+Allocation allocation_of(const SessionRow& row);
+
 /// The row of one planned trial.
 PlannedTrialRow planned_row(const Trial& trial);
 

@@ -31,16 +31,17 @@
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
 #include "protocols/design/wording.h"
-#include "protocols/file/analysis_warnings.h"
-#include "protocols/file/design_warnings.h"
 #include "protocols/file/json_document.h"
-#include "protocols/file/plan_warnings.h"
 #include "protocols/file/protocol_problems.h"
 #include "protocols/file/stored_protocol.h"
-#include "protocols/file/warnings.h"
 #include "protocols/plan/block_design.h"
 #include "protocols/plan/course.h"
 #include "protocols/plan/plan.h"
+#include "protocols/warnings/analysis_warnings.h"
+#include "protocols/warnings/design_warnings.h"
+#include "protocols/warnings/plan_warnings.h"
+#include "protocols/warnings/text_warnings.h"
+#include "protocols/warnings/warnings.h"
 #include "renderers/pd_gradient/geometry/finest_wave.h"
 #include "renderers/servo/contact.h"
 #include "results_schema/error_text.h"
@@ -434,21 +435,41 @@ RehearsedStimuli rehearse_with_warnings(const CheckedProtocol& checked, Stimulus
 
 namespace {
 
-/// A warning for every translation of the protocol that cannot be used.
-std::vector<Diagnostic> warnings_about_translations(const std::filesystem::path& file) {
+/// "no session can run in the language "de": WHAT a problem at line 3: …"
+Diagnostic unusable_language(const std::string& file, const ProtocolInLanguage& translation,
+                             const std::string& what, const std::vector<Diagnostic>& problems) {
+  const Diagnostic& first = problems.front();
+  return {
+      file, 1, 1, "",
+      "no session can run in the language " + in_quotes(translation.language) + ": " + what +
+          (problems.size() == 1 ? " a problem"
+                                : ' ' + std::to_string(problems.size()) + " problems, the first") +
+          " at line " + std::to_string(first.line) + ": " + first.message};
+}
+
+/// A warning for every translation of the protocol that cannot be used, and for translated texts that contradict the design.
+std::vector<Diagnostic> warnings_about_translations(const std::string& file,
+                                                    const ModelRegistry& models) {
   std::vector<Diagnostic> warnings{};
   for (const ProtocolInLanguage& each : languages_of_protocol(file)) {
+    if (each.file == file) continue;
+    const std::string name = each.file.filename().string();
     try {
-      protocol_source(each.file);
+      const std::string text = protocol_source(each.file).text;
+      const ProtocolReading reading =
+          read_protocol_with_problems(text, file, declarations_of(models));
+      if (!reading.problems.empty()) {
+        warnings.push_back(
+            unusable_language(file, each, "with " + name + " the protocol has", reading.problems));
+        continue;
+      }
+      const Plan example = example_plan(*reading.protocol, {1, 0});
+      for (Diagnostic& warning : warnings_about_texts(*reading.protocol, file, example)) {
+        warning.message = name + ": " + warning.message;
+        warnings.push_back(std::move(warning));
+      }
     } catch (const ProtocolError& error) {
-      const std::size_t count = error.diagnostics().size();
-      const Diagnostic& first = error.diagnostics().front();
-      warnings.push_back(
-          {file.string(), 1, 1, "",
-           "no session can run in the language " + in_quotes(each.language) + ": " +
-               each.file.filename().string() + " has " +
-               (count == 1 ? "a problem" : std::to_string(count) + " problems, the first") +
-               " at line " + std::to_string(first.line) + ": " + first.message});
+      warnings.push_back(unusable_language(file, each, name + " has", error.diagnostics()));
     }
   }
   return warnings;
@@ -479,7 +500,10 @@ ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegis
     const ProtocolSource source = protocol_source(found);
     check = check_protocol_text(source.text, source.file.string(), models, study, device);
     append(check.warnings, source.warnings);
-    if (found == source.file) append(check.warnings, warnings_about_translations(found));
+    // Problems of the protocol itself would be those of every translation.
+    if (found == source.file && check.is_valid()) {
+      append(check.warnings, warnings_about_translations(found, models));
+    }
   } catch (const ProtocolError& error) {
     check.diagnostics = error.diagnostics();
   } catch (const std::exception& error) {
@@ -536,6 +560,7 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
   const Plan example = example_plan(*check.protocol, {1, 0});
   check.cost = cost_of(*check.protocol, example);
   append(check.warnings, warnings_about_plan(*check.protocol, check.file, example));
+  append(check.warnings, warnings_about_texts(*check.protocol, check.file, example));
   append(check.warnings, warnings_about_analysis(*check.protocol, check.file));
   append(check.warnings, warnings_about_design(*check.protocol, check.file));
   for (const auto& [name, block] : check.protocol->blocks) {

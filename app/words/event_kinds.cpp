@@ -47,6 +47,12 @@ const std::vector<EventKind>& event_kinds() {
                   "`session.device_json`",
        .hed = "Experiment-control, Device",
        .text_is_public = true},
+      {.name = "text_as_read",
+       .meaning = "a text with placeholders, as this segment of the session shows it, in the "
+                  "language of the session. Data: `place`, its JSON pointer in the protocol",
+       .hed = "Experiment-structure",
+       .text_is_public = true,
+       .public_data = {"place"}},
       {.name = "device_profile",
        .meaning = "the measured profile with which the device of this segment was compared. Text: "
                   "the device, its model and the time of measurement. Data: the profile",

@@ -13,6 +13,7 @@
 #include "protocols/keys/reading.h"
 #include "protocols/keys/tables.h"
 #include "protocols/kinds/experiment_kind.h"
+#include "protocols/texts/protocol_texts.h"
 
 namespace asperity {
 
@@ -52,8 +53,9 @@ void complete_block(Block& block, const nlohmann::json& stated, const Protocol& 
   }
 }
 
-Protocol protocol_from_json(const nlohmann::json& root,
-                            const std::vector<ModelDeclaration>& models) {
+namespace {
+
+Protocol as_written(const nlohmann::json& root, const std::vector<ModelDeclaration>& models) {
   Protocol protocol{};
   read_keys(kProtocolTable, root, "", protocol);
   complete_estimation(protocol);
@@ -67,6 +69,16 @@ Protocol protocol_from_json(const nlohmann::json& root,
     declare_derived(block, protocol, factors_of_file);
   }
   return protocol;
+}
+
+}  // namespace
+
+Protocol protocol_from_json(const nlohmann::json& root,
+                            const std::vector<ModelDeclaration>& models) {
+  Protocol protocol = as_written(root, models);
+  // Texts change nothing of the design, from which their values come.
+  const auto with_values = with_design_values(root, protocol);
+  return with_values ? as_written(*with_values, models) : protocol;
 }
 
 }  // namespace asperity

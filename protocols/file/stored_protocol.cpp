@@ -16,9 +16,10 @@
 #include "protocols/design/json_pointer.h"
 #include "protocols/file/declared_estimation.h"
 #include "protocols/file/protocol_from_json.h"
-#include "protocols/file/translatable_texts.h"
 #include "protocols/keys/reading.h"
 #include "protocols/keys/tables.h"
+#include "protocols/texts/protocol_texts.h"
+#include "protocols/texts/translatable_texts.h"
 
 namespace asperity {
 
@@ -216,8 +217,9 @@ std::string language_of(const std::string& source) {
   return stated.empty() ? "en" : stated;
 }
 
-StoredProtocol stored_protocol(const std::string& source) {
-  const Json root = Json::parse(source, nullptr, false);
+namespace {
+
+StoredProtocol as_written(const Json& root) {
   StoredProtocol read{.compared_parameter = parameter_compared_in(root)};
   Protocol& protocol = read.protocol;
   read.unread = read_keys(kProtocolTable, root, "", protocol);
@@ -242,6 +244,15 @@ StoredProtocol stored_protocol(const std::string& source) {
     read.surface_factors[name] = surface_factors_in(root, stated);
   }
   return read;
+}
+
+}  // namespace
+
+StoredProtocol stored_protocol(const std::string& source) {
+  const Json root = Json::parse(source, nullptr, false);
+  StoredProtocol read = as_written(root);
+  const auto with_values = with_design_values(root, read.protocol);
+  return with_values ? as_written(*with_values) : read;
 }
 
 std::size_t count_protocols(const std::vector<std::string>& sources) {

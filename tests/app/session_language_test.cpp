@@ -21,6 +21,7 @@
 #include "tests/app/scripted_session.h"
 #include "tests/support/marked_translation.h"
 #include "tests/support/refusal.h"
+#include "tests/support/replaced.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -187,6 +188,26 @@ TEST_F(SessionLanguage, CannotBeThatOfATranslationWithAProblem) {
     EXPECT_GT(problem.line, 1);
   }
   EXPECT_EQ(check_protocol("small", models_, study_folder_, {}).file, file_.string());
+}
+
+TEST_F(SessionLanguage, IsExaminedWithTheTranslatedTexts) {
+  const std::string whole = read_file(german_);
+  const auto warnings_with = [&](const std::string& text) {
+    write_file(german_, replaced(whole, "DE Welcome.", text), Overwrite::allow);
+    const ProtocolCheck check = check_protocol(file_, models_, study_folder_, {});
+    EXPECT_TRUE(check.is_valid());
+    std::vector<std::string> messages{};
+    for (const Diagnostic& warning : check.warnings) messages.push_back(warning.message);
+    return messages;
+  };
+  EXPECT_THAT(warnings_with("Willkommen."), IsEmpty());
+  EXPECT_THAT(
+      warnings_with("{trails} Durchgänge"),
+      ElementsAre(testing::AllOf(HasSubstr("no session can run in the language \"de\": with "
+                                           "small.de.json the protocol has a problem"),
+                                 HasSubstr("did you mean \"trials\"?"))));
+  EXPECT_THAT(warnings_with("Sie fühlen fünf Oberflächen."),
+              ElementsAre(HasSubstr("small.de.json: the text states \"fünf Oberflächen\"")));
 }
 
 TEST_F(SessionLanguage, NeedsTheProtocolInAnotherLanguage) {

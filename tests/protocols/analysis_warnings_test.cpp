@@ -1,6 +1,6 @@
 // Warnings about analyses that the trials of a valid protocol cannot support.
 
-#include "protocols/file/analysis_warnings.h"
+#include "protocols/warnings/analysis_warnings.h"
 
 #include <string>
 #include <vector>

@@ -14,9 +14,9 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/psychometric/psychometric_function.h"
-#include "protocols/file/plan_warnings.h"
-#include "protocols/file/warnings.h"
 #include "protocols/plan/block_design.h"
+#include "protocols/warnings/plan_warnings.h"
+#include "protocols/warnings/warnings.h"
 #include "tests/protocols/protocol_files.h"
 
 namespace asperity {

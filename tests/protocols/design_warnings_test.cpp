@@ -1,6 +1,6 @@
 // Warnings about valid designs whose trials cannot show what they seem to.
 
-#include "protocols/file/design_warnings.h"
+#include "protocols/warnings/design_warnings.h"
 
 #include <stdexcept>
 #include <string>

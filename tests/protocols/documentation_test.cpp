@@ -12,6 +12,7 @@
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/plan/plan.h"
+#include "protocols/texts/design_numbers.h"
 #include "renderers/built_in_models.h"
 #include "tests/protocols/example.h"
 
@@ -147,6 +148,16 @@ TEST(FormatReference, NamesEveryKeyOfTheSchemaAsTheSchemaDoes) {
   };
   drop_bands(drop_bands, schema);
   expect_keys(schema, contents("docs/formats/protocol.md"));
+}
+
+TEST(FormatPage, ListsTheNumbersOfTheDesign) {
+  const std::string page = contents("docs/formats/protocol.md");
+  for (const DesignNumber& number : kDesignNumbers) {
+    const std::string row = "| `{" + std::string(number.name) + "}` | " +
+                            (number.scope == NumberScope::block ? "block" : "session") + " | " +
+                            std::string(number.meaning) + " |";
+    EXPECT_NE(page.find(row), std::string::npos) << row;
+  }
 }
 
 }  // namespace

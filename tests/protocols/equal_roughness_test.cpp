@@ -14,11 +14,11 @@
 
 #include "analysis/numbers/random.h"
 #include "analysis/numbers/tail_probabilities.h"
-#include "protocols/file/plan_warnings.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/course.h"
 #include "protocols/plan/roughness_matching.h"
+#include "protocols/warnings/plan_warnings.h"
 #include "tests/protocols/protocol_files.h"
 
 namespace asperity {

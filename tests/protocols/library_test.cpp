@@ -10,9 +10,9 @@
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/file/stored_protocol.h"
-#include "protocols/file/warnings.h"
 #include "protocols/observer/virtual_observer.h"
 #include "protocols/plan/course.h"
+#include "protocols/warnings/warnings.h"
 #include "tests/protocols/protocol_files.h"
 
 namespace asperity {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/file/protocol_reader.h"
-#include "protocols/file/warnings.h"
+#include "protocols/warnings/warnings.h"
 #include "tests/protocols/both_checks.h"
 #include "tests/protocols/example.h"
 #include "tests/protocols/protocol_files.h"

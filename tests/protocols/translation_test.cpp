@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/file/stored_protocol.h"
-#include "protocols/file/translatable_texts.h"
+#include "protocols/texts/translatable_texts.h"
 
 namespace asperity {
 namespace {

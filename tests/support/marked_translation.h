@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "protocols/file/translatable_texts.h"
+#include "protocols/texts/translatable_texts.h"
 
 namespace asperity {
 

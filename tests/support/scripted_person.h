@@ -32,7 +32,7 @@ struct PersonPace {
 };
 
 /// Reads everything and answers with the first option, unless a test sets another reply; keeps what it was asked.
-class ScriptedPerson final : public Respondent {
+class ScriptedPerson : public Respondent {
  public:
   explicit ScriptedPerson(const PersonPace& pace = {}) : pace_(pace) {}
 

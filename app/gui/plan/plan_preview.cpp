@@ -19,6 +19,7 @@
 #include "app/gui/look/words.h"
 #include "protocols/plan/course.h"
 #include "protocols/plan/groups.h"
+#include "protocols/texts/protocol_texts.h"
 #include "results_schema/tables/table.h"
 
 namespace asperity {
@@ -318,8 +319,13 @@ void PlanPreview::make_plan_anew() {
   if (protocol_ == nullptr) return;
   work_.ask(
       [this, protocol = protocol_, allocation = allocation()]() -> NewestWork::Delivery {
-        auto plan = std::make_shared<const Plan>(example_plan(*protocol, allocation));
-        return [this, protocol, plan, cost = cost_of(*protocol, *plan)] {
+        auto plan = std::make_shared<Plan>(example_plan(*protocol, allocation));
+        const PlanCost cost = cost_of(*protocol, *plan);
+        const DesignValues values = values_of_session(*protocol, *plan);
+        for (PlanStep& step : plan->steps) {
+          step = as_read(std::move(step), values, protocol->language);
+        }
+        return [this, protocol, plan, cost] {
           if (protocol != protocol_) return;
           plan_ = plan;
           words_->setText(cost_in_words(cost, *plan));

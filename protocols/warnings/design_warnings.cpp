@@ -1,6 +1,6 @@
 // Checks each block for unused factors, priors, parts and unbalanced positions.
 
-#include "protocols/file/design_warnings.h"
+#include "protocols/warnings/design_warnings.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // Checks tests, guesses, confidence, exclusion and items of each block against its trials.
 
-#include "protocols/file/analysis_warnings.h"
+#include "protocols/warnings/analysis_warnings.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Implements the search for the texts of a protocol that a translation replaces.
 
-#include "protocols/file/translatable_texts.h"
+#include "protocols/texts/translatable_texts.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,6 @@
 // Compares the rules for breaks with the longest runs of a plan, and the length of matchings.
 
-#include "protocols/file/plan_warnings.h"
+#include "protocols/warnings/plan_warnings.h"
 
 #include <algorithm>
 #include <cstddef>

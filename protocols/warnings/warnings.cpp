@@ -1,6 +1,6 @@
 // Implements the warnings about valid protocols.
 
-#include "protocols/file/warnings.h"
+#include "protocols/warnings/warnings.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,0 +1,92 @@
+// Implements the checks of the placeholders in texts that participants read.
+
+#include <algorithm>
+
+#include "protocols/file/meaning_checks.h"
+#include "protocols/plan/course.h"
+#include "protocols/texts/protocol_texts.h"
+
+namespace asperity {
+
+namespace {
+
+std::vector<std::string> number_names() {
+  std::vector<std::string> names{};
+  for (const DesignNumber& number : kDesignNumbers) names.emplace_back(number.name);
+  return names;
+}
+
+std::string in_braces(const std::string& name) { return '{' + name + '}'; }
+
+/// Why a placeholder cannot be used as it is written; empty if it can.
+std::string problem_of_form(const Placeholder& placeholder) {
+  if (!placeholder.is_closed) {
+    return "the brace before " + in_quotes(placeholder.name) +
+           " begins a number of the design, such as {surfaces}; add the closing brace, or write {{ "
+           "for a brace in the text";
+  }
+  const DesignNumber* const number = find_design_number(placeholder.name);
+  if (number == nullptr) {
+    return "there is no number of the design " + in_quotes(placeholder.name) +
+           did_you_mean(placeholder.name, number_names()) + "; use " + one_of(number_names()) +
+           ", or write {{ for a brace in the text";
+  }
+  if (!placeholder.forms.empty() && placeholder.forms.size() != 2) {
+    return in_braces(placeholder.name) + " takes two forms, for one and for several: {" +
+           placeholder.name + "|form|forms}";
+  }
+  if (!placeholder.forms.empty() && placeholder.name == "surface_names") {
+    return "{surface_names} has no forms; write {surface_names}, or {surfaces|form|forms}";
+  }
+  return {};
+}
+
+}  // namespace
+
+void Meaning::check_texts() {
+  for (const TextPlace& place : participant_texts(document_.root(), protocol_)) {
+    for (const Placeholder& placeholder : placeholders_in(place.text)) {
+      const std::string& name = placeholder.name;
+      const std::string problem = problem_of_form(placeholder);
+      if (!problem.empty()) {
+        report(place.pointer, problem);
+        continue;
+      }
+      if (find_design_number(name)->scope == NumberScope::session) {
+        if (place.is_of_session) continue;
+        report(place.pointer, in_braces(name) +
+                                  " is known when a session begins: use it in a screen or break of "
+                                  "\"flow\", in \"resume\", or in \"instructions\"");
+        continue;
+      }
+      if (values_of_design(protocol_, place).contains(name)) continue;
+      report(place.pointer, place.block != nullptr
+                                ? "a trial of this block has no " + name + "; remove " +
+                                      in_braces(name) + ", or state another number"
+                                : "the main blocks have no " + name +
+                                      ", or differ in them; write the number, or use " +
+                                      in_braces(name) + " in a text of the block");
+    }
+  }
+}
+
+void Meaning::check_texts_of_session() {
+  DesignValues values{};
+  for (const TextPlace& place : participant_texts(document_.root(), protocol_)) {
+    for (const Placeholder& placeholder : placeholders_in(place.text)) {
+      if (find_design_number(placeholder.name)->scope != NumberScope::session) continue;
+      if (values.empty()) values = values_of_session(protocol_, example_plan(protocol_, {1, 0}));
+      if (values.contains(placeholder.name)) continue;
+      report(place.pointer,
+             placeholder.name == "breaks"
+                 ? "a session has no breaks, or their number depends on responses or on the time "
+                   "in contact; remove {breaks}"
+                 : "a session has no " +
+                       std::string(placeholder.name == "practice_trials" ? "trials of practice"
+                                                                         : placeholder.name) +
+                       "; remove " + in_braces(placeholder.name));
+    }
+  }
+}
+
+}  // namespace asperity

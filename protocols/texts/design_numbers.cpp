@@ -1,0 +1,175 @@
+// Counts what a trial and a session of a protocol contain.
+
+#include "protocols/texts/design_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <variant>
+
+#include "protocols/design/block_factors.h"
+#include "protocols/plan/level_tracks.h"
+#include "protocols/procedures/procedure.h"
+
+namespace asperity {
+
+namespace {
+
+using Block = Protocol::Block;
+using QuestionTemplate = Protocol::TrialQuestionTemplate;
+
+constexpr double kMinute_s = 60.0;
+constexpr int kRoundedFrom_min = 15;
+constexpr int kRoundedTo_min = 5;
+
+/// The one number that all questions with such a number have.
+template <class Count>
+std::optional<int> agreed(const Block& block, const Count& count) {
+  std::optional<int> number{};
+  for (const QuestionTemplate& question : block.questions) {
+    const int here = count(question);
+    if (here == 0) continue;
+    if (number && *number != here) return {};
+    number = here;
+  }
+  return number;
+}
+
+int options_of(const Block& block, const QuestionTemplate& question) {
+  if (!has_options(question.form)) return 0;
+  if (!question.words.empty()) return static_cast<int>(question.words.size());
+  if (!question.pictures.empty()) return static_cast<int>(question.pictures.size());
+  return static_cast<int>(surfaces_in_trial(block)) + (question.tie.empty() ? 0 : 1);
+}
+
+/// One run of a block in a plan.
+struct PlannedRun {
+  const Block* block = nullptr;
+  int trials = 0;
+  double total_s = 0.0;
+};
+
+std::map<int, PlannedRun> runs_in(const Protocol& protocol, const Plan& plan) {
+  std::map<int, PlannedRun> runs{};  // by ordinal
+  for (const PlanStep& step : plan.steps) {
+    const auto* const of_trial = std::get_if<TrialStep>(&step);
+    if (of_trial == nullptr) continue;
+    const Trial& trial = plan.trials[of_trial->trial];
+    PlannedRun& run = runs[trial.block_ordinal];
+    run.block = &protocol.blocks.at(trial.block);
+    ++run.trials;
+    run.total_s += cost_of(protocol, plan, step).total_s;
+  }
+  return runs;
+}
+
+/// The trials of the longest run with other responses; nothing where the responses do not matter.
+std::optional<int> most_trials_of_run(const Protocol& protocol, const PlannedRun& run) {
+  if (run.block->until)
+    return run.trials;  // the plan has as many as there are without the criterion
+  if (!run.block->procedure) return {};
+  const bool is_fixed = std::all_of(
+      run.block->procedure->tracks.begin(), run.block->procedure->tracks.end(),
+      [](const ProcedureSettings& each) { return procedure_of(each).has_fixed_length(each); });
+  if (is_fixed) return {};
+  const std::size_t anchors = run.block->has_anchors() ? run.block->anchor_places.size() : 0;
+  return std::max(run.trials, static_cast<int>(most_trials_of(protocol, *run.block) + anchors));
+}
+
+int rounded_minutes(double total_s) {
+  const int minutes = std::max(1, static_cast<int>(std::ceil(total_s / kMinute_s)));
+  if (minutes < kRoundedFrom_min) return minutes;
+  return (minutes + kRoundedTo_min - 1) / kRoundedTo_min * kRoundedTo_min;
+}
+
+}  // namespace
+
+const DesignNumber* find_design_number(std::string_view name) noexcept {
+  const auto* const found =
+      std::find_if(kDesignNumbers.begin(), kDesignNumbers.end(),
+                   [name](const DesignNumber& each) { return each.name == name; });
+  return found == kDesignNumbers.end() ? nullptr : &*found;
+}
+
+DesignValues values_of_block(const Protocol& protocol, const Block& block) {
+  DesignValues values{};
+  const auto set = [&values](const char* name, std::optional<int> number) {
+    if (number && *number > 0) values[name].number = *number;
+  };
+  const auto surfaces = static_cast<int>(surfaces_in_trial(block));
+  set("surfaces", surfaces);
+  for (char name = 'A'; name < 'A' + surfaces; ++name) {
+    values["surface_names"].names.emplace_back(1, name);
+  }
+  set("questions", static_cast<int>(block.questions.size()));
+  set("scales", static_cast<int>(std::count_if(
+                    block.questions.begin(), block.questions.end(), [](const auto& question) {
+                      return std::holds_alternative<ScaleForm>(question.form);
+                    })));
+  set("options", agreed(block, [&](const auto& each) { return options_of(block, each); }));
+  const std::optional<int> pictures =
+      agreed(block, [](const auto& each) { return static_cast<int>(each.pictures.size()); });
+  const bool shows_texture = protocol.realism_standard == RealismStandard::photograph;
+  set("pictures", pictures ? pictures : shows_texture ? std::optional(1) : std::nullopt);
+  return values;
+}
+
+DesignValues values_of_all_blocks(const Protocol& protocol) {
+  const bool has_main =
+      std::any_of(protocol.blocks.begin(), protocol.blocks.end(),
+                  [](const auto& named) { return named.second.phase == Phase::main; });
+  std::optional<DesignValues> common{};
+  for (const auto& [name, block] : protocol.blocks) {
+    if (has_main && block.phase != Phase::main) continue;
+    const DesignValues values = values_of_block(protocol, block);
+    if (!common) {
+      common = values;
+      continue;
+    }
+    std::erase_if(*common, [&values](const auto& each) {
+      const auto here = values.find(each.first);
+      return here == values.end() || here->second.number != each.second.number ||
+             here->second.names != each.second.names;
+    });
+  }
+  return common.value_or(DesignValues{});
+}
+
+DesignValues values_of_session(const Protocol& protocol, const Plan& example) {
+  DesignValues values = values_of_all_blocks(protocol);
+  double total_s = cost_of(protocol, example).total_s;
+  bool can_be_shorter = false;
+  DesignValue blocks{};
+  DesignValue trials{};
+  DesignValue practised{};
+  for (const auto& [ordinal, run] : runs_in(protocol, example)) {
+    const std::optional<int> most = most_trials_of_run(protocol, run);
+    const bool is_main = run.block->phase == Phase::main;
+    DesignValue& sum = is_main ? trials : practised;
+    sum.number += most.value_or(run.trials);
+    sum.is_largest = sum.is_largest || most.has_value();
+    if (is_main) ++blocks.number;
+    if (!most) continue;
+    can_be_shorter = true;
+    total_s += (*most - run.trials) * run.total_s / run.trials;
+  }
+  if (blocks.number > 0) values["blocks"] = blocks;
+  if (trials.number > 0) values["trials"] = trials;
+  if (practised.number > 0) values["practice_trials"] = practised;
+  values["minutes"] = {.number = rounded_minutes(total_s), .is_largest = can_be_shorter};
+  const bool depends_on_responses =
+      std::any_of(protocol.flow.begin(), protocol.flow.end(), [&](const Protocol::Step& step) {
+        const auto* const run = std::get_if<Protocol::Run>(&step);
+        return run != nullptr && (run->break_every_contact_s > 0.0 ||
+                                  (can_be_shorter && run->break_every_trials > 0));
+      });
+  const auto breaks = std::count_if(
+      example.steps.begin(), example.steps.end(),
+      [](const PlanStep& step) { return std::holds_alternative<Protocol::Break>(step); });
+  if (!depends_on_responses && breaks > 0) values["breaks"].number = static_cast<int>(breaks);
+  return values;
+}
+
+}  // namespace asperity

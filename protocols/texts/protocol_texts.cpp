@@ -1,0 +1,98 @@
+// Finds the texts of a protocol by the shapes of their keys, and replaces their placeholders.
+
+#include "protocols/texts/protocol_texts.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include <nlohmann/json.hpp>
+
+#include "protocols/texts/translatable_texts.h"
+
+namespace asperity {
+
+namespace {
+
+/// The block in whose object the pointer is.
+const Protocol::Block* block_of(const std::string& pointer, const Protocol& protocol) {
+  constexpr std::string_view kBlocks = "/blocks/";
+  if (!pointer.starts_with(kBlocks)) return nullptr;
+  const std::size_t end = pointer.find('/', kBlocks.size());
+  const auto found = protocol.blocks.find(pointer.substr(kBlocks.size(), end - kBlocks.size()));
+  return found == protocol.blocks.end() ? nullptr : &found->second;
+}
+
+bool has_brace(const TextPlace& place) { return place.text.find('{') != std::string::npos; }
+
+}  // namespace
+
+std::vector<TextPlace> participant_texts(const nlohmann::json& root, const Protocol& protocol) {
+  std::vector<TextPlace> places{};
+  for (TranslatableText& each : translatable_texts(root)) {
+    if (each.shape.translated != Translated::always || each.shape.is_value) continue;
+    const bool is_of_session = each.pointer.starts_with("/flow/") ||
+                               each.pointer.starts_with("/resume/") ||
+                               each.pointer == "/instructions";
+    const Protocol::Block* const block = block_of(each.pointer, protocol);
+    places.push_back({std::move(each.pointer), std::move(each.text), is_of_session, block});
+  }
+  return places;
+}
+
+DesignValues values_of_design(const Protocol& protocol, const TextPlace& place) {
+  return place.block == nullptr ? values_of_all_blocks(protocol)
+                                : values_of_block(protocol, *place.block);
+}
+
+std::optional<nlohmann::json> with_design_values(const nlohmann::json& root,
+                                                 const Protocol& protocol) {
+  std::optional<nlohmann::json> changed{};
+  for (const TextPlace& place : participant_texts(root, protocol)) {
+    if (place.is_of_session || !has_brace(place)) continue;
+    if (!changed) changed = root;
+    changed->at(nlohmann::json::json_pointer(place.pointer)) =
+        with_values(place.text, values_of_design(protocol, place), protocol.language);
+  }
+  return changed;
+}
+
+PlanStep as_read(PlanStep step, const DesignValues& of_session, std::string_view language) {
+  const auto read = [&](std::string& text) { text = with_values(text, of_session, language); };
+  if (auto* const screen = std::get_if<Protocol::Screen>(&step)) read(screen->text);
+  if (auto* const pause = std::get_if<Protocol::Break>(&step)) {
+    read(pause->text);
+    if (pause->drift_check) {
+      read(pause->drift_check->text);
+      read(pause->drift_check->tip_text);
+    }
+  }
+  return step;
+}
+
+namespace {
+
+std::vector<TextPlace> with_placeholders(const Protocol& protocol) {
+  if (protocol.source.empty()) return {};  // made by a program
+  std::vector<TextPlace> places =
+      participant_texts(nlohmann::json::parse(protocol.source), protocol);
+  std::erase_if(places, [](const TextPlace& each) { return placeholders_in(each.text).empty(); });
+  return places;
+}
+
+}  // namespace
+
+bool has_placeholders(const Protocol& protocol) { return !with_placeholders(protocol).empty(); }
+
+std::vector<TextAsRead> texts_as_read(const Protocol& protocol, const DesignValues& of_session) {
+  std::vector<TextAsRead> texts{};
+  for (const TextPlace& place : with_placeholders(protocol)) {
+    const DesignValues values =
+        place.is_of_session ? of_session : values_of_design(protocol, place);
+    texts.push_back({place.pointer, with_values(place.text, values, protocol.language)});
+  }
+  return texts;
+}
+
+}  // namespace asperity

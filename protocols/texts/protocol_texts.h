@@ -1,0 +1,51 @@
+// Declares the replacement of placeholders in the texts of a protocol, with the values that are known where each text is.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "protocols/texts/design_numbers.h"
+
+namespace asperity {
+
+/// Where a text is, which determines the values that it can state.
+struct TextPlace {
+  std::string pointer{};
+  std::string text{};
+  /// Of a screen or break of the flow, of a resumed session, and the instructions: it can state numbers of the session, and keeps
+  /// its placeholders until it is read.
+  bool is_of_session = false;
+  const Protocol::Block* block = nullptr;  ///< of a text within a block; otherwise null
+};
+
+/// The texts that participants read, except options that are stored as they are written. `root` is the JSON of the protocol.
+std::vector<TextPlace> participant_texts(const nlohmann::json& root, const Protocol& protocol);
+
+/// The values of a text from the design alone.
+DesignValues values_of_design(const Protocol& protocol, const TextPlace& place);
+
+/// `root` with these values in all texts but those of the session; nothing where no text has a placeholder.
+std::optional<nlohmann::json> with_design_values(const nlohmann::json& root,
+                                                 const Protocol& protocol);
+
+/// A step of a plan with its texts as they are read in the session with these values (values_of_session).
+PlanStep as_read(PlanStep step, const DesignValues& of_session, std::string_view language);
+
+/// Whether a text of the protocol has a placeholder.
+bool has_placeholders(const Protocol& protocol);
+
+/// A text as a participant reads it.
+struct TextAsRead {
+  std::string pointer{};
+  std::string text{};
+};
+
+/// Every text of a protocol that has a placeholder, as read in the session with these values (values_of_session).
+std::vector<TextAsRead> texts_as_read(const Protocol& protocol, const DesignValues& of_session);
+
+}  // namespace asperity

@@ -1,0 +1,321 @@
+// Compares the statements of texts for participants with what the protocol and its plan contain.
+
+#include "protocols/warnings/text_warnings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include <nlohmann/json.hpp>
+
+#include "protocols/design/block_factors.h"
+#include "protocols/design/wording.h"
+#include "protocols/file/json_document.h"
+#include "protocols/texts/protocol_texts.h"
+#include "protocols/texts/stated_numbers.h"
+
+namespace asperity {
+
+namespace {
+
+using Numbers = std::map<std::string, std::set<int>, std::less<>>;
+
+void add_values(Numbers& numbers, const DesignValues& values) {
+  for (const auto& [name, value] : values) {
+    if (value.names.empty()) numbers[name].insert(value.number);
+  }
+}
+
+/// Surfaces that differ in a stimulus.
+int distinct_surfaces(const Protocol& protocol, const Plan& plan, bool of_main) {
+  std::set<std::string> names{};
+  for (const Trial& trial : plan.trials) {
+    if (of_main && protocol.blocks.at(trial.block).phase != Phase::main) continue;
+    for (const PlannedPresentation& each : trial.presentations) names.insert(each.stimulus.name);
+  }
+  return static_cast<int>(names.size());
+}
+
+bool has_scale(const Protocol& protocol, bool without_points) {
+  const auto fits = [without_points](const ScaleForm& scale) {
+    return !without_points || !scale.points;
+  };
+  for (const auto& [name, question] : protocol.questions) {
+    if (question.form == Question::Form::scale && fits(question.scale)) return true;
+  }
+  for (const auto& [name, block] : protocol.blocks) {
+    for (const auto& question : block.questions) {
+      const auto* const scale = std::get_if<ScaleForm>(&question.form);
+      if (scale != nullptr && fits(*scale)) return true;
+      if (without_points && std::holds_alternative<LineForm>(question.form)) return true;
+    }
+  }
+  return false;
+}
+
+template <class Test>
+bool any_block(const Protocol& protocol, const Test& test) {
+  return std::any_of(protocol.blocks.begin(), protocol.blocks.end(),
+                     [&test](const auto& named) { return test(named.second); });
+}
+
+bool is_prepared(const Protocol& protocol) {
+  return any_block(protocol, [](const auto& block) { return block.phase != Phase::main; });
+}
+
+bool has_pictures(const Protocol& protocol) {
+  return protocol.realism_standard == RealismStandard::photograph ||
+         any_block(protocol, [](const auto& block) {
+           return std::any_of(block.questions.begin(), block.questions.end(),
+                              [](const auto& each) { return !each.pictures.empty(); });
+         });
+}
+
+bool has_breaks(const Protocol& protocol) {
+  return std::any_of(protocol.flow.begin(), protocol.flow.end(), [](const Protocol::Step& step) {
+    const auto* const run = std::get_if<Protocol::Run>(&step);
+    return std::holds_alternative<Protocol::Break>(step) || (run != nullptr && run->pause);
+  });
+}
+
+bool permits_cannot_tell(const Protocol& protocol) {
+  return any_block(protocol, [](const auto& block) {
+    return std::any_of(block.questions.begin(), block.questions.end(),
+                       [](const auto& each) { return each.allow_cannot_tell; });
+  });
+}
+
+using Phrases = std::span<const std::string_view>;
+
+/// A part of a design that texts mention.
+struct Part {
+  Phrases english{};
+  Phrases german{};
+  bool (*is_there)(const Protocol& protocol) = nullptr;
+  std::string_view otherwise{};  ///< what the protocol lacks
+};
+
+constexpr std::array<std::string_view, 2> kScaleEn{"scale", "scales"};
+constexpr std::array<std::string_view, 2> kScaleDe{"skala", "skalen"};
+constexpr std::array<std::string_view, 2> kLineEn{"on the line", "along the line"};
+constexpr std::array<std::string_view, 2> kLineDe{"auf der linie", "entlang der linie"};
+constexpr std::array<std::string_view, 2> kFamiliarEn{"familiar", "familiari*"};
+constexpr std::array<std::string_view, 3> kFamiliarDe{"vertraut", "kennenlernen", "eingewöhn*"};
+constexpr std::array<std::string_view, 3> kPractiseEn{"practise", "practice", "practising"};
+constexpr std::array<std::string_view, 2> kPractiseDe{"üben", "übung*"};
+constexpr std::array<std::string_view, 4> kPictureEn{"picture", "pictures", "photo*", "images"};
+constexpr std::array<std::string_view, 4> kPictureDe{"bild", "bilder", "bildern", "foto*"};
+// Participants may always pause, which is no break of the flow.
+constexpr std::array<std::string_view, 2> kBreakEn{"a break", "breaks"};
+constexpr std::array<std::string_view, 3> kBreakDe{"gibt es eine pause", "einer pause", "pausen"};
+constexpr std::array<std::string_view, 2> kMaskEn{"eye mask", "blindfold*"};
+constexpr std::array<std::string_view, 3> kMaskDe{"augenbinde", "augenmaske", "schlafmaske"};
+constexpr std::array<std::string_view, 1> kCannotTellEn{"i cannot tell"};
+constexpr std::array<std::string_view, 1> kCannotTellDe{"ich kann es nicht sagen"};
+
+constexpr std::array kParts{
+    Part{kScaleEn, kScaleDe, [](const Protocol& each) { return has_scale(each, false); },
+         "no question has a scale"},
+    Part{kLineEn, kLineDe, [](const Protocol& each) { return has_scale(each, true); },
+         "no question is answered on a line"},
+    Part{kFamiliarEn, kFamiliarDe, is_prepared, "there is no block of familiarisation or practice"},
+    Part{kPractiseEn, kPractiseDe, is_prepared, "there is no block of familiarisation or practice"},
+    Part{kPictureEn, kPictureDe, has_pictures, "no picture is shown"},
+    Part{kBreakEn, kBreakDe, has_breaks, "the flow has no break"},
+    Part{kMaskEn, kMaskDe,
+         [](const Protocol& each) {
+           return each.vision == Vision::blindfold ||
+                  any_block(each, [](const auto& block) { return block.pictures_after_feeling; });
+         },
+         "no eye mask is worn (/environment/vision)"},
+    Part{kCannotTellEn, kCannotTellDe, permits_cannot_tell,
+         "no question has this option (\"allow_cannot_tell\")"}};
+
+// Of a text whose minutes may be those of a break.
+constexpr std::array<std::string_view, 4> kRests{"break*", "rest", "pause*", "ruhen"};
+
+/// Whether what a text calls so is one of `kParts`, or its number is not known (breaks).
+bool is_named_as_part(std::string_view name) {
+  return name == "scales" || name == "pictures" || name == "breaks";
+}
+
+/// Collects what texts can state, and compares them.
+class TextWarnings final {
+ public:
+  TextWarnings(const Protocol& protocol, const std::string& file_name, const Plan& example)
+      : protocol_(protocol), example_(example), document_(protocol.source, file_name) {}
+
+  std::vector<Diagnostic> all() {
+    gather_session();
+    const auto root = nlohmann::json::parse(protocol_.source);
+    for (const TextPlace& place : participant_texts(root, protocol_)) {
+      // A question of the questionnaire is about anything.
+      if (place.pointer.starts_with("/questions/")) continue;
+      compare_numbers(place);
+      compare_parts(place);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  void gather_session() {
+    const DesignValues values = values_of_session(protocol_, example_);
+    add_values(session_, values);
+    for (const auto& [name, block] : protocol_.blocks) {
+      add_values(session_, values_of_block(protocol_, block));
+    }
+    if (is_of_single_surfaces()) {
+      for (const bool of_main : {true, false}) {
+        session_["surfaces"].insert(distinct_surfaces(protocol_, example_, of_main));
+      }
+    }
+    int scales = 0;
+    for (const Protocol::Step& step : protocol_.flow) {
+      if (const auto* const run = std::get_if<Protocol::Run>(&step)) add_run(*run);
+      const auto* const ask = std::get_if<Protocol::Ask>(&step);
+      if (ask == nullptr) continue;
+      session_["questions"].insert(static_cast<int>(ask->questions.size()));
+      for (const std::string& name : ask->questions) {
+        if (protocol_.questions.at(name).form == Question::Form::scale) ++scales;
+      }
+    }
+    if (scales > 0) session_["scales"].insert(scales);
+    const auto of = [&values](const char* name) {
+      const auto found = values.find(name);
+      return found == values.end() ? 0 : found->second.number;
+    };
+    session_["trials"].insert(of("trials") + of("practice_trials"));
+    if (!values.contains("breaks")) session_.erase("breaks");
+    minutes_ = of("minutes");
+  }
+
+  /// Whether no trial compares surfaces: their number in a text can then be that of a run or of the study.
+  bool is_of_single_surfaces() const {
+    return !any_block(protocol_, [](const auto& block) { return surfaces_in_trial(block) > 1; });
+  }
+
+  /// The trials and surfaces of one run of a block, and its breaks.
+  void add_run(const Protocol::Run& run) {
+    std::map<int, std::pair<int, int>> sizes{};  // trials and surfaces by ordinal
+    std::set<std::string> stimuli{};
+    for (const Trial& trial : example_.trials) {
+      if (trial.block != run.block) continue;
+      auto& [trials, surfaces] = sizes[trial.block_ordinal];
+      ++trials;
+      surfaces += static_cast<int>(trial.presentations.size());
+      for (const PlannedPresentation& each : trial.presentations)
+        stimuli.insert(each.stimulus.name);
+    }
+    int all = 0;
+    const bool is_main = protocol_.blocks.at(run.block).phase == Phase::main;
+    for (const auto& [ordinal, size] : sizes) {
+      all += size.first;
+      session_["trials"].insert(size.first);
+      if (!is_main) session_["practice_trials"].insert(size.first);
+      if (is_of_single_surfaces()) session_["surfaces"].insert(size.second);
+    }
+    session_["trials"].insert(all);
+    if (is_of_single_surfaces()) session_["surfaces"].insert(static_cast<int>(stimuli.size()));
+    session_["blocks"].insert(static_cast<int>(sizes.size()));
+    if (run.break_every_trials > 0) session_["trials"].insert(run.break_every_trials);
+  }
+
+  /// Also where the design has none of them, which compare_parts names.
+  bool is_of_design(const Numbers& numbers, const StatedNumber& stated,
+                    const TextPlace& place) const {
+    if (stated.name == "minutes") {
+      if (3 * std::abs(stated.number - minutes_) <= minutes_) return true;
+      return !phrase_in(place.text, kRests).empty();  // the duration of a break
+    }
+    const auto known = numbers.find(stated.name);
+    if (known == numbers.end() || known->second.empty()) return is_named_as_part(stated.name);
+    return known->second.contains(stated.number);
+  }
+
+  void compare_numbers(const TextPlace& place) {
+    Numbers numbers = session_;
+    if (place.block != nullptr) {
+      const DesignValues values = values_of_block(protocol_, *place.block);
+      for (const char* const name : {"surfaces", "scales", "options", "pictures", "questions"}) {
+        numbers[name].clear();
+      }
+      add_values(numbers, values);
+    }
+    for (const StatedNumber& stated : numbers_stated_in(place.text, protocol_.language)) {
+      if (is_of_design(numbers, stated, place)) continue;
+      warn(place, "the text states " + in_quotes(stated.words) + ", but " +
+                      design_states(numbers, stated, place));
+    }
+  }
+
+  /// "the design has 4; correct the text, or write {scales}"
+  std::string design_states(const Numbers& numbers, const StatedNumber& stated,
+                            const TextPlace& place) const {
+    const std::string name(stated.name);
+    const std::string noun = name == "practice_trials" ? "trials of practice" : name;
+    if (name == "minutes") {
+      return "a session takes about " + std::to_string(minutes_) +
+             " minutes by estimate; correct the text" +
+             (place.is_of_session ? ", or write {minutes}" : "");
+    }
+    const auto known = numbers.find(stated.name);
+    std::vector<std::string> all{};
+    if (known != numbers.end()) {
+      for (const int number : known->second) all.push_back(std::to_string(number));
+    }
+    if (all.empty()) return "the design has no " + noun + "; correct the text";
+    const bool can_be_replaced =
+        all.size() == 1 &&
+        (place.is_of_session || find_design_number(name)->scope == NumberScope::block);
+    return "the number of " + noun + " is " + one_of_numbers(all) + "; correct the text" +
+           (can_be_replaced ? ", or write {" + name + "}" : "");
+  }
+
+  static std::string one_of_numbers(const std::vector<std::string>& numbers) {
+    std::string text = numbers.front();
+    for (std::size_t i = 1; i < numbers.size(); ++i) {
+      text += (i + 1 == numbers.size() ? " or " : ", ") + numbers[i];
+    }
+    return text;
+  }
+
+  void compare_parts(const TextPlace& place) {
+    const bool is_german = is_language(protocol_.language, "de");
+    if (!is_german && !is_language(protocol_.language, "en")) return;
+    std::set<std::string_view> said{};
+    for (const Part& part : kParts) {
+      if (part.is_there(protocol_)) continue;
+      const std::string words = phrase_in(place.text, is_german ? part.german : part.english);
+      if (words.empty() || !said.insert(part.otherwise).second) continue;
+      warn(place, "the text mentions " + in_quotes(words) + ", but " + std::string(part.otherwise) +
+                      "; change the text or the design");
+    }
+  }
+
+  void warn(const TextPlace& place, std::string message) {
+    found_.push_back(document_.at(place.pointer, std::move(message)));
+  }
+
+  const Protocol& protocol_;
+  const Plan& example_;
+  JsonDocument document_;
+  Numbers session_{};
+  int minutes_ = 0;
+  std::vector<Diagnostic> found_{};
+};
+
+}  // namespace
+
+std::vector<Diagnostic> warnings_about_texts(const Protocol& protocol, const std::string& file_name,
+                                             const Plan& example) {
+  return TextWarnings(protocol, file_name, example).all();
+}
+
+}  // namespace asperity
