@@ -54,6 +54,26 @@ std::optional<std::filesystem::path> file_in_the_way(const std::filesystem::path
   return {};
 }
 
+/// Writes the text and copies of the translations, or nothing.
+void write_copy(const std::filesystem::path& file, const std::filesystem::path& copy,
+                const std::string& text) {
+  std::vector<std::filesystem::path> written{};
+  const auto write = [&written](const std::filesystem::path& name, const std::string& content) {
+    write_file(name, content, Overwrite::refuse);
+    written.push_back(name);
+  };
+  try {
+    write(copy, text);
+    for (const ProtocolInLanguage& each : translations_of(file)) {
+      write(translation_called(copy, each), text_of_file(each.file));
+    }
+  } catch (...) {
+    std::error_code ignored{};
+    for (const std::filesystem::path& name : written) std::filesystem::remove(name, ignored);
+    throw;
+  }
+}
+
 /// The schema's rule for a protocol's name.
 bool is_name(const std::string& name) {
   const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
@@ -126,11 +146,8 @@ std::filesystem::path duplicate_protocol(const Study& study, const std::filesyst
     if (file_in_the_way(file, file_called(file, next))) continue;
     if (sessions_of(study, next, {}) == 0) name = next;
   }
-  const std::filesystem::path copy = file_called(file, name);
-  write_file(copy, with_protocol_name(text, name), Overwrite::refuse);
-  for (const ProtocolInLanguage& each : translations_of(file)) {
-    write_file(translation_called(copy, each), text_of_file(each.file), Overwrite::refuse);
-  }
+  std::filesystem::path copy = file_called(file, name);
+  write_copy(file, copy, with_protocol_name(text, name));
   return copy;
 }
 
@@ -158,18 +175,19 @@ std::filesystem::path rename_protocol(const Study& study, const std::filesystem:
                               "another name.")
                            .with(name));
   }
-  write_file(wanted, with_protocol_name(text, name),
-             wanted == file ? Overwrite::allow : Overwrite::refuse);
-  if (wanted == file) return file;
-  move_translations(file, wanted);
-  std::filesystem::remove(file);
+  if (wanted == file) {
+    write_file(file, with_protocol_name(text, name), Overwrite::allow);
+  } else {
+    move_protocol(file, wanted, with_protocol_name(text, name));
+  }
   return wanted;
 }
 
-void move_translations(const std::filesystem::path& from, const std::filesystem::path& to) {
-  for (const ProtocolInLanguage& each : translations_of(from)) {
-    std::filesystem::rename(each.file, translation_called(to, each));
-  }
+void move_protocol(const std::filesystem::path& from, const std::filesystem::path& to,
+                   const std::string& text) {
+  write_copy(from, to, text);
+  for (const ProtocolInLanguage& each : translations_of(from)) std::filesystem::remove(each.file);
+  std::filesystem::remove(from);
 }
 
 void delete_protocol(const Study& study, const std::filesystem::path& file) {

@@ -35,15 +35,18 @@ std::filesystem::path duplicate_protocol(const Study& study, const std::filesyst
 std::filesystem::path rename_protocol(const Study& study, const std::filesystem::path& file,
                                       const std::string& name);
 
-/// Names the translations of the protocol in the file `from` after the file `to` in the same folder. Errors:
-/// std::filesystem::filesystem_error.
-void move_translations(const std::filesystem::path& from, const std::filesystem::path& to);
+/// Writes the text, which replaces that of the protocol in the file `from`, to the new file `to` in the same folder, and names
+/// its translations after it. Errors: ResultsError if a file of one of these names exists or cannot be written; then
+/// everything is as before.
+void move_protocol(const std::filesystem::path& from, const std::filesystem::path& to,
+                   const std::string& text);
 
 /// Errors: PhrasedError for a protocol that was run; otherwise as for `duplicate_protocol`.
 void delete_protocol(const Study& study, const std::filesystem::path& file);
 
 /// The file in which to save a changed text of `file`: NAME.json next to it where the file had the
-/// name that the text contained before, and no other file has the new name; otherwise `file`.
+/// name that the text contained before, and no other file has the new name or that of one of its translations; otherwise
+/// `file`.
 std::filesystem::path file_for_text(const std::filesystem::path& file, const std::string& before,
                                     const std::string& after);
 

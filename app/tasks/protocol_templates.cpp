@@ -2,7 +2,9 @@
 
 #include "app/tasks/protocol_templates.h"
 
+#include <algorithm>
 #include <stdexcept>
+#include <string_view>
 
 #include "app/study_files/study_protocols.h"
 #include "results_schema/files/atomic_file.h"
@@ -28,8 +30,17 @@ std::filesystem::path protocol_from_template(const std::filesystem::path& study,
   const LibraryProtocol& protocol = library_protocol(name);
   const std::string first(name);
   std::string free_name = first;
-  for (int number = 2; std::filesystem::exists(study / "protocols" / (free_name + ".json"));
-       ++number) {
+  const auto is_taken = [&] {
+    const std::filesystem::path file = study / "protocols" / free_name;
+    const auto exists = [&file](std::string_view ending) {
+      return std::filesystem::exists(file.string() + std::string(ending) + ".json");
+    };
+    return exists("") || std::any_of(protocol.translations.begin(), protocol.translations.end(),
+                                     [&exists](const LibraryTranslation& each) {
+                                       return exists('.' + std::string(each.language));
+                                     });
+  };
+  for (int number = 2; is_taken(); ++number) {
     free_name = first + '_' + std::to_string(number);
   }
   return write_library_protocol(study, protocol, free_name);

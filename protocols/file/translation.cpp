@@ -56,13 +56,28 @@ bool translates(std::string_view words, std::string_view text) {
   return text.starts_with(words.substr(0, words.size() - kMore.size()));
 }
 
-/// The words with which an entry can state a text.
-std::string first_words(const std::string& text) {
+/// The words with which an entry can state a text, and no other one of its address.
+std::string first_words(const TranslatableText& meant, const std::vector<TranslatableText>& texts) {
   constexpr std::size_t kShort = 60;
+  const std::string& text = meant.text;
   if (text.size() <= kShort) return text;
-  const std::size_t end = text.rfind(' ', kShort - 10);
-  // A text without blanks is too long for a key only if it is longer than an address.
-  return end == std::string::npos ? text : text.substr(0, end) + std::string(kMore);
+  const std::size_t limit = std::min(text.size(), kLongestAddress - kMore.size());
+  for (const bool at_blank : {true, false}) {
+    for (std::size_t end = kShort - 20; end < limit; ++end) {
+      const auto next = static_cast<unsigned char>(text[end]);
+      const bool is_in_character = (next & 0xC0U) == 0x80U;  // of UTF-8
+      if (at_blank ? next != ' ' : is_in_character) continue;
+      std::string words = text.substr(0, end) + std::string(kMore);
+      if (std::none_of(texts.begin(), texts.end(), [&](const TranslatableText& other) {
+            return other.address == meant.address && other.text != text &&
+                   translates(words, other.text);
+          })) {
+        return words;
+      }
+    }
+    if (text.size() <= kLongestAddress) break;
+  }
+  return text;
 }
 
 /// The places of texts that are replaced, and their characters.
@@ -145,12 +160,12 @@ class Translator final {
                      "words; it has " +
                          one_of({here.begin(), here.end()}) +
                          ": check the translation, and correct the words");
-    } else if (meant.size() > 1) {
+    } else if (meant.size() > 1 && !meant.contains(words)) {
       problem_at_key(entry,
                      "these words are the beginning of several texts at this address; "
                      "repeat more of the text");
     } else {
-      replace(address, *meant.begin(), text, entry);
+      replace(address, meant.contains(words) ? words : *meant.begin(), text, entry);
     }
   }
 
@@ -185,7 +200,7 @@ class Translator final {
     for (std::size_t i = 0; i < texts_.size(); ++i) {
       const TranslatableText& each = texts_[i];
       if (done_.contains(i) || !reported.emplace(each.address, each.text).second) continue;
-      const json entry{{each.address, json{{first_words(each.text), "…"}}}};
+      const json entry{{each.address, json{{first_words(each, texts_), "…"}}}};
       Diagnostic missing = translation_.at(
           "/texts", "the text " + in_quotes(each.text) + " has no translation; add " +
                         entry.dump().substr(1, entry.dump().size() - 2));

@@ -15,6 +15,7 @@
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/run_session.h"
 #include "app/tasks/study_overview.h"
+#include "app/words/phrase.h"
 #include "protocols/file/stored_protocol.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
@@ -230,6 +231,12 @@ TEST_F(SessionLanguage, FollowsTheProtocolThatIsCopiedRenamedOrDeleted) {
   const std::filesystem::path renamed = rename_protocol(study(), copy, "felt");
   EXPECT_FALSE(is_there("small_2.de.json"));
   EXPECT_TRUE(is_there("felt.de.json"));
+  const std::filesystem::path other = study_folder_ / "protocols" / "other.de.json";
+  write_file(other, "theirs", Overwrite::refuse);
+  EXPECT_THROW(rename_protocol(study(), renamed, "other"), PhrasedError);
+  EXPECT_EQ(read_file(other, kProtocolFile), "theirs");
+  EXPECT_TRUE(is_there("felt.json"));
+  EXPECT_FALSE(is_there("other.json"));
   delete_protocol(study(), renamed);
   EXPECT_FALSE(is_there("felt.de.json"));
   EXPECT_TRUE(is_there("small.de.json"));

@@ -454,11 +454,10 @@ void ProtocolEditorPage::save(Agreed agreed) {
           if (saving.use) return saving;
         }
         saving.file = file_for_text(file, before, written);
-        const bool is_new = saving.file != file;
-        write_file(saving.file, written, is_new ? Overwrite::refuse : Overwrite::allow);
-        if (is_new) {
-          move_translations(file, saving.file);
-          std::filesystem::remove(file);
+        if (saving.file == file) {
+          write_file(file, written, Overwrite::allow);
+        } else {
+          move_protocol(file, saving.file, written);
         }
         return saving;
       },
