@@ -20,7 +20,7 @@
 #include "app/findings/tidy/reference_case.h"
 #ifdef ASPERITY_WITH_WINDOWS
 #include "app/figures/figure_files.h"
-#include "app/findings/study/figures_of.h"
+#include "app/findings/study/family_figures.h"
 #include "app/study_files/height_field_files.h"
 #endif
 #include "results_schema/files/atomic_file.h"

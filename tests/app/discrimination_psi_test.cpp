@@ -11,9 +11,9 @@
 
 #include "analysis/psychometric/psychometric_function.h"
 #include "app/findings/outcome/figure.h"
+#include "app/findings/outcome/figures_of.h"
 #include "app/findings/outcome/found_numbers.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/study/figures_of.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/made_up_study.h"
 #include "tests/app/stored_tables.h"

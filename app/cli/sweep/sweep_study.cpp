@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "app/cli/output/terminal.h"
+#include "app/findings/outcome/figures_of.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/study/figures_of.h"
 #include "app/sweep/sweep_beside.h"
 #include "app/sweep/sweep_figure.h"
 #include "app/words/text_parts.h"

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/words/phrase.h"
@@ -108,7 +109,7 @@ enum class FigureShape {
 struct Figure {
   std::string name{};      ///< fixed, for files: "shares_forest"
   std::string table{};     ///< the table of the outcome that contains its numbers; empty: none
-  std::string question{};  ///< the question of the outcome that it answers; empty: none
+  std::string question{};  ///< that it answers, if the outcome asks it; empty: none
   Phrase title{};          ///< for the caption; not drawn
   Phrase note{};           ///< explains the marks and how to read them; not drawn
   Phrase instead{};
@@ -123,5 +124,11 @@ struct Figure {
 
   bool is_drawn() const noexcept { return instead.empty(); }
 };
+
+/// The figure as the answer to a question (AnsweredQuestion::name).
+inline Figure answering(std::string question, Figure figure) {
+  figure.question = std::move(question);
+  return figure;
+}
 
 }  // namespace asperity

@@ -2,16 +2,27 @@
 
 #include "app/findings/outcome/found_numbers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 
 namespace asperity {
 
-FoundNumbers::FoundNumbers(std::span<const Finding> findings) : in_order_(findings) {
+FoundNumbers::FoundNumbers(std::span<const Finding> findings) {
+  for (const Finding& finding : findings) add(finding);
+}
+
+FoundNumbers::FoundNumbers(std::span<const Finding> findings, std::string_view analysis) {
   for (const Finding& finding : findings) {
-    findings_.emplace(std::pair<std::string_view, std::string_view>(finding.quantity, finding.key),
-                      &finding);
+    if (finding.analysis == analysis) add(finding);
   }
+}
+
+void FoundNumbers::add(const Finding& finding) {
+  in_order_.push_back(&finding);
+  findings_.emplace(std::pair<std::string_view, std::string_view>(finding.quantity, finding.key),
+                    &finding);
 }
 
 const Finding* FoundNumbers::find(QuantityName quantity, std::string_view key) const {
@@ -26,9 +37,8 @@ std::optional<double> FoundNumbers::value(QuantityName quantity, std::string_vie
 
 std::vector<const Finding*> FoundNumbers::all(QuantityName quantity) const {
   std::vector<const Finding*> found{};
-  for (const Finding& finding : in_order_) {
-    if (finding.quantity == quantity) found.push_back(&finding);
-  }
+  std::copy_if(in_order_.begin(), in_order_.end(), std::back_inserter(found),
+               [quantity](const Finding* finding) { return finding->quantity == quantity; });
   return found;
 }
 

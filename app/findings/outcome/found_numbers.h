@@ -21,6 +21,10 @@ class FoundNumbers final {
  public:
   FoundNumbers() = default;
   explicit FoundNumbers(std::span<const Finding> findings);
+  /// Those of one of several analyses.
+  FoundNumbers(std::span<const Finding> findings, std::string_view analysis);
+
+  bool empty() const noexcept { return in_order_.empty(); }
 
   /// Null where there is none.
   const Finding* find(QuantityName quantity, std::string_view key = {}) const;
@@ -36,7 +40,9 @@ class FoundNumbers final {
   ResultCell interval(QuantityName quantity, std::string_view key = {}) const;
 
  private:
-  std::span<const Finding> in_order_{};
+  void add(const Finding& finding);
+
+  std::vector<const Finding*> in_order_{};
   std::map<std::pair<std::string_view, std::string_view>, const Finding*> findings_{};
 };
 

@@ -20,7 +20,9 @@
 
 namespace asperity {
 
+struct AnalysisOutcome;
 struct Figure;
+struct ResultTable;
 
 /// The decimals with which the numbers of a column are displayed; never those of a file.
 enum class Digits {
@@ -109,6 +111,10 @@ ResultCell interval_cell(std::optional<double> low, std::optional<double> high,
                          const std::string& unit = {});
 ResultCell count_cell(std::size_t count);
 
+/// The figures of a table. They may be made from other tables and findings of its outcome.
+using FiguresOfTable = std::vector<Figure> (*)(const ResultTable& table,
+                                               const AnalysisOutcome& outcome);
+
 /// A table for users and programs: numbers have all their digits, missing cells are missing.
 struct ResultTable {
   std::string name{};  ///< fixed, for programs: "table_1", "shares"
@@ -120,8 +126,7 @@ struct ResultTable {
   std::vector<ResultRow> rows{};
   /// The table that people read in place of this one; null: this one.
   ResultTable (*for_readers)(const ResultTable& table) = nullptr;
-  /// Its figure, made from the table alone; null: none, or one that is made from findings (study/figures_of.h).
-  Figure (*figure)(const ResultTable& table) = nullptr;
+  FiguresOfTable figures = nullptr;  ///< null: none
 
   /// The index of a column; nothing where the table does not have it.
   std::optional<std::size_t> find(const ResultColumn& column) const;

@@ -111,9 +111,9 @@ void add_question(AnalysisOutcome& outcome, const char* name, Phrase question, P
   added.counted = counted_units(finding->n, unit);
 }
 
-void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
-                 const ResultColumn& key_column, const std::string& quantity,
-                 AnalysisOutcome& outcome, const char* name) {
+ResultTable* add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
+                         const ResultColumn& key_column, const std::string& quantity,
+                         AnalysisOutcome& outcome, const char* name) {
   using namespace columns;
   ResultTable made{
       name,
@@ -136,9 +136,9 @@ void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
     finding.analysis.clear();
     outcome.findings.push_back(std::move(finding));
   }
-  if (made.rows.empty()) return;
+  if (made.rows.empty()) return nullptr;
   if (!has_interval) made.note = phrase("Analysis", "With one participant there is no CI.");
-  outcome.tables.push_back(std::move(made));
+  return &outcome.tables.emplace_back(std::move(made));
 }
 
 Phrase averaged(const Phrase& proportion, const Finding* mean) {

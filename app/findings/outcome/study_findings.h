@@ -55,15 +55,17 @@ void add_question(AnalysisOutcome& outcome, const char* name, Phrase question, P
                   Phrase method, const char* table, const Finding* finding,
                   CountedUnit unit = CountedUnit::participants);
 
+/// The usual table of the means of the participants' proportions.
+inline constexpr const char* kPersonMeans = "persons";
 /// Appends the table `name` from subj.mean, subj.sd, subj.minimum, subj.median and subj.maximum of
-/// these keys, and the same numbers as findings `mean_of_persons_QUANTITY`.
+/// these keys, and the same numbers as findings `mean_of_persons_QUANTITY`. Null: there are no means, and no table.
 struct PersonsRow {
   std::string name{};  ///< in the table
   std::string key{};   ///< of the findings
 };
-void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
-                 const ResultColumn& key_column, const std::string& quantity,
-                 AnalysisOutcome& outcome, const char* name = "persons");
+ResultTable* add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
+                         const ResultColumn& key_column, const std::string& quantity,
+                         AnalysisOutcome& outcome, const char* name = kPersonMeans);
 
 /// A row per measure: value and interval, where they are numbers.
 struct Measure {

@@ -13,6 +13,7 @@
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/display_number.h"
+#include "app/findings/outcome/group_figures.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/test_sentences.h"
 #include "protocols/kinds/experiment_kind.h"
@@ -575,6 +576,7 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
   const std::size_t in_family = tests_in_family();
   ResultTable made{StudyTests::kTable, phrase("Analysis", "Tests"), columns_of_tests(),
                    note_on_family(in_family)};
+  made.figures = figures_of_comparisons;
   for (const Test& test : tests_) {
     made.add(row_of(test, is_in_family(test.name) ? name_ : ""));
     Finding finding = finding_of(test);

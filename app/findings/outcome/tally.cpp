@@ -91,7 +91,7 @@ std::optional<std::uint64_t> Tally::outcomes() const {
   return *outcomes_.begin();
 }
 
-void add_shares(const ShareTable& shares, AnalysisOutcome& outcome) {
+ResultTable& add_shares(const ShareTable& shares, AnalysisOutcome& outcome) {
   using namespace columns;
   ResultTable made{shares.name, shares.title, shares.key_columns, shares.note};
   made.columns.insert(made.columns.end(), {shares.hits_column, kOf, kPersons, kShare, kWilson,
@@ -145,7 +145,7 @@ void add_shares(const ShareTable& shares, AnalysisOutcome& outcome) {
     }
     outcome.findings.push_back(std::move(test));
   }
-  outcome.tables.push_back(std::move(made));
+  return outcome.tables.emplace_back(std::move(made));
 }
 
 Phrase chance_note(const Tally& tally, const Phrase& at_chance) {
@@ -248,9 +248,9 @@ std::size_t ConfusionTally::at(std::uint32_t felt, std::uint32_t answer) const {
   return found == counts_.end() ? 0 : found->second;
 }
 
-void ConfusionTally::add_table(const GatheredAnswers& gathered,
-                               const std::set<std::string>& options,
-                               AnalysisOutcome& outcome) const {
+ResultTable& ConfusionTally::add_table(const GatheredAnswers& gathered,
+                                       const std::set<std::string>& options,
+                                       AnalysisOutcome& outcome) const {
   std::map<std::string, std::uint32_t> felt_words{};
   std::set<std::string> names = options;
   for (const auto& [pair, times] : counts_) {
@@ -282,7 +282,7 @@ void ConfusionTally::add_table(const GatheredAnswers& gathered,
       cells.push_back(count_cell(answer ? at(word->second, *answer) : 0));
     }
   }
-  outcome.tables.push_back(std::move(made));
+  return outcome.tables.emplace_back(std::move(made));
 }
 
 void add_texture_force(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {

@@ -54,6 +54,9 @@ struct ShareTable {
   std::vector<ShareRow> rows{};
 };
 
+/// The item with which the one before it was compared.
+inline const ResultColumn kAgainst{.id = "against",
+                                   .heading = phrase("AnalysisWords", "other item")};
 /// The intervals of a proportion.
 inline const ResultColumn kWilson = interval_of({.id = "wilson", .digits = Digits::bounded},
                                                 phrase("AnalysisWords", "Wilson 95 % CI"));
@@ -63,7 +66,7 @@ inline const ResultColumn kClopperPearson =
 
 /// Appends the table (count, proportion, Wilson and Clopper–Pearson 95 % intervals, chance, exact
 /// two-sided binomial test), by the family `proportion`, and the same numbers as findings.
-void add_shares(const ShareTable& shares, AnalysisOutcome& outcome);
+ResultTable& add_shares(const ShareTable& shares, AnalysisOutcome& outcome);
 
 /// `at_chance` with the number of outcomes filled in: "Chance level: 1/%1 of the responses
 /// correct." — or the statement that it differs between the trials.
@@ -158,8 +161,8 @@ class ConfusionTally final {
   /// Stimuli in rows, responses in columns: the felt items in the protocol's order, so that correct
   /// responses are on the diagonal, then the other responses, “cannot tell” last. `options` are
   /// columns even if they were never chosen.
-  void add_table(const GatheredAnswers& gathered, const std::set<std::string>& options,
-                 AnalysisOutcome& outcome) const;
+  ResultTable& add_table(const GatheredAnswers& gathered, const std::set<std::string>& options,
+                         AnalysisOutcome& outcome) const;
 
  private:
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> counts_{};

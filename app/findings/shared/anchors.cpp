@@ -16,6 +16,7 @@
 #include "analysis/tests/t_test.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/columns.h"
+#include "app/findings/shared/anchor_figures.h"
 #include "app/findings/shared/learning.h"
 #include "protocols/kinds/experiment_kind.h"
 
@@ -214,6 +215,7 @@ void add_anchors(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   if (trend.rows.empty()) return;
   trend.drop_empty_columns(4);
   trend.note = note_on_trend(trend, gathered.groups.size() > 1);
+  trend.figures = anchor_figures;
   outcome.tables.push_back(std::move(trend));
 }
 

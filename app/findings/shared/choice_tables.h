@@ -4,9 +4,11 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/findings/outcome/analysis_outcome.h"
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/figure.h"
 #include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/result_table.h"
 #include "app/findings/outcome/tally.h"
@@ -18,15 +20,14 @@ namespace asperity {
 inline constexpr const char* kAllShares = "shares";
 inline constexpr const char* kSharesByTexture = "shares_by_texture";
 inline constexpr const char* kPositions = "positions";
-/// Of the means of the participants' proportions (add_persons), and of those by position.
-inline constexpr const char* kPersonMeans = "persons";
+/// Of the means of the participants' proportions (add_persons) by position.
 inline constexpr const char* kPersonsByPosition = "persons_by_position";
 /// The table of items along a scale, and the analysis of its findings.
 inline constexpr const char* kWorthScale = "scale";
 
-/// The item with which the one before it was compared.
-inline const ResultColumn kAgainst{.id = "against",
-                                   .heading = phrase("AnalysisWords", "other item")};
+/// The figures of a table of choices within pairs: the proportions, and the scale where there is no table of it, because an item was
+/// always or never chosen.
+std::vector<Figure> figures_of_pairs(const ResultTable& table, const AnalysisOutcome& outcome);
 
 /// Appends the table `positions`: the proportion of choices of each position of a trial, first to last.
 void add_positions_table(std::span<const Tally> positions, const Phrase& note,

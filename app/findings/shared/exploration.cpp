@@ -18,6 +18,7 @@
 #include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/shared/exploration_model.h"
+#include "app/findings/shared/figures/response_time_figures.h"
 #include "app/findings/tidy/described_conditions.h"
 
 namespace asperity {
@@ -140,13 +141,14 @@ ResultTable conditions_in_rows(const ResultTable& table) {
 
 class ExplorationTable final {
  public:
-  ExplorationTable(const char* name, Phrase title)
+  ExplorationTable(const char* name, Phrase title, FiguresOfTable figures = nullptr)
       : table_{.name = name,
                .title = std::move(title),
                .columns = {columns::kMeasure, columns::kFactor, columns::kFactorLevel,
                            columns::kPersons, columns::kMeasurements, columns::kMedian,
                            kLowerQuartile, kUpperQuartile, columns::kMean, columns::kSd},
-               .for_readers = conditions_in_rows} {}
+               .for_readers = conditions_in_rows,
+               .figures = figures} {}
 
   void add(const ExploredRows& rows, const ExploredQuantity& quantity, const FoundNumbers& found) {
     add_row(quantity, "all", "", quantity.name, found);
@@ -207,8 +209,11 @@ void add_exploration(const GatheredAnswers& gathered, AnalysisOutcome& outcome) 
   if (gathered.only_accompanies || gathered.exploration.empty()) return;
   const ExploredRows surfaces(gathered, ExploredUnit::surface);
   const ExploredRows trials(gathered, ExploredUnit::trial);
-  ExplorationTable times(kExploration,
-                         phrase("Analysis", "Exploration by condition: times and strokes"));
+  ExplorationTable times(
+      kExploration, phrase("Analysis", "Exploration by condition: times and strokes"),
+      [](const ResultTable&, const AnalysisOutcome& drawn) {
+        return std::vector{contact_times_figure(FoundNumbers(drawn.findings, kExploration))};
+      });
   ExplorationTable forces(kExplorationForces,
                           phrase("Analysis", "Exploration by condition: force and speed"));
   for (const ExploredQuantity& quantity : kExploredQuantities) {

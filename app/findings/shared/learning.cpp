@@ -13,6 +13,7 @@
 #include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/study_analysis.h"
 #include "app/findings/outcome/study_findings.h"
+#include "app/findings/shared/figures/response_time_figures.h"
 #include "protocols/design/block_factors.h"
 
 namespace asperity {
@@ -179,6 +180,16 @@ Phrase note_on_course(const ResultTable& course, const std::string& kind) {
   return note;
 }
 
+/// Of times and of correct responses, where there are any.
+std::vector<Figure> figures_of_course(const ResultTable&, const AnalysisOutcome& outcome) {
+  std::vector<Figure> figures{};
+  const FoundNumbers times(outcome.findings, kLearningOfTimes);
+  if (!times.all("block").empty()) figures.push_back(times_over_trials_figure(times));
+  const FoundNumbers correct(outcome.findings, kLearningCorrect);
+  if (!correct.all("block").empty()) figures.push_back(correct_over_trials_figure(correct));
+  return figures;
+}
+
 }  // namespace
 
 void add_learning(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
@@ -222,6 +233,7 @@ void add_learning(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   add_trial_blocks(times, correct, course);
   course.drop_empty_columns(2);
   course.note = note_on_course(course, gathered.kind);
+  course.figures = figures_of_course;
   keep_findings(of_times, outcome);
   keep_findings(of_correct, outcome);
   outcome.tables.push_back(std::move(changes));

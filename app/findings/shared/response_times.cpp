@@ -14,6 +14,7 @@
 #include "app/findings/gathering/trial_factors.h"
 #include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/study_findings.h"
+#include "app/findings/shared/figures/response_time_figures.h"
 
 namespace asperity {
 
@@ -130,6 +131,9 @@ void add_response_times(const GatheredAnswers& gathered, AnalysisOutcome& outcom
               count_cell(static_cast<std::size_t>(*trials->value)), found.cell("geomean", key),
               found.interval("geomean", key)});
   }
+  made.figures = [](const ResultTable&, const AnalysisOutcome& drawn) {
+    return std::vector{response_times_figure(FoundNumbers(drawn.findings, kResponseTimes))};
+  };
   made.note = note_on_times(made, static_cast<std::size_t>(found.value("n.untimed").value_or(0.0)),
                             gathered.answers.size());
   outcome.tables.push_back(std::move(made));

@@ -12,7 +12,7 @@
 #include <QtWidgets/QTableView>
 
 #include "app/findings/outcome/displayed_table.h"
-#include "app/findings/study/figures_of.h"
+#include "app/findings/outcome/figures_of.h"
 #include "app/gui/data/figure_view.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"

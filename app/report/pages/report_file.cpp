@@ -7,7 +7,7 @@
 #include <unistd.h>
 #include <vector>
 
-#include "app/findings/study/figures_of.h"
+#include "app/findings/outcome/figures_of.h"
 #include "app/report/pages/html_report.h"
 #include "app/report/pages/pdf_report.h"
 #include "app/report/text/study_report.h"

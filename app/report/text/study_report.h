@@ -14,7 +14,7 @@
 
 namespace asperity {
 
-/// Makes the figures of an outcome: app/findings/study/figures_of.h, or none without Qt.
+/// Makes the figures of an outcome: app/findings/outcome/figures_of.h, or none without Qt.
 using FiguresOfOutcome = std::function<std::vector<Figure>(const AnalysisOutcome&)>;
 
 /// A chapter about the study, then one per protocol, version and group of participants: design,

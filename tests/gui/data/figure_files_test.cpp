@@ -15,7 +15,7 @@
 #include "app/figures/axis_ticks.h"
 #include "app/figures/draw_figure.h"
 #include "app/findings/outcome/figure.h"
-#include "app/findings/study/figures_of.h"
+#include "app/findings/study/family_figures.h"
 #include "results_schema/study.h"
 #include "tests/app/made_up_study.h"
 #include "tests/gui/data/drawn_case.h"

@@ -1,6 +1,6 @@
 // Figures show the numbers of findings and tables, each at its place.
 
-#include "app/findings/study/figures_of.h"
+#include "app/findings/outcome/figures_of.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,12 +20,16 @@
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/figure.h"
 #include "app/findings/outcome/found_numbers.h"
+#include "app/findings/outcome/group_figures.h"
 #include "app/findings/outcome/single_participants.h"
+#include "app/findings/shared/anchor_figures.h"
 #include "app/findings/shared/anchors.h"
-#include "app/findings/shared/exploration.h"
+#include "app/findings/shared/choice_tables.h"
+#include "app/findings/shared/figures/forest_figures.h"
 #include "app/findings/shared/figures/replay_figure.h"
 #include "app/findings/shared/figures/response_time_figures.h"
 #include "app/findings/shared/figures/similarity_figures.h"
+#include "app/findings/study/family_figures.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "app/sweep/sweep_figure.h"
 #include "renderers/built_in_models.h"
@@ -86,16 +90,15 @@ TEST(FiguresOf, ShowTheMeansOfAnchorsAndALineForEachRun) {
     add(participant, "end", 3.0);
   }
   outcome.tables.push_back(result_of(anchors));
-  outcome.tables.push_back(result_of(
+  const ResultTable trend = result_of(
       {.name = kAnchorTrend,
        .table = {{"block", "question", "measure", "persons", "start", "middle", "end", "change"},
                  {{std::string("main"), std::string("rough"), std::string(kAnchorRating),
-                   std::int64_t{2}, 5.0, 4.5, 3.0, -2.0}}}}));
-  const std::vector<Figure> figures = figures_of(outcome);
+                   std::int64_t{2}, 5.0, 4.5, 3.0, -2.0}}}});
+  const std::vector<Figure> figures = anchor_figures(trend, outcome);
   ASSERT_EQ(figures.size(), 1U);
   const Figure& figure = figures.front();
   EXPECT_EQ(figure.name, "anchors_main_rough");
-  EXPECT_EQ(figure.table, kAnchorTrend);
   EXPECT_EQ(drawn_places(figure.x), (std::vector<std::string>{"start", "middle", "end"}));
   ASSERT_EQ(figure.series.size(), 2U);
   std::vector<double> means{};
@@ -110,8 +113,7 @@ TEST(FiguresOf, ShowTheMeansOfAnchorsAndALineForEachRun) {
 }
 
 TEST(FiguresOf, PutEachShareOfATableWithItsIntervalIntoARow) {
-  AnalysisOutcome outcome{};
-  outcome.tables.push_back(
+  const Figure figure = share_forest(
       result_of({.name = "shares",
                  .table = {{"column", "item", "chosen", "of", "persons", "share", "wilson_low",
                             "wilson_high", "chance"},
@@ -119,11 +121,8 @@ TEST(FiguresOf, PutEachShareOfATableWithItsIntervalIntoARow) {
                              std::int64_t{10}, std::int64_t{10}, 0.3, 0.11, 0.6, 0.5},
                             {std::string("all"), std::string("wave"), std::int64_t{12},
                              std::int64_t{20}, std::int64_t{10}, 0.6, 0.39, 0.78, 0.5}}}}));
-  const std::vector<Figure> figures = figures_of(outcome);
-  ASSERT_EQ(figures.size(), 1U);
-  const Figure& figure = figures.front();
   EXPECT_TRUE(figure.is_drawn());
-  EXPECT_EQ(figure.table, "shares");
+  EXPECT_EQ(figure.name, "shares_forest");
   EXPECT_EQ(drawn_places(figure.y),
             (std::vector<std::string>{"repetition 1 · wave (3 of 10)", "all · wave (12 of 20)"}));
   ASSERT_EQ(figure.series.size(), 2U);
@@ -152,16 +151,15 @@ TEST(FiguresOf, ExplainOnlyTheMarksOfSharesThatAreDrawn) {
                  {std::string("grain"), std::int64_t{1}, 0.5, Cell{}, Cell{}}}}};
   AnalysisOutcome outcome{};
   outcome.tables = results_of({shares, persons});
-  const std::vector<Figure> figures = figures_of(outcome);
-  ASSERT_EQ(figures.size(), 2U);
-  EXPECT_EQ(figures[0].note.english(),
+  EXPECT_EQ(share_forest(outcome.tables[0], outcome, {"persons", "choice"}).note.english(),
             "Points are proportions of all responses of a row; error bars show their Wilson 95 % "
             "CIs. Squares are means of the participants' own proportions: the participant is the "
             "unit of analysis.");
-  EXPECT_EQ(figures[1].note.english(),
+  const Figure means = person_forest(outcome.tables[1], outcome, "choice", "shares");
+  EXPECT_EQ(means.note.english(),
             "Squares are means of the participants' own proportions: the participant is the unit "
             "of analysis.");
-  EXPECT_EQ(figures[1].x.name.english(), "mean proportion");
+  EXPECT_EQ(means.x.name.english(), "mean proportion");
 }
 
 TEST(FiguresOf, ExplainOnlyTheMarksOfRoughnessThatAreDrawn) {
@@ -305,6 +303,29 @@ TEST(FiguresOf, OrderAScaleFromTheTopDown) {
     EXPECT_LT(figure.x.low, points[i].x_interval->low);
     EXPECT_GT(figure.x.high, points[i].x_interval->high);
   }
+}
+
+// An item that was never chosen has no place in the table of the scale, which is then missing.
+TEST(FiguresOf, DrawAScaleWithItsTableOrElseWithThatOfThePairs) {
+  AnalysisOutcome outcome{};
+  for (const auto& [item, worth] : {std::pair{"wave", 0.0}, std::pair{"grain", 1.5}}) {
+    outcome.findings.push_back({.quantity = "bt.firth.ability", .key = item, .value = worth});
+    outcome.findings.back().analysis = kWorthScale;
+  }
+  outcome.findings.push_back({.quantity = "bt.status"});
+  outcome.findings.back().analysis = kWorthScale;
+  const ResultTable pairs = result_of(
+      {.name = "pairs",
+       .table = {{"item", "against", "chosen", "of", "share", "wilson_low", "wilson_high"},
+                 {{std::string("grain"), std::string("wave"), std::int64_t{4}, std::int64_t{4}, 1.0,
+                   0.5, 1.0}}}});
+  const std::vector<Figure> both = figures_of_pairs(pairs, outcome);
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_EQ(both[1].name, "scale");
+  EXPECT_EQ(both[1].question, "pairs");
+  EXPECT_EQ(drawn_places(both[1].y), (std::vector<std::string>{"grain", "wave"}));
+  outcome.tables.push_back({.name = kWorthScale});
+  EXPECT_EQ(figures_of_pairs(pairs, outcome).size(), 1U);
 }
 
 /// Two tips over four spacings, the second half as rough.
@@ -499,11 +520,7 @@ TEST(FiguresOf, SetTheMeanOfPersonsBesideTheSharesOfTheirAnswers) {
                   {.name = "persons",
                    .table = {{"answers", "persons", "mean", "mean_low", "mean_high"},
                              {{std::string("all"), std::int64_t{5}, 0.55, 0.3, 0.8}}}}});
-  outcome.questions.push_back({.name = "right"});
-  const std::vector<Figure> figures = figures_of(outcome);
-  ASSERT_EQ(figures.size(), 1U) << "no figure of one mean alone";
-  const Figure& figure = figures.front();
-  EXPECT_EQ(figure.question, "right");
+  const Figure figure = share_forest(outcome.tables.front(), outcome, {"persons", "matching"});
   EXPECT_EQ(drawn_places(figure.y),
             (std::vector<std::string>{"wood (12 of 20)", "mean of 5 participants"}));
   ASSERT_EQ(figure.series.size(), 2U);
@@ -525,23 +542,18 @@ TEST(FiguresOf, SetTheMeansOfPersonsBesideTheSharesOfPositions) {
                                std::int64_t{4}, 0.675, 0.52, 0.8, 0.5},
                               {std::string("2"), std::int64_t{13}, std::int64_t{40},
                                std::int64_t{4}, 0.325, 0.2, 0.48, 0.5}}}},
-                  {.name = "persons",
-                   .table = {{"item", "persons", "mean", "mean_low", "mean_high"},
-                             {{std::string("sinusoid"), std::int64_t{4}, 0.5, 0.4, 0.6}}}},
                   {.name = "persons_by_position",
                    .table = {{"position", "persons", "mean", "mean_low", "mean_high"},
                              {{std::string("1"), std::int64_t{4}, 0.68, 0.34, 1.0},
                               {std::string("2"), std::int64_t{4}, 0.32, 0.0, 0.66}}}}});
-  outcome.questions.push_back({.name = "position"});
-  const std::vector<Figure> figures = figures_of(outcome);
-  ASSERT_EQ(figures.size(), 1U);
-  EXPECT_EQ(figures.front().question, "position");
-  EXPECT_EQ(drawn_places(figures.front().y),
+  const Figure figure =
+      share_forest(outcome.tables.front(), outcome, {"persons_by_position", "position"});
+  EXPECT_EQ(drawn_places(figure.y),
             (std::vector<std::string>{"position 1 (27 of 40)", "position 2 (13 of 40)",
                                       "position 1 · mean of 4 participants",
                                       "position 2 · mean of 4 participants"}));
-  ASSERT_EQ(figures.front().series.size(), 2U);
-  EXPECT_EQ(figures.front().series[1].points.front().x_interval->low, 0.34);
+  ASSERT_EQ(figure.series.size(), 2U);
+  EXPECT_EQ(figure.series[1].points.front().x_interval->low, 0.34);
 }
 
 TEST(FiguresOf, ShowBothGroupsAndTheirDifference) {
@@ -577,15 +589,15 @@ TEST(FiguresOf, ShowEveryPairOfGroupsUnderItsName) {
     }
   }
   std::vector<std::string> names{};
-  for (const Figure& figure : figures_of(outcome)) {
+  const std::vector<Figure> figures = figures_of_comparisons({}, outcome);
+  for (const Figure& figure : figures) {
     names.push_back(figure.name);
     EXPECT_TRUE(figure.is_drawn());
-    EXPECT_EQ(figure.table, "tests");
   }
   EXPECT_EQ(names, (std::vector<std::string>{
                        "groups_haptic_visual_means", "groups_haptic_visual_difference",
                        "groups_haptic_not_trained_means", "groups_haptic_not_trained_difference"}));
-  EXPECT_EQ(figures_of(outcome).front().question, "groups:haptic|visual");
+  EXPECT_EQ(figures.front().question, "groups:haptic|visual");
 }
 
 // Items of one go depend on each other, so that they are not pooled, and nothing says that they are.
@@ -599,14 +611,14 @@ TEST(FiguresOf, SayNothingOfAPooledDifferenceWhereThereIsNone) {
   }
   outcome.findings.back().low = -0.125;
   outcome.findings.back().high = 0.625;
-  const std::vector<Figure> figures = figures_of(outcome);
-  const auto found = std::find_if(figures.begin(), figures.end(), [](const Figure& figure) {
-    return figure.name == "group_difference";
-  });
-  ASSERT_NE(found, figures.end());
-  EXPECT_EQ(found->series.front().points.size(), 1U);
-  EXPECT_NE(found->note.english().find("Welch's"), std::string::npos);
-  EXPECT_EQ(found->note.english().find("Newcombe"), std::string::npos);
+  const std::vector<Figure> figures = figures_of_comparisons({}, outcome);
+  ASSERT_EQ(figures.size(), 2U);
+  const Figure& difference = figures.back();
+  EXPECT_EQ(difference.name, "group_difference");
+  EXPECT_EQ(difference.question, "sexes");
+  EXPECT_EQ(difference.series.front().points.size(), 1U);
+  EXPECT_NE(difference.note.english().find("Welch's"), std::string::npos);
+  EXPECT_EQ(difference.note.english().find("Newcombe"), std::string::npos);
 }
 
 TEST(FiguresOf, DrawScoresByItemWithTheirIntervals) {
@@ -725,7 +737,23 @@ TEST(FiguresOf, SayASentenceWhereThereIsNothingToDraw) {
   for (const Figure& figure : figures_of("proportion", counts, {})) {
     EXPECT_FALSE(figure.is_drawn());
   }
-  EXPECT_TRUE(figures_of(AnalysisOutcome{}).empty());
+}
+
+std::vector<Figure> two_figures_of(const ResultTable& table, const AnalysisOutcome& outcome) {
+  return {{.name = table.name + "_one"}, {.name = table.name + outcome.kind}};
+}
+
+TEST(FiguresOf, AreThoseThatTheTablesDeclareInTheirOrder) {
+  AnalysisOutcome outcome{.kind = "_of_rating"};
+  outcome.tables = {{.name = "first", .figures = two_figures_of},
+                    {.name = "without"},
+                    {.name = "last", .figures = two_figures_of}};
+  std::vector<std::pair<std::string, std::string>> made{};
+  for (const Figure& figure : figures_of(outcome)) made.emplace_back(figure.name, figure.table);
+  EXPECT_EQ(made, (std::vector<std::pair<std::string, std::string>>{{"first_one", "first"},
+                                                                    {"first_of_rating", "first"},
+                                                                    {"last_one", "last"},
+                                                                    {"last_of_rating", "last"}}));
 }
 
 TEST(SingleParticipants, StandAsideOfEqualValues) {
@@ -775,10 +803,9 @@ TEST(FiguresOf, PutResponseTimesByConditionOnALogarithmicAxis) {
 
 // Of three participants in all trials, of two with wood; other quantities stand between the findings.
 TEST(FiguresOf, PutContactTimesByConditionWithTheirQuartiles) {
-  AnalysisOutcome outcome{};
-  const auto add = [&outcome](const char* quantity, const char* key, double value, std::size_t n) {
-    Finding& finding = outcome.findings.emplace_back();
-    finding.analysis = kExploration;
+  std::vector<Finding> findings{};
+  const auto add = [&findings](const char* quantity, const char* key, double value, std::size_t n) {
+    Finding& finding = findings.emplace_back();
     finding.quantity = quantity;
     finding.key = key;
     finding.value = value;
@@ -796,11 +823,8 @@ TEST(FiguresOf, PutContactTimesByConditionWithTheirQuartiles) {
   add("subject.value", "contact_s|P1|texture=wood", 4.0, 1);
   add("subject.value", "contact_s|P2|texture=wood", 6.0, 1);
   add("median", "response_s", 1.0, 3);
-  const std::vector<Figure> figures = figures_of(outcome);
-  ASSERT_EQ(figures.size(), 1U);
-  const Figure& figure = figures.front();
+  const Figure figure = contact_times_figure(FoundNumbers(findings));
   EXPECT_EQ(figure.name, "contact_times");
-  EXPECT_EQ(figure.table, kExploration);
   EXPECT_EQ(drawn_places(figure.y),
             (std::vector<std::string>{"all trials (n = 3)", "wood (n = 2)"}));
   const FigureSeries& medians = figure.series.front();
@@ -875,7 +899,6 @@ TEST(FiguresOf, PutParticipantsBehindTheMeansOfATableOfPersons) {
                  .table = {{"item", "persons", "mean", "mean_low", "mean_high"},
                            {{std::string("wave"), std::int64_t{2}, 0.5, 0.1, 0.9},
                             {std::string("grain"), std::int64_t{2}, 0.5, 0.1, 0.9}}}}));
-  outcome.tables.push_back(result_of({.name = "other", .table = {{"item"}, {}}}));
   for (const auto& [key, share] :
        {std::pair("A|wave", 0.25), std::pair("A|grain", 0.75), std::pair("B|wave", 0.75)}) {
     Finding& own = outcome.findings.emplace_back();
@@ -886,9 +909,8 @@ TEST(FiguresOf, PutParticipantsBehindTheMeansOfATableOfPersons) {
   }
   outcome.findings.push_back(outcome.findings.front());
   outcome.findings.back().analysis = "texture";  // not what the table is about
-  const std::vector<Figure> figures = figures_of(outcome);
-  ASSERT_EQ(figures.size(), 1U);
-  const FigureSeries& singles = singles_in(figures.front());
+  const Figure figure = person_forest(outcome.tables.front(), outcome, "choice", "shares");
+  const FigureSeries& singles = singles_in(figure);
   ASSERT_EQ(singles.points.size(), 3U);
   EXPECT_EQ(singles.points[1].x, 0.75);
   EXPECT_EQ(singles.points[1].y, 0.0);

@@ -15,7 +15,7 @@
 #include "app/figures/figure_files.h"
 #include "app/findings/outcome/figure.h"
 #include "app/findings/outcome/found_numbers.h"
-#include "app/findings/study/figures_of.h"
+#include "app/findings/study/family_figures.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/gui/data/drawn_case.h"
 #include "tests/gui/data/drawn_svg.h"
@@ -158,7 +158,7 @@ TEST_F(PerceptualMap, StatesThatItShowsTwoOfThreeDimensions) {
   for (Finding& finding : findings) {
     if (finding.quantity == "dimensions") finding.value = 3.0;
   }
-  EXPECT_NE(perceptual_map_figures(FoundNumbers(findings))
+  EXPECT_NE(figures_of("similarity", {}, findings)
                 .front()
                 .note.english()
                 .find("The first two of 3 dimensions"),
@@ -167,7 +167,7 @@ TEST_F(PerceptualMap, StatesThatItShowsTwoOfThreeDimensions) {
 
 TEST(PerceptualMapWithoutNumbers, StatesWhyThereIsNone) {
   const std::vector<Finding> none{};
-  const std::vector<Figure> nothing = perceptual_map_figures(FoundNumbers(none));
+  const std::vector<Figure> nothing = figures_of("similarity", {}, none);
   for (const Figure& one : nothing) {
     EXPECT_FALSE(one.is_drawn()) << one.name;
     EXPECT_NE(one.instead.english().find("collect responses first"), std::string::npos) << one.name;
@@ -175,7 +175,7 @@ TEST(PerceptualMapWithoutNumbers, StatesWhyThereIsNone) {
   std::vector<Finding> findings(1);
   findings.front().quantity = "stress.ordinal";
   findings.front().word = "not_connected";
-  EXPECT_EQ(perceptual_map_figures(FoundNumbers(findings)).front().instead.english(),
+  EXPECT_EQ(figures_of("similarity", {}, findings).front().instead.english(),
             "There is no configuration: the rated pairs do not connect all items.");
 }
 

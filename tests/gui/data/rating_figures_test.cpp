@@ -18,7 +18,7 @@
 #include "app/findings/outcome/analysis_outcome.h"
 #include "app/findings/outcome/figure.h"
 #include "app/findings/outcome/found_numbers.h"
-#include "app/findings/study/figures_of.h"
+#include "app/findings/study/family_figures.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/app/stored_tables.h"
 #include "tests/gui/data/drawn_svg.h"
@@ -77,7 +77,6 @@ TEST(ProfileFigure, HasARowPerScaleBetweenItsEndsAndALinePerItem) {
   const StoredTable scales = two_scales();
   const Figure figure = profile_of(two_profiles(), &scales);
   ASSERT_TRUE(figure.is_drawn());
-  EXPECT_EQ(figure.table, "ratings");
   EXPECT_EQ(words_of(figure.y.places), (std::vector<std::string>{"smooth", "soft"}));
   EXPECT_EQ(words_of(figure.y.far_places), (std::vector<std::string>{"rough", "hard"}));
   EXPECT_EQ(figure.x.low, -3.0);
@@ -346,7 +345,6 @@ TEST(ProfileFigure, WritesTheEndsOfItsRowsOnBothSidesOfTheSheet) {
 // A study asks one scale or several; see also the analysis page.
 TEST(RatingFigures, AreARowPerItemForASingleScale) {
   AnalysisOutcome outcome{};
-  outcome.kind = "rating";
   outcome.tables.push_back(result_of(
       ratings_of({{"rough", "metal", -1.0, -1.5, -0.5}, {"rough", "wood", 2.0, 1.0, 3.0}})));
   outcome.questions.push_back({.name = "ratings_rough", .table = "ratings"});
@@ -358,10 +356,9 @@ TEST(RatingFigures, AreARowPerItemForASingleScale) {
     mean.value = 1.0;
     mean.n = 12;
   }
-  const std::vector<Figure> figures = figures_of(outcome);
+  const std::vector<Figure> figures = rating_figures(outcome.tables.front(), outcome);
   ASSERT_EQ(figures.size(), 1U);
   EXPECT_EQ(figures[0].name, "ratings");
-  EXPECT_EQ(figures[0].table, "ratings");
   EXPECT_EQ(figures[0].question, "ratings_rough");
   EXPECT_EQ(words_of(figures[0].y.places),
             (std::vector<std::string>{"metal (n = 12)", "wood (n = 12)"}));
@@ -372,7 +369,7 @@ TEST(RatingFigures, FollowTheLastAnswerOnTheirScales) {
   outcome.tables.push_back(result_of(two_profiles()));
   outcome.questions.push_back({.name = "ratings_rough", .table = "ratings"});
   outcome.questions.push_back({.name = "ratings_hard", .table = "ratings"});
-  const std::vector<Figure> figures = figures_of(outcome);
+  const std::vector<Figure> figures = rating_figures(outcome.tables.front(), outcome);
   ASSERT_EQ(figures.size(), 1U);
   EXPECT_EQ(figures[0].name, "profile");
   EXPECT_EQ(figures[0].question, "ratings_hard");

@@ -15,7 +15,7 @@
 #include <QtWidgets/QPushButton>
 #include <gtest/gtest.h>
 
-#include "app/findings/study/figures_of.h"
+#include "app/findings/outcome/figures_of.h"
 #include "app/gui/base/open_study.h"
 #include "app/gui/data/analysis_page.h"
 #include "app/gui/look/controls.h"

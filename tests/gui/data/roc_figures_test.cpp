@@ -1,5 +1,7 @@
 // Figures of the ROC of confidence ratings.
 
+#include "app/findings/methods/discrimination/sensitivity/roc_figures.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +20,7 @@
 #include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/figure.h"
 #include "app/findings/outcome/found_numbers.h"
-#include "app/findings/study/figures_of.h"
+#include "app/findings/study/family_figures.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/app/stored_tables.h"
 #include "tests/gui/data/drawn_svg.h"
@@ -135,7 +137,7 @@ TEST(RocFigures, DrawTheFittedCurveThroughThePointsOverItsArea) {
 
 TEST(RocFigures, HaveACurveForEveryLevelAndAFigureForEveryParticipant) {
   const AnalysisOutcome outcome = outcome_with_roc("all");
-  const std::vector<Figure> figures = figures_of(outcome);
+  const std::vector<Figure> figures = roc_figures(outcome.tables.front(), outcome);
   ASSERT_EQ(figures.size(), 2U);
   EXPECT_EQ(figures.front().name, "roc") << "all participants first";
   EXPECT_EQ(figures.front().question, kConfidenceRoc);
@@ -159,7 +161,7 @@ TEST(RocFigures, NameTheConditionWhereThereAreSeveral) {
   const ResultTable& added = more.tables.front();
   table.rows.insert(table.rows.end(), added.rows.begin(), added.rows.end());
   outcome.findings.insert(outcome.findings.end(), more.findings.begin(), more.findings.end());
-  const std::vector<Figure> figures = figures_of(outcome);
+  const std::vector<Figure> figures = roc_figures(outcome.tables.front(), outcome);
   EXPECT_EQ(figures.size(), 4U);
   EXPECT_EQ(roc_named(figures, "roc_steel").title.english(),
             "ROC of the confidence ratings: steel");
@@ -173,7 +175,7 @@ TEST(RocFigures, NameTheParameterWhereTasksVarySeveral) {
   ResultTable& table = outcome.tables.front();
   const ResultTable& added = more.tables.front();
   table.rows.insert(table.rows.end(), added.rows.begin(), added.rows.end());
-  const std::vector<Figure> figures = figures_of(outcome);
+  const std::vector<Figure> figures = roc_figures(outcome.tables.front(), outcome);
   ASSERT_EQ(figures.size(), 4U);
   EXPECT_TRUE(roc_named(figures, "roc_amplitude_m").is_drawn());
   EXPECT_THAT(roc_named(figures, "roc_p1_spacing_m").title.english(), HasSubstr(": spacing"));

@@ -11,12 +11,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/findings/methods/discrimination/thresholds/psychometric_figures.h"
+#include "app/findings/methods/discrimination/thresholds/study_track_figures.h"
 #include "app/findings/methods/discrimination/thresholds/track_figure.h"
 #include "app/findings/outcome/analysis_outcome.h"
 #include "app/findings/outcome/figure.h"
+#include "app/findings/outcome/figures_of.h"
 #include "app/findings/outcome/found_numbers.h"
 #include "app/findings/study/analyze_study.h"
-#include "app/findings/study/figures_of.h"
+#include "app/findings/study/family_figures.h"
 #include "app/findings/tidy/reference_case.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/app/made_up_study.h"
@@ -197,7 +199,6 @@ TEST(TrackFigures, DrawEveryTrialByItsResponseAndRingsAtReversals) {
 }
 
 TEST(TrackFigures, DrawTheTracksOfEachParticipantOfAStudy) {
-  AnalysisOutcome outcome{};
   StoredTable tracks{
       .name = "tracks",
       .table = {{"participant", "condition", "track", "step", "level", "hit", "unit"}, {}}};
@@ -209,8 +210,7 @@ TEST(TrackFigures, DrawTheTracksOfEachParticipantOfAStudy) {
                                    std::int64_t{i == 1 ? 0 : 1}, std::string("m")});
     }
   }
-  outcome.tables.push_back(result_of(tracks));
-  const std::vector<Figure> figures = figures_of(outcome);
+  const std::vector<Figure> figures = track_figures(result_of(tracks), {});
   const Figure& figure = figure_named(figures, "tracks_p2");
   EXPECT_EQ(figure.y.unit, "µm");
   ASSERT_EQ(figure.series.size(), 3U);
@@ -222,7 +222,6 @@ TEST(TrackFigures, DrawTheTracksOfEachParticipantOfAStudy) {
 }
 
 TEST(TrackFigures, HaveASymbolForResponsesThatCannotTell) {
-  AnalysisOutcome outcome{};
   StoredTable tracks{
       .name = "tracks",
       .table = {{"participant", "condition", "track", "step", "level", "hit", "unit"}, {}}};
@@ -232,8 +231,7 @@ TEST(TrackFigures, HaveASymbolForResponsesThatCannotTell) {
                                    std::int64_t{step}, 70e-6, hit, std::string("m")});
     }
   }
-  outcome.tables.push_back(result_of(tracks));
-  const std::vector<Figure> figures = figures_of(outcome);
+  const std::vector<Figure> figures = track_figures(result_of(tracks), {});
   const Figure& with = figure_named(figures, "tracks_p1");
   EXPECT_THAT(with.note.english(), HasSubstr("Open symbols with a dot: responses “cannot tell”"));
   ASSERT_EQ(with.series.size(), 3U);
@@ -249,7 +247,6 @@ TEST(TrackFigures, HaveASymbolForResponsesThatCannotTell) {
 }
 
 TEST(TrackFigures, SeparateTheRunsOfABlock) {
-  AnalysisOutcome outcome{};
   StoredTable tracks{.name = "tracks",
                      .table = {{"participant", "condition", "session", "block_ordinal", "track",
                                 "step", "level", "hit", "unit"},
@@ -261,8 +258,7 @@ TEST(TrackFigures, SeparateTheRunsOfABlock) {
                                    std::int64_t{1}, std::string("m")});
     }
   }
-  outcome.tables.push_back(result_of(tracks));
-  const std::vector<Figure> figures = figures_of(outcome);
+  const std::vector<Figure> figures = track_figures(result_of(tracks), {});
   const Figure& figure = figure_named(figures, "tracks_p1");
   std::vector<std::string> names{};
   for (const FigureSeries& series : figure.series) {

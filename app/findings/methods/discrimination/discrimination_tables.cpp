@@ -18,7 +18,9 @@
 #include "app/findings/methods/discrimination/thresholds/discrimination_coverage.h"
 #include "app/findings/methods/discrimination/thresholds/left_out_thresholds.h"
 #include "app/findings/methods/discrimination/thresholds/missing_threshold.h"
+#include "app/findings/methods/discrimination/thresholds/study_track_figures.h"
 #include "app/findings/methods/discrimination/thresholds/threshold_columns.h"
+#include "app/findings/methods/discrimination/thresholds/threshold_figures.h"
 #include "app/findings/methods/discrimination/thresholds/unforced_functions.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/display_number.h"
@@ -671,6 +673,9 @@ void add_discrimination_tables(const GatheredAnswers& gathered,
   psychometric.drop_empty_columns(2);
   order.drop_empty_columns(1);
   places.drop_empty_columns(1);
+  means.figures = threshold_figures;
+  psychometric.figures = function_figures;
+  tracks.figures = track_figures;
   if (!means.rows.empty()) outcome.tables.push_back(std::move(means));
   outcome.tables.push_back(std::move(thresholds));
   outcome.tables.push_back(std::move(psychometric));

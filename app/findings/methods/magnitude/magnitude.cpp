@@ -12,13 +12,14 @@
 
 #include "app/findings/gathering/answer_columns.h"
 #include "app/findings/methods/magnitude/magnitude_analysis.h"
+#include "app/findings/methods/magnitude/roughness_figure.h"
 #include "app/findings/methods/magnitude/roughness_peaks.h"
+#include "app/findings/methods/magnitude/stimulus_estimates.h"
 #include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/shared/estimates.h"
 #include "app/findings/shared/group_comparisons.h"
 #include "app/findings/shared/magnitude_effects.h"
-#include "app/findings/shared/stimulus_estimates.h"
 
 namespace asperity {
 
@@ -38,6 +39,10 @@ void add_estimates(const ComparedEstimates& compared, const FoundNumbers& found,
              "Geometric means of the estimates. normalised: each participant's scale removed (the "
              "mean of the logarithms of all cells). raw: not normalised. left out: number of "
              "participants without an estimate in some cell; only raw includes them.")};
+  curves.figures = [](const ResultTable&, const AnalysisOutcome& drawn) {
+    const FoundNumbers numbers(drawn.findings, kRoughness);
+    return std::vector{answering("spacing", roughness_figure(numbers, "m", CurveNames::alone))};
+  };
   const bool is_within =
       gathered.estimation.normalisation() == EstimateNormalisation::geometric_mean;
   if (!is_within) {

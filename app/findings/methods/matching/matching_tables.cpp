@@ -14,6 +14,7 @@
 #include "app/findings/outcome/tally.h"
 #include "app/findings/shared/choice_tables.h"
 #include "app/findings/shared/figures/confusion_figure.h"
+#include "app/findings/shared/figures/forest_figures.h"
 
 namespace asperity {
 
@@ -139,7 +140,9 @@ void add_matching_tables(const GatheredAnswers& gathered, std::span<const Matche
     }
   }
   whole.add_rows(shares);
-  add_shares(shares, outcome);
+  add_shares(shares, outcome).figures = [](const ResultTable& table, const AnalysisOutcome&) {
+    return std::vector{answering("whole", share_forest(table))};
+  };
   outcome.tables.push_back(std::move(items));
 }
 
@@ -172,9 +175,11 @@ void add_confusions(const GatheredAnswers& gathered, std::span<const MatchedTria
       "share_of_items_correct",
       {}};
   for (const auto& [texture, tally] : by_texture) textures.rows.push_back({{texture}, tally});
-  add_shares(textures, outcome);
-  confusions.add_table(gathered, options, outcome);
-  outcome.tables.back().figure = confusion_figure;
+  add_shares(textures, outcome).figures = [](const ResultTable& table,
+                                             const AnalysisOutcome& drawn) {
+    return std::vector{answering("items", share_forest(table, drawn, {kPersonMeans, "matching"}))};
+  };
+  confusions.add_table(gathered, options, outcome).figures = confusion_figures;
 }
 
 void add_confused_pairs(const std::vector<std::string>& felt, const FoundNumbers& found,

@@ -122,7 +122,7 @@ void add_pair_tables(const PairedStudy& study, AnalysisOutcome& outcome) {
   for (const auto& [key, tally] : study.shares) {
     pairs.rows.push_back({{items[key.first], items[key.second]}, tally});
   }
-  add_shares(pairs, outcome);
+  add_shares(pairs, outcome).figures = figures_of_pairs;
   add_positions_table(study.positions,
                       phrase("Analysis",
                              "The position is the place of a surface in the order of "

@@ -9,6 +9,9 @@
 
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/columns.h"
+#include "app/findings/outcome/drawn_table.h"
+#include "app/findings/outcome/found_numbers.h"
+#include "app/findings/shared/figures/mean_figures.h"
 
 namespace asperity {
 
@@ -219,7 +222,6 @@ bool continues_beyond(const Figure& figure) {
 
 Figure profile_figure(const ResultTable& ratings, const ResultTable* shown) {
   Figure figure{.name = "profile",
-                .table = ratings.name,
                 .title = phrase("Figures", "Profiles of the items: mean ratings on each scale"),
                 .shape = FigureShape::rows};
   const std::vector<RatedMean> means = means_in(ratings);
@@ -260,6 +262,26 @@ Figure profile_figure(const ResultTable& ratings, const ResultTable* shown) {
             .with(figure.note);
   }
   return figure;
+}
+
+std::vector<Figure> rating_figures(const ResultTable& ratings, const AnalysisOutcome& outcome) {
+  std::string question{};
+  for (const AnsweredQuestion& asked : outcome.questions) {
+    if (asked.table == ratings.name) question = asked.name;
+  }
+  std::set<std::string> scales{};
+  for (const ResultRow& row : ratings.rows) {
+    scales.insert(RowReader(ratings, row).text(columns::kScale));
+  }
+  if (scales.size() > 1) {
+    return {answering(question, profile_figure(ratings, table_named(outcome, kScales)))};
+  }
+  std::vector<Finding> means{};
+  for (const Finding* const mean : FoundNumbers(outcome.findings, ratings.name).all("mean.score")) {
+    means.push_back(*mean);
+    means.back().key.erase(0, mean->key.find('|') + 1);  // the scale
+  }
+  return {answering(question, rating_figure(FoundNumbers(means)))};
 }
 
 }  // namespace asperity

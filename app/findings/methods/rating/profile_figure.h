@@ -1,6 +1,8 @@
-// Makes the figure of ratings on several scales.
+// Makes the figures of ratings on one or several scales.
 
 #pragma once
+
+#include <vector>
 
 #include "app/findings/outcome/analysis_outcome.h"
 #include "app/findings/outcome/figure.h"
@@ -12,6 +14,13 @@ inline const ResultColumn kLowLabel{.id = "low_label",
                                     .heading = phrase("AnalysisWords", "label of the minimum")};
 inline const ResultColumn kHighLabel{.id = "high_label",
                                      .heading = phrase("AnalysisWords", "label of the maximum")};
+
+/// The table of the scales, as shown to participants.
+inline constexpr const char* kScales = "scales";
+
+/// Of the table of mean ratings, whose findings have its name: for one scale a row per item, for several a profile. It answers the
+/// question about the last of them.
+std::vector<Figure> rating_figures(const ResultTable& ratings, const AnalysisOutcome& outcome);
 
 /// Mean ratings of the items on several scales, a row per scale and a line per item. `shown`: the
 /// table of the ends and ranges of the scales; may be null.

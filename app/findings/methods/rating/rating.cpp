@@ -34,7 +34,6 @@ namespace asperity {
 namespace {
 
 constexpr const char* kRatings = "ratings";
-constexpr const char* kScales = "scales";
 constexpr const char* kAgreement = "agreement";
 
 const ResultColumn kPoints{.id = "points", .heading = phrase("AnalysisWords", "points")};
@@ -266,6 +265,7 @@ void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
       phrase("Analysis",
              "Means of the participants' mean ratings, over the participants who rated every item, "
              "with t-based 95 % CIs; mean rank: 1 for a participant's lowest rating.")};
+  ratings.figures = rating_figures;
   ResultTable agreement{
       kAgreement,
       phrase("Analysis", "Agreement of the participants on each scale"),

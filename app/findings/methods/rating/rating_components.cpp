@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/findings/gathering/answer_columns.h"
+#include "app/findings/methods/rating/biplot_figure.h"
 #include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/study_findings.h"
@@ -114,6 +115,16 @@ Phrase words_of_retained(const std::string& code) {
   return code == "yes" ? phrase("CellWords", "yes") : phrase("CellWords", "no");
 }
 
+/// None without a second component: too few items for its loadings.
+std::vector<Figure> figures_of_loadings(const ResultTable&, const AnalysisOutcome& outcome) {
+  const FoundNumbers found(outcome.findings, kComponents);
+  const std::vector<const Finding*> loadings = found.all("loading");
+  const bool has_second = std::any_of(loadings.begin(), loadings.end(), [](const Finding* loading) {
+    return loading->key.ends_with("|C2");
+  });
+  return has_second ? std::vector{biplot_figure(found)} : std::vector<Figure>{};
+}
+
 const ResultColumn kComponent{.id = "component", .heading = phrase("AnalysisWords", "component")};
 const ResultColumn kEigenvalue{.id = "eigenvalue",
                                .heading = phrase("AnalysisWords", "eigenvalue")};
@@ -169,6 +180,7 @@ void add_rating_components(const GatheredAnswers& gathered, const std::vector<Ra
                        phrase("Analysis", "Loadings of the scales and scores of the items"),
                        {kLoadedQuantity, kName, kComponent, kValue, kCorrected},
                        note_on_loadings(items.size(), loaded, eigenvalues.size())};
+  loadings.figures = figures_of_loadings;
   for (const QuantityName quantity : std::initializer_list<QuantityName>{"loading", "score"}) {
     for (const Finding* const finding : found.all(quantity)) {
       const std::string corrected = std::string(quantity) + ".corrected";

@@ -22,6 +22,7 @@
 #include "app/findings/shared/choice_tables.h"
 #include "app/findings/shared/crossed_textures.h"
 #include "app/findings/shared/figures/confusion_figure.h"
+#include "app/findings/shared/figures/forest_figures.h"
 #include "app/findings/shared/judged_answers.h"
 #include "app/findings/shared/participant_pairs.h"
 #include "app/findings/shared/repetition_reliability.h"
@@ -29,6 +30,9 @@
 namespace asperity {
 
 namespace {
+
+constexpr const char* kRecognition =
+    "recognition";  // the analysis of the responses, and its family
 
 void add_recognition_tables(const GatheredAnswers& gathered,
                             const std::vector<JudgedAnswer>& judged,
@@ -67,7 +71,9 @@ void add_recognition_tables(const GatheredAnswers& gathered,
       "share_correct",
       {}};
   right.add_rows(shares);
-  add_shares(shares, outcome);
+  add_shares(shares, outcome).figures = [](const ResultTable& table, const AnalysisOutcome& drawn) {
+    return std::vector{share_forest(table, drawn, {kPersonMeans, kRecognition})};
+  };
   ShareTable textures{kSharesByTexture,
                       phrase("Analysis", "Proportion correct, by texture"),
                       {},
@@ -78,9 +84,12 @@ void add_recognition_tables(const GatheredAnswers& gathered,
   for (const std::string& texture : pictures.felt) {
     textures.rows.push_back({{texture}, by_texture[*gathered.words.find(texture)]});
   }
-  add_shares(textures, outcome);
-  confusions.add_table(gathered, options, outcome);
-  outcome.tables.back().figure = confusion_figure;
+  add_shares(textures, outcome).figures = [](const ResultTable& table,
+                                             const AnalysisOutcome& drawn) {
+    return std::vector{
+        answering("right", share_forest(table, drawn, {kPersonMeans, kRecognition}))};
+  };
+  confusions.add_table(gathered, options, outcome).figures = confusion_figures;
 }
 
 void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests& tests,
@@ -236,7 +245,7 @@ std::vector<StudyTest> test_recognition(const GatheredAnswers& gathered) {
     TidyInput input =
         judged_trials_table(gathered, judged, {pictures.all.begin(), pictures.all.end()});
     input.options.set("parts", std::string(needs_information ? "all" : "participants"));
-    findings = analysis_of("recognition", "recognition", std::move(input));
+    findings = analysis_of(kRecognition, kRecognition, std::move(input));
   }
   const FoundNumbers found(findings);
   add_right_test(gathered, pictures, found, tests);
@@ -262,13 +271,13 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   std::vector<Finding> similarity{};
   if (have_common_chance(pictures)) {
     findings =
-        analysis_of("recognition", "recognition", judged_trials_table(gathered, judged, labels));
+        analysis_of(kRecognition, kRecognition, judged_trials_table(gathered, judged, labels));
     if (pictures.felt.size() == labels.size()) {
       std::copy_if(findings.begin(), findings.end(), std::back_inserter(similarity),
                    is_about_similarity);
-      for (Finding& finding : similarity) finding.analysis = "similarity";
+      for (Finding& finding : similarity) finding.analysis = kTextureSimilarity;
     } else if (pictures.felt.size() > 1) {
-      similarity = analysis_of("similarity", "recognition",
+      similarity = analysis_of(kTextureSimilarity, kRecognition,
                                judged_trials_table(gathered, judged, pictures.felt));
       std::erase_if(similarity, [](const Finding& one) { return !is_about_similarity(one); });
     }

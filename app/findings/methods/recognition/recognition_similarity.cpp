@@ -11,6 +11,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/findings/outcome/columns.h"
+#include "app/findings/shared/figures/similarity_figures.h"
 
 namespace asperity {
 
@@ -59,7 +60,7 @@ void add_similarity_tables(const std::vector<std::string>& felt, const FoundNumb
   if (felt.size() < 2 || found.find("dis.shepard", felt[0] + '|' + felt[1]) == nullptr) return;
   using namespace columns;
   ResultTable pairs{
-      "similarity",
+      kTextureSimilarity,
       phrase("Analysis", "Similarity of the textures"),
       {kFelt, kOther, kSimilarity, kDissimilarity},
       phrase("Analysis",
@@ -79,6 +80,12 @@ void add_similarity_tables(const std::vector<std::string>& felt, const FoundNumb
                    phrase("Analysis",
                           "Average linkage of the dissimilarities. Each row joins the cluster of "
                           "the first texture with that of the second.")};
+  map.figures = [](const ResultTable&, const AnalysisOutcome& drawn) {
+    return std::vector{similarity_map(FoundNumbers(drawn.findings, kTextureSimilarity))};
+  };
+  tree.figures = [](const ResultTable&, const AnalysisOutcome& drawn) {
+    return std::vector{dendrogram(FoundNumbers(drawn.findings, kTextureSimilarity))};
+  };
   for (std::size_t i = 0; i < felt.size(); ++i) {
     for (std::size_t j = i + 1; j < felt.size(); ++j) {
       const std::string key = felt[i] + '|' + felt[j];

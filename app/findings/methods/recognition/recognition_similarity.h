@@ -10,6 +10,9 @@
 
 namespace asperity {
 
+/// The analysis of their findings, and the table of the pairs.
+inline constexpr const char* kTextureSimilarity = "similarity";
+
 /// Whether a finding of the family `recognition` is about similarities, their MDS configuration or their dendrogram.
 bool is_about_similarity(const Finding& finding);
 

@@ -18,6 +18,7 @@
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/tally.h"
 #include "app/findings/shared/choice_tables.h"
+#include "app/findings/shared/figures/forest_figures.h"
 #include "app/findings/shared/group_comparisons.h"
 #include "app/findings/shared/participant_pairs.h"
 #include "app/findings/shared/selection_choices.h"
@@ -27,6 +28,8 @@
 namespace asperity {
 
 namespace {
+
+constexpr const char* kChoice = "choice";  // the analysis of the choices
 
 /// All counts, from one pass over the responses.
 struct SelectionCounts {
@@ -118,8 +121,10 @@ void add_share_tables(const Selection& selection, const SelectionCounts& counts,
       }
     }
   }
-  add_shares(shares, outcome);
-  add_shares(pairs, outcome);
+  add_shares(shares, outcome).figures = [](const ResultTable& table, const AnalysisOutcome& drawn) {
+    return std::vector{share_forest(table, drawn, {kPersonMeans, kChoice})};
+  };
+  add_shares(pairs, outcome).figures = figures_of_pairs;
   ShareTable textures{kSharesByTexture,
                       phrase("Analysis", "Proportion of choices of each model, by texture"),
                       {},
@@ -133,7 +138,9 @@ void add_share_tables(const Selection& selection, const SelectionCounts& counts,
                                counts.textures[texture * items + item]});
     }
   }
-  add_shares(textures, outcome);
+  add_shares(textures, outcome).figures = [](const ResultTable& table, const AnalysisOutcome&) {
+    return std::vector{answering("textures", share_forest(table))};
+  };
 }
 
 void add_positions(const SelectionCounts& counts, AnalysisOutcome& outcome) {
@@ -224,7 +231,6 @@ void test_textures(const Selection& selection, StudyTests& tests, AnalysisOutcom
 /// The findings of the family `selection` on the choices: for each pair separately where trials
 /// offer different items. `parts`: those of the family's findings that are needed.
 std::vector<Finding> choice_findings(const Selection& selection, const char* parts = "all") {
-  constexpr const char* kName = "choice";
   constexpr const char* kFamily = "selection";
   if (selection.items.size() < 2) return {};
   if (selection.all_offered) {
@@ -232,9 +238,9 @@ std::vector<Finding> choice_findings(const Selection& selection, const char* par
         selection, selection.items,
         [&](const GatheredAnswer& answer) { return selection.chosen(answer); }, selection.target());
     choices.options.set("parts", std::string(parts));
-    return analysis_of(kName, kFamily, std::move(choices));
+    return analysis_of(kChoice, kFamily, std::move(choices));
   }
-  return pair_findings(kName, selection, parts);
+  return pair_findings(kChoice, selection, parts);
 }
 
 /// Each participant's proportions: of every item, or of the first of every pair.
@@ -243,7 +249,17 @@ void add_shares_of_persons(const Selection& selection, const FoundNumbers& found
   std::vector<PersonsRow> rows{};
   if (selection.all_offered) {
     for (const std::string& item : selection.items) rows.push_back({item, item});
-    add_persons(found, rows, columns::kItem, "share_chosen", outcome);
+    ResultTable* const made = add_persons(found, rows, columns::kItem, "share_chosen", outcome);
+    if (made == nullptr) return;
+    made->figures = [](const ResultTable& table, const AnalysisOutcome& drawn) {
+      std::vector<Figure> figures{};
+      // A single mean is drawn with the proportions that it averages.
+      if (table.rows.size() > 1) {
+        figures.push_back(
+            answering("preference", person_forest(table, drawn, kChoice, kAllShares)));
+      }
+      return figures;
+    };
     return;
   }
   for (const ItemPair& pair : pairs_offered(selection)) {
@@ -435,7 +451,7 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   if (selection.items.size() > 1) add_scale_table(selection, FoundNumbers(scale), outcome);
   tests.finish(outcome);
   if (selection.all_offered) {
-    state_means_of_items(outcome, {.analysis = "choice",
+    state_means_of_items(outcome, {.analysis = kChoice,
                                    .quantity = "subj.mean",
                                    .items = selection.items,
                                    .tests = {"preference"},

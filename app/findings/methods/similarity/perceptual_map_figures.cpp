@@ -13,7 +13,6 @@
 #include "analysis/numbers/number_text.h"
 #include "app/findings/methods/similarity/similarity_configuration.h"
 #include "app/findings/outcome/cell_words.h"
-#include "app/findings/shared/figures/similarity_figures.h"
 
 namespace asperity {
 
@@ -88,6 +87,8 @@ Phrase why_no_configuration(const FoundNumbers& found) {
                       "There are no ratings from which to make a configuration; collect "
                       "responses first.");
 }
+
+}  // namespace
 
 Figure configuration_figure(const FoundNumbers& found) {
   Figure figure{.name = "configuration",
@@ -264,24 +265,6 @@ Figure weights_figure(const FoundNumbers& found) {
   figure.y.name = phrase("Figures", "weight of the second");
   figure.series.push_back(std::move(points));
   return figure;
-}
-
-}  // namespace
-
-std::vector<Figure> perceptual_map_figures(const FoundNumbers& found) {
-  std::vector<Figure> figures{};
-  figures.push_back(configuration_figure(found));
-  figures.back().table = "configuration";
-  figures.back().question = "configuration";
-  figures.push_back(shepard_figure(found));
-  figures.back().table = "dissimilarities";
-  figures.push_back(stress_figure(found));
-  figures.back().table = "stress";
-  figures.push_back(dendrogram(found, rated_tree()));
-  figures.back().table = "tree";
-  figures.push_back(weights_figure(found));
-  figures.back().table = "weights";
-  return figures;
 }
 
 }  // namespace asperity

@@ -2,14 +2,19 @@
 
 #pragma once
 
-#include <vector>
-
 #include "app/findings/outcome/figure.h"
 #include "app/findings/outcome/found_numbers.h"
 
 namespace asperity {
 
-/// Of rated dissimilarities: configuration, Shepard diagram, stress by dimensions, dendrogram and weights of the participants.
-std::vector<Figure> perceptual_map_figures(const FoundNumbers& found);
+// Of rated dissimilarities, from the findings of the family `similarity`.
+
+Figure configuration_figure(const FoundNumbers& found);
+/// The Shepard diagram.
+Figure shepard_figure(const FoundNumbers& found);
+/// Stress by the number of dimensions.
+Figure stress_figure(const FoundNumbers& found);
+/// The weights of the participants.
+Figure weights_figure(const FoundNumbers& found);
 
 }  // namespace asperity

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/findings/gathering/answer_columns.h"
+#include "app/findings/methods/similarity/perceptual_map_figures.h"
 #include "app/findings/methods/similarity/similarity_analysis.h"
 #include "app/findings/methods/similarity/similarity_configuration.h"
 #include "app/findings/outcome/cell_words.h"
@@ -19,6 +20,7 @@
 #include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/test_sentences.h"
+#include "app/findings/shared/figures/similarity_figures.h"
 #include "app/findings/shared/group_comparisons.h"
 #include "app/findings/shared/similarity_properties.h"
 #include "protocols/answers/scale_form.h"
@@ -116,6 +118,17 @@ ResultColumn weight_column(std::size_t dimension) {
   return {.id = "weight_" + number, .heading = phrase("AnalysisWords", "weight %1").with(number)};
 }
 
+template <Figure (*make)(const FoundNumbers&)>
+std::vector<Figure> figure_of_configuration(const ResultTable&, const AnalysisOutcome& outcome) {
+  return {make(FoundNumbers(outcome.findings, kConfiguration))};
+}
+
+Figure map_of_items(const FoundNumbers& found) {
+  return answering(kConfiguration, configuration_figure(found));
+}
+
+Figure tree_of_items(const FoundNumbers& found) { return dendrogram(found, rated_tree()); }
+
 void add_pairs_table(const std::vector<std::string>& items, const FoundNumbers& found,
                      AnalysisOutcome& outcome) {
   using namespace columns;
@@ -139,6 +152,7 @@ void add_pairs_table(const std::vector<std::string>& items, const FoundNumbers& 
                  found.cell("disparity", key)});
     }
   }
+  pairs.figures = figure_of_configuration<shepard_figure>;
   if (!pairs.rows.empty()) outcome.tables.push_back(std::move(pairs));
 }
 
@@ -189,6 +203,7 @@ void add_configuration_table(const std::vector<std::string>& items, const FoundN
     const std::optional<double> angle_rad = found.value("region.angle", item);
     row.push_back(angle_rad ? ResultCell{*angle_rad * 180.0 / std::numbers::pi} : ResultCell{});
   }
+  map.figures = figure_of_configuration<map_of_items>;
   outcome.tables.push_back(std::move(map));
 }
 
@@ -211,6 +226,7 @@ void add_stress_table(const FoundNumbers& found, AnalysisOutcome& outcome) {
                 found.cell("stress.ratio", key), found.cell("cv.error", key),
                 found.cell("cv.above", key), found.cell("cv.above.se", key)});
   }
+  stress.figures = figure_of_configuration<stress_figure>;
   if (!stress.rows.empty()) outcome.tables.push_back(std::move(stress));
 }
 
@@ -240,6 +256,7 @@ void add_raters_table(const GatheredAnswers& gathered, const FoundNumbers& found
     for (std::size_t d = 1; d <= dimensions; ++d)
       row.push_back(found.cell("indscal.weight", person.label + '|' + std::to_string(d)));
   }
+  raters.figures = figure_of_configuration<weights_figure>;
   if (!raters.rows.empty()) outcome.tables.push_back(std::move(raters));
 }
 
@@ -259,6 +276,7 @@ void add_tree_table(const FoundNumbers& found, AnalysisOutcome& outcome) {
     tree.add(
         {count_cell(join), first->word, second->word, found.cell("hclust.average.height", key)});
   }
+  tree.figures = figure_of_configuration<tree_of_items>;
   if (!tree.rows.empty()) outcome.tables.push_back(std::move(tree));
 }
 

@@ -84,7 +84,7 @@ Figure confusion_figure(const FoundNumbers& found) {
   return figure_of(confusions);
 }
 
-Figure confusion_figure(const ResultTable& table) {
+std::vector<Figure> confusion_figures(const ResultTable& table, const AnalysisOutcome&) {
   Confusions confusions{};
   for (std::size_t i = 1; i < table.columns.size(); ++i) {
     confusions.chosen.push_back(table.columns[i].id);
@@ -98,9 +98,7 @@ Figure confusion_figure(const ResultTable& table) {
       counts.push_back(count == nullptr ? 0.0 : static_cast<double>(*count));
     }
   }
-  Figure figure = figure_of(confusions);
-  figure.table = table.name;
-  return figure;
+  return {answering("confusions", figure_of(confusions))};
 }
 
 }  // namespace asperity

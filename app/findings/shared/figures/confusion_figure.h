@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <vector>
+
 #include "app/findings/outcome/analysis_outcome.h"
 #include "app/findings/outcome/figure.h"
 #include "app/findings/outcome/found_numbers.h"
@@ -10,6 +12,7 @@ namespace asperity {
 
 /// Stimuli in rows, responses in columns: counts as numbers, proportions of a row as shades.
 Figure confusion_figure(const FoundNumbers& found);
-Figure confusion_figure(const ResultTable& table);
+/// The same of a table of confusions (ConfusionTally).
+std::vector<Figure> confusion_figures(const ResultTable& table, const AnalysisOutcome& outcome);
 
 }  // namespace asperity

@@ -15,7 +15,6 @@
 #include "app/findings/outcome/finding_parts.h"
 #include "app/findings/outcome/single_participants.h"
 #include "app/findings/outcome/tally.h"
-#include "app/findings/shared/choice_tables.h"
 #include "app/words/text_parts.h"
 
 namespace asperity {
@@ -159,34 +158,13 @@ std::optional<FigureSpan> span_of(const RowReader& row, const ResultColumn& colu
   return FigureSpan{.low = *interval.low, .high = *interval.high};
 }
 
-/// The participants' proportions, by the row of the table of their means. In some analyses there is
-/// only one row.
-SinglesByCondition own_shares(const AnalysisOutcome& outcome,
-                              const std::set<std::string>& analyses) {
-  std::vector<const Finding*> own{};
-  for (const Finding& finding : outcome.findings) {
-    if (is(finding, kOwnShare) && analyses.contains(finding.analysis)) {
-      own.push_back(&finding);
-    }
-  }
-  return singles_by_condition(own);
-}
-
-/// A table of means over participants, and the values of single participants.
-struct MeansOfPersons {
-  const ResultTable* table = nullptr;  ///< null: there is none
-  SinglesByCondition singles{};
-};
-
-/// A row for each mean of the participants' proportions, or none. `with_name`: adds the quantity
-/// that is averaged.
-std::vector<ForestRow> rows_of_persons(const MeansOfPersons& means, bool with_name) {
+/// A row for each mean of the participants' proportions, with their own ones. `with_name`: adds the quantity that is averaged.
+std::vector<ForestRow> rows_of_persons(const ResultTable& table, const AnalysisOutcome& outcome,
+                                       const char* analysis, bool with_name) {
   using namespace columns;
-  const ResultTable& table = *means.table;
+  const SinglesByCondition singles =
+      singles_by_condition(FoundNumbers(outcome.findings, analysis).all(kOwnShare));
   std::vector<ForestRow> rows{};
-  // The name of the row precedes the number of participants.
-  if (table.find(kPersons).value_or(0) == 0 || !table.has(kMean) || !table.has(interval_of(kMean)))
-    return rows;
   for (const ResultRow& cells : table.rows) {
     const RowReader reader(table, cells);
     const Phrase of = mean_of(static_cast<std::size_t>(reader.number(kPersons).value_or(0.0)));
@@ -197,8 +175,8 @@ std::vector<ForestRow> rows_of_persons(const MeansOfPersons& means, bool with_na
         .interval = span_of(reader, kMean)};
     const auto* name = std::get_if<std::string>(&cells.front());
     const bool is_whole = name == nullptr || *name == "all";
-    const auto own = means.singles.find(is_whole ? std::string() : *name);
-    if (own != means.singles.end()) row.singles = own->second;
+    const auto own = singles.find(is_whole ? std::string() : *name);
+    if (own != singles.end()) row.singles = own->second;
     rows.push_back(std::move(row));
   }
   return rows;
@@ -209,20 +187,10 @@ bool has_intervals(const std::vector<ForestRow>& rows) {
                      [](const ForestRow& row) { return row.interval.has_value(); });
 }
 
-/// The means over participants that correspond to this table of proportions, if any.
-std::vector<ForestRow> means_beside(const ResultTable& table, const MeansOfPersons& persons) {
-  if (persons.table == nullptr || persons.table->columns.empty()) return {};
-  const bool of_all = persons.table->columns.front().is_same(columns::kAllAnswers);
-  const bool belongs = table.name == kAllShares || table.name == kPositions ||
-                       (table.name == kSharesByTexture && of_all);
-  return belongs ? rows_of_persons(persons, !of_all) : std::vector<ForestRow>{};
-}
-
-std::optional<Figure> table_forest(const ResultTable& table, const MeansOfPersons& persons) {
+/// `means`: drawn below the proportions.
+Figure forest_of(const ResultTable& table, const std::vector<ForestRow>& means) {
   using namespace columns;
-  const std::optional<std::size_t> of = table.find(kOf);
-  if (!table.has(kShare) || !table.has(kWilson) || !of || *of == 0) return {};
-  const std::size_t hits = *of - 1;  // the names of the row precede it
+  const std::size_t hits = table.find(kOf).value() - 1;  // the names of the row precede it
   std::vector<ForestRow> rows{};
   for (const ResultRow& cells : table.rows) {
     const RowReader reader(table, cells);
@@ -247,7 +215,6 @@ std::optional<Figure> table_forest(const ResultTable& table, const MeansOfPerson
           : phrase("Figures",
                    "Points are proportions of all responses of a row; error bars show their Wilson "
                    "95 % CIs.");
-  const std::vector<ForestRow> means = means_beside(table, persons);
   const std::optional<double> by_chance = rows.empty() ? std::nullopt : rows.front().chance;
   for (ForestRow row : means) {
     row.chance = by_chance;
@@ -256,7 +223,6 @@ std::optional<Figure> table_forest(const ResultTable& table, const MeansOfPerson
   }
   Figure figure{
       .name = table.name + "_forest",
-      .table = table.name,
       .title = table.title,
       .note = means.empty()
                   ? note
@@ -280,35 +246,6 @@ std::optional<Figure> table_forest(const ResultTable& table, const MeansOfPerson
     if (series.style == 1) series.style = 0;
     if (series.style == 2) series.style = 1;
   }
-  figure.note = with_note_on_singles(figure.note, figure);
-  return figure;
-}
-
-/// Means of the participants' proportions without other rows; `chance` as in the table of
-/// proportions.
-std::optional<Figure> people_forest(const MeansOfPersons& means, std::optional<double> chance) {
-  std::vector<ForestRow> rows = rows_of_persons(means, true);
-  if (rows.empty()) return {};
-  const ResultTable& table = *means.table;
-  for (ForestRow& row : rows) row.chance = chance;
-  Figure figure{
-      .name = table.name + "_forest",
-      .table = table.name,
-      .title = table.title,
-      .note =
-          has_intervals(rows)
-              ? phrase(
-                    "Figures",
-                    "Squares are means of the participants' own proportions; error bars show their "
-                    "t-based 95 % CIs on the logit scale: the participant is the unit of analysis.")
-              : phrase("Figures",
-                       "Squares are means of the participants' own proportions: the participant is "
-                       "the unit of analysis.")};
-  add_rows(rows, {{}},
-           has_intervals(rows) ? phrase("Figures", "mean proportion, with its 95 % CI")
-                               : phrase("Figures", "mean proportion"),
-           figure);
-  for (FigureSeries& series : figure.series) series.style = 1;
   figure.note = with_note_on_singles(figure.note, figure);
   return figure;
 }
@@ -361,28 +298,42 @@ void add_mean_of_people(const FoundNumbers& found, std::optional<double> chance,
 
 }  // namespace
 
-std::vector<Figure> table_forests(const AnalysisOutcome& outcome) {
-  const std::vector<ResultTable>& tables = outcome.tables;
-  const MeansOfPersons persons{table_named(outcome, kPersonMeans),
-                               own_shares(outcome, {"choice", "matching", "recognition"})};
-  const MeansOfPersons by_position{table_named(outcome, kPersonsByPosition),
-                                   own_shares(outcome, {"position"})};
-  const ResultTable* shares = table_named(outcome, kAllShares);
-  std::vector<Figure> figures{};
-  for (const ResultTable& table : tables) {
-    if (std::optional<Figure> figure =
-            table_forest(table, table.name == kPositions ? by_position : persons)) {
-      figures.push_back(std::move(*figure));
-    }
-    // A single mean is shown together with the proportions that it averages.
-    const bool stands_alone = tables.size() == 1 || table.rows.size() > 1;
-    if (&table != persons.table || !stands_alone) continue;
-    const std::optional<double> chance = shares == nullptr ? std::nullopt : one_chance(*shares);
-    if (std::optional<Figure> figure = people_forest(persons, chance)) {
-      figures.push_back(std::move(*figure));
-    }
+Figure share_forest(const ResultTable& table) { return forest_of(table, {}); }
+
+Figure share_forest(const ResultTable& table, const AnalysisOutcome& outcome,
+                    const MeansOfShares& means) {
+  const ResultTable* const persons = table_named(outcome, means.table);
+  if (persons == nullptr) return share_forest(table);
+  const bool of_all = persons->columns.front().is_same(columns::kAllAnswers);
+  return forest_of(table, rows_of_persons(*persons, outcome, means.analysis, !of_all));
+}
+
+Figure person_forest(const ResultTable& table, const AnalysisOutcome& outcome, const char* analysis,
+                     const char* shares) {
+  std::vector<ForestRow> rows = rows_of_persons(table, outcome, analysis, true);
+  if (const ResultTable* const of_all = table_named(outcome, shares)) {
+    const std::optional<double> chance = one_chance(*of_all);
+    for (ForestRow& row : rows) row.chance = chance;
   }
-  return figures;
+  Figure figure{
+      .name = table.name + "_forest",
+      .title = table.title,
+      .note =
+          has_intervals(rows)
+              ? phrase(
+                    "Figures",
+                    "Squares are means of the participants' own proportions; error bars show their "
+                    "t-based 95 % CIs on the logit scale: the participant is the unit of analysis.")
+              : phrase("Figures",
+                       "Squares are means of the participants' own proportions: the participant is "
+                       "the unit of analysis.")};
+  add_rows(rows, {{}},
+           has_intervals(rows) ? phrase("Figures", "mean proportion, with its 95 % CI")
+                               : phrase("Figures", "mean proportion"),
+           figure);
+  for (FigureSeries& series : figure.series) series.style = 1;
+  figure.note = with_note_on_singles(figure.note, figure);
+  return figure;
 }
 
 Figure proportion_forest(const TidyInput& input, const FoundNumbers& found) {

@@ -11,9 +11,22 @@
 
 namespace asperity {
 
-/// Proportions with intervals, a row each, and chance as a line; where it differs between rows, as
-/// a mark in each. Single participants are shown behind means over participants.
-std::vector<Figure> table_forests(const AnalysisOutcome& outcome);
+// Proportions with intervals, a row each, and chance as a line; where it differs between rows, as a mark in each. Single
+// participants are shown behind means over participants.
+
+/// The means over participants that belong to a table of proportions.
+struct MeansOfShares {
+  const char* table = "";     ///< made by add_persons; drawn if the outcome has it
+  const char* analysis = "";  ///< of the participants' own proportions
+};
+/// Of a table made by add_shares.
+Figure share_forest(const ResultTable& table);
+Figure share_forest(const ResultTable& table, const AnalysisOutcome& outcome,
+                    const MeansOfShares& means);
+/// Of a table made by add_persons. `analysis` as in MeansOfShares; `shares`: the table of all proportions, with their chance
+/// level.
+Figure person_forest(const ResultTable& table, const AnalysisOutcome& outcome, const char* analysis,
+                     const char* shares);
 Figure proportion_forest(const TidyInput& input, const FoundNumbers& found);
 Figure selection_forest(const FoundNumbers& found);
 Figure matching_forest(const FoundNumbers& found);

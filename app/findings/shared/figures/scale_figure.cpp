@@ -8,6 +8,19 @@
 
 namespace asperity {
 
+ScaleChoice bradley_terry() {
+  return {.quantity = "bt.ability.sumzero.cluster",
+          .otherwise = "bt.firth.ability",
+          .status = "bt.status",
+          .title = phrase("Figures", "Scale of the items (Bradley–Terry)")};
+}
+
+ScaleChoice plackett_luce() {
+  return {.quantity = "pl.logworth.sumzero.cluster",
+          .status = "pl.status",
+          .title = phrase("Figures", "Scale of the items (Plackett–Luce)")};
+}
+
 Figure scale_figure(const std::string& name, const ScaleChoice& choice, const FoundNumbers& found) {
   Figure figure{.name = name, .title = choice.title, .shape = FigureShape::rows};
   std::vector<const Finding*> items = found.all(choice.quantity);

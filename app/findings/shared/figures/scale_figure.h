@@ -19,6 +19,8 @@ struct ScaleChoice {
   QuantityName status{};  ///< of the fit
   Phrase title{};
 };
+ScaleChoice bradley_terry();
+ScaleChoice plackett_luce();
 Figure scale_figure(const std::string& name, const ScaleChoice& choice, const FoundNumbers& found);
 
 }  // namespace asperity

@@ -39,6 +39,7 @@ void add_results_of_all(AnalysisOutcome of_all, AnalysisOutcome& outcome) {
   for (ResultTable& table : of_all.tables) {
     if (!is_main_result(table.name)) continue;
     table.name += kWithExcluded;
+    table.figures = nullptr;  // they are those of the results without the excluded
     table.title = phrase("Analysis", "%1, with the excluded participants").with(table.title);
     outcome.tables.push_back(std::move(table));
   }

@@ -13,6 +13,7 @@
 #include "analysis/choices/rating_roc.h"
 #include "analysis/numbers/number_text.h"
 #include "app/findings/gathering/answer_columns.h"
+#include "app/findings/methods/discrimination/sensitivity/roc_figures.h"
 #include "app/findings/methods/discrimination/thresholds/threshold_columns.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/display_number.h"
@@ -290,6 +291,7 @@ void add_confidence_roc(const GatheredAnswers& gathered,
                    kNoiseTrials, kSignalTrials, kRocArea, interval_of(kRocArea), kAreaOfModel,
                    kDistanceOfModel, kSdRatio, kChiSquared, kP, kUnitOfLevels},
                   note_on_roc(all)};
+  roc.figures = roc_figures;
   for (const DiscriminationResults& results : all) {
     const DiscriminationTask& task = results.study.task;
     if (!task.is_performance || task.design->is_choice_of_three() ||

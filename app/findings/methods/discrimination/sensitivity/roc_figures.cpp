@@ -148,15 +148,9 @@ Figure roc_figure(const FoundNumbers& found, std::span<const RocCurve> curves) {
   return figure;
 }
 
-std::vector<Figure> roc_figures(const AnalysisOutcome& outcome) {
-  const ResultTable* const table = table_named(outcome, kConfidenceRoc);
-  if (table == nullptr) return {};
-  std::vector<Finding> rated{};
-  for (const Finding& finding : outcome.findings) {
-    if (finding.analysis == kConfidenceRoc) rated.push_back(finding);
-  }
-  const FoundNumbers found(rated);
-  const std::vector<DrawnRocs> rocs = drawn_rocs(*table);
+std::vector<Figure> roc_figures(const ResultTable& table, const AnalysisOutcome& outcome) {
+  const FoundNumbers found(outcome.findings, kConfidenceRoc);
+  const std::vector<DrawnRocs> rocs = drawn_rocs(table);
   const auto differ = [&rocs](std::string DrawnRocs::*member) {
     return std::any_of(rocs.begin(), rocs.end(),
                        [&](const DrawnRocs& each) { return each.*member != rocs.front().*member; });
@@ -168,7 +162,6 @@ std::vector<Figure> roc_figures(const AnalysisOutcome& outcome) {
   for (const DrawnRocs& drawn : rocs) {
     Figure figure = roc_figure(found, drawn.curves);
     const bool is_of_all = drawn.participant == kAllParticipants;
-    figure.table = kConfidenceRoc;
     if (is_of_all) figure.question = question;
     std::string name = is_of_all ? "roc" : "roc_" + drawn.participant;
     if (!is_of_all) {

@@ -22,6 +22,6 @@ struct RocCurve {
 Figure roc_figure(const FoundNumbers& found, std::span<const RocCurve> curves);
 /// Of a discrimination with ratings of confidence: for every condition the ROCs of the levels, over all participants and
 /// of each one.
-std::vector<Figure> roc_figures(const AnalysisOutcome& outcome);
+std::vector<Figure> roc_figures(const ResultTable& table, const AnalysisOutcome& outcome);
 
 }  // namespace asperity

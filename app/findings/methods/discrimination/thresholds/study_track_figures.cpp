@@ -127,7 +127,7 @@ Phrase name_of_track(const DrawnTrack& track, const std::map<std::pair<int, int>
 
 }  // namespace
 
-std::vector<Figure> track_figures(const ResultTable& table) {
+std::vector<Figure> track_figures(const ResultTable& table, const AnalysisOutcome&) {
   std::vector<Figure> figures{};
   std::vector<DrawnTracks> all = drawn_tracks(table);
   std::map<std::string, double> greatest{};  // by unit
@@ -157,7 +157,6 @@ std::vector<Figure> track_figures(const ResultTable& table) {
       if (name != names.end()) series.name = name->second;
     }
     figure.name = figure_file_name("tracks_" + drawn.participant);
-    figure.table = kTracks;
     figure.title = phrase("Figures", "Tracks of participant %1").with(drawn.participant);
     figure.note = with_note_on_unsure(
         phrase("Figures",

@@ -11,6 +11,6 @@
 namespace asperity {
 
 /// The tracks of each participant, from the table of the trials of a discrimination.
-std::vector<Figure> track_figures(const ResultTable& table);
+std::vector<Figure> track_figures(const ResultTable& table, const AnalysisOutcome& outcome);
 
 }  // namespace asperity

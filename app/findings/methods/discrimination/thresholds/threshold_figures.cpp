@@ -15,7 +15,6 @@
 #include "app/findings/methods/discrimination/thresholds/detection_thresholds.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_results.h"
 #include "app/findings/methods/discrimination/thresholds/psychometric_figures.h"
-#include "app/findings/methods/discrimination/thresholds/study_track_figures.h"
 #include "app/findings/methods/discrimination/thresholds/threshold_columns.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/drawn_table.h"
@@ -229,7 +228,6 @@ Figure figure_of_functions(DrawnFunctions drawn, const FoundNumbers& functions,
   const std::string parameter = words_of_parameter(drawn.parameter);
   figure.name = figure_file_name("psychometric_" + drawn.participant +
                                  (drawn.is_performance ? "" : "_comparison"));
-  figure.table = kPsychometric;
   figure.title =
       phrase("Figures", "Psychometric functions of participant %1").with(drawn.participant);
   if (drawn.design->has_noise()) {
@@ -274,6 +272,7 @@ Figure figure_of_functions(DrawnFunctions drawn, const FoundNumbers& functions,
 struct DrawnThreshold {
   ResultColumn threshold{};
   const char* figure = "";
+  const char* question = "";
   Phrase title{};
   Phrase axis{};
   ResultColumn mean{};  ///< of the table of means
@@ -327,7 +326,7 @@ std::optional<Figure> figure_of_thresholds(const DrawnThreshold& drawn, const Re
   }
   const DrawnUnit shown = drawn_unit(unit, std::abs(greatest));
   Figure figure{.name = drawn.figure,
-                .table = kMeanThresholds,
+                .question = drawn.question,
                 .title = drawn.title,
                 .shape = FigureShape::rows};
   const bool is_pse = drawn.threshold.is_same(kPseColumn);
@@ -377,46 +376,40 @@ std::optional<Figure> figure_of_thresholds(const DrawnThreshold& drawn, const Re
 
 }  // namespace
 
-std::vector<Figure> threshold_figures(const AnalysisOutcome& outcome) {
+std::vector<Figure> threshold_figures(const ResultTable& means, const AnalysisOutcome& outcome) {
   std::vector<Figure> figures{};
-  const ResultTable* const means = table_named(outcome, kMeanThresholds);
   const ResultTable* const thresholds = table_named(outcome, kThresholds);
-  if (means != nullptr && thresholds != nullptr) {
-    const std::array kDrawn{
-        DrawnThreshold{kPseColumn, "points_of_subjective_equality",
-                       phrase("Figures", "Points of subjective equality"),
-                       phrase("Figures", "point of subjective equality, mean"), columns::kMean},
-        DrawnThreshold{kJndColumn, "thresholds", phrase("Figures", "Thresholds"),
-                       phrase("Figures", "threshold, geometric mean"), kGeometricMean}};
-    bool has_proportion = false;  // a threshold at a proportion correct
-    for (const DrawnThreshold& drawn : kDrawn) {
-      auto figure = figure_of_thresholds(drawn, *means, *thresholds);
-      has_proportion = has_proportion || (figure && drawn.threshold.is_same(kJndColumn));
-      if (figure) figures.push_back(std::move(*figure));
-    }
-    const DrawnThreshold at_unit{kJndDprime1Column, "thresholds", phrase("Figures", "Thresholds"),
-                                 phrase("Figures", "difference with d′ = 1, geometric mean"),
-                                 kGeometricMean};
-    if (!has_proportion) {
-      auto figure = figure_of_thresholds(at_unit, *means, *thresholds);
-      if (figure) figures.push_back(std::move(*figure));
-    }
+  if (thresholds == nullptr) return figures;
+  const std::array kDrawn{
+      DrawnThreshold{kPseColumn, "points_of_subjective_equality", "point_of_subjective_equality",
+                     phrase("Figures", "Points of subjective equality"),
+                     phrase("Figures", "point of subjective equality, mean"), columns::kMean},
+      DrawnThreshold{kJndColumn, "thresholds", "threshold", phrase("Figures", "Thresholds"),
+                     phrase("Figures", "threshold, geometric mean"), kGeometricMean}};
+  bool has_proportion = false;  // a threshold at a proportion correct
+  for (const DrawnThreshold& drawn : kDrawn) {
+    auto figure = figure_of_thresholds(drawn, means, *thresholds);
+    has_proportion = has_proportion || (figure && drawn.threshold.is_same(kJndColumn));
+    if (figure) figures.push_back(std::move(*figure));
   }
-  if (const ResultTable* const tracks = table_named(outcome, kTracks)) {
-    for (Figure& figure : track_figures(*tracks)) figures.push_back(std::move(figure));
-  }
-  const ResultTable* const responses = table_named(outcome, kPsychometric);
-  if (responses == nullptr) return figures;
-  std::vector<Finding> of_functions{};
-  std::vector<Finding> of_thresholds{};
-  for (const Finding& finding : outcome.findings) {
-    if (finding.analysis == kPsychometric) of_functions.push_back(finding);
-    if (finding.analysis == kThresholds) of_thresholds.push_back(finding);
-  }
-  const FoundNumbers found_functions(of_functions);
-  const FoundNumbers found_thresholds(of_thresholds);
-  for (DrawnFunctions& drawn : drawn_functions(*responses, found_functions)) {
-    figures.push_back(figure_of_functions(std::move(drawn), found_functions, found_thresholds));
+  if (has_proportion) return figures;
+  const DrawnThreshold at_unit{kJndDprime1Column,
+                               "thresholds",
+                               "threshold",
+                               phrase("Figures", "Thresholds"),
+                               phrase("Figures", "difference with d′ = 1, geometric mean"),
+                               kGeometricMean};
+  auto figure = figure_of_thresholds(at_unit, means, *thresholds);
+  if (figure) figures.push_back(std::move(*figure));
+  return figures;
+}
+
+std::vector<Figure> function_figures(const ResultTable& responses, const AnalysisOutcome& outcome) {
+  std::vector<Figure> figures{};
+  const FoundNumbers functions(outcome.findings, kPsychometric);
+  const FoundNumbers thresholds(outcome.findings, kThresholds);
+  for (DrawnFunctions& drawn : drawn_functions(responses, functions)) {
+    figures.push_back(figure_of_functions(std::move(drawn), functions, thresholds));
   }
   return figures;
 }

@@ -1,4 +1,4 @@
-// Makes the figures of a discrimination: thresholds, psychometric functions and tracks.
+// Makes the figures of a discrimination: thresholds and psychometric functions.
 
 #pragma once
 
@@ -9,8 +9,9 @@
 
 namespace asperity {
 
-/// Of a discrimination: the thresholds by condition, and the tracks and psychometric functions of each participant. None
-/// without the tables of thresholds.
-std::vector<Figure> threshold_figures(const AnalysisOutcome& outcome);
+/// Of the table of mean thresholds: the thresholds by condition, with those of the participants.
+std::vector<Figure> threshold_figures(const ResultTable& means, const AnalysisOutcome& outcome);
+/// Of the table of the responses by level: the psychometric functions of each participant.
+std::vector<Figure> function_figures(const ResultTable& responses, const AnalysisOutcome& outcome);
 
 }  // namespace asperity

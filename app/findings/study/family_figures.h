@@ -1,5 +1,4 @@
-// Makes the figures of an analysis: its findings and tables as marks on axes, without further
-// computation.
+// Makes the figures of a table that a family analyses: its findings as marks on axes, without further computation.
 
 #pragma once
 
@@ -7,18 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "app/findings/outcome/analysis_outcome.h"
 #include "app/findings/outcome/figure.h"
 #include "app/findings/tidy/tidy_families.h"
 
 namespace asperity {
 
-/// In reading order; the first figure belongs to the main answer. A figure without sufficient data
-/// states that in `instead`. Empty for a kind without figures.
-std::vector<Figure> figures_of(const AnalysisOutcome& outcome);
-
 /// The figures of a family's findings (tidy_families.h) for `input`. `level_unit`: SI symbol of the
-/// unit of the spacings or levels in its table; empty where it is unknown.
+/// unit of the spacings or levels in its table; empty where it is unknown. A figure without sufficient
+/// data states that in `instead`. Empty for a family without figures.
 std::vector<Figure> figures_of(const std::string& family, const TidyInput& input,
                                std::span<const Finding> findings,
                                const std::string& level_unit = {});

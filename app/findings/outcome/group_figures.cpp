@@ -1,9 +1,13 @@
-// Two groups of participants: their means, and the difference between them.
+// Two groups of participants: their means, and the difference between them. Of several pairs each figure has a name.
 
-#include "app/findings/shared/figures/group_figures.h"
+#include "app/findings/outcome/group_figures.h"
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
+#include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/drawn_table.h"
 #include "app/findings/outcome/finding_parts.h"
 #include "app/findings/outcome/single_participants.h"
 
@@ -50,7 +54,68 @@ void add_singles(const std::vector<const Finding*>& means, const FoundNumbers& f
   figure.note = with_note_on_singles(figure.note, figure);
 }
 
+std::vector<Figure> figures_of_sexes(const AnalysisOutcome& outcome) {
+  if (const FoundNumbers compared(outcome.findings, kSexesTest); !compared.empty()) {
+    return group_figures(shares_of_groups(), compared);
+  }
+  // Matchings of different sizes have no proportions.
+  const FoundNumbers matched(outcome.findings, "matching");
+  if (matched.all("group.mean").empty()) return {};
+  return group_figures(
+      {.means = "group.mean",
+       .difference = "group.diff",
+       .axis = phrase("Figures", "correctly matched items per trial, mean with its %1 % CI")},
+      matched);
+}
+
+GroupChoice choice_of_groups(const FoundNumbers& found, const std::string& kind) {
+  GroupChoice choice = shares_of_groups();
+  if (const auto means = found.all("values.mean"); !means.empty()) {
+    // A ratio is in the answer and the tests: its axis would not be that of a difference.
+    const bool is_ratio = found.find("values.ratio") != nullptr;
+    choice = {.means = "values.mean",
+              .difference = is_ratio ? QuantityName() : "values.shift",
+              .axis = is_ratio
+                          ? phrase("Figures", "geometric mean of the participants with its %1 % CI")
+                          : phrase("Figures", "mean of the participants with its %1 % CI"),
+              .unit = means.front()->unit == "1" ? "" : means.front()->unit};
+  } else if (kind == "selection") {
+    choice.axis = phrase("Figures", "proportion of choices of the target, mean with its %1 % CI");
+  }
+  return choice;
+}
+
 }  // namespace
+
+GroupChoice shares_of_groups() {
+  return {.means = "subj.mean",
+          .difference = "subj.diff",
+          .pooled_difference = "diff",
+          .axis = phrase("Figures",
+                         "proportion correct (for matching: of items), mean with its %1 % CI"),
+          .are_shares = true};
+}
+
+std::vector<Figure> figures_of_comparisons(const ResultTable&, const AnalysisOutcome& outcome) {
+  std::vector<Figure> figures{};
+  for (Figure& figure : figures_of_sexes(outcome)) {
+    figures.push_back(answering(kSexesTest, std::move(figure)));
+  }
+  const std::string test = kGroupsTest;
+  for (const AnsweredQuestion& asked : outcome.questions) {
+    if (asked.name != test && !asked.name.starts_with(test + ':')) continue;
+    const FoundNumbers found(outcome.findings, asked.name);
+    const GroupChoice choice = choice_of_groups(found, outcome.kind);
+    for (Figure& figure : group_figures(choice, found)) {
+      if (figure.name == "group_difference" && choice.difference.empty()) continue;
+      // "groups_means", "groups_haptic_visual_means": a file has this name.
+      constexpr std::string_view kPrefix = "group";
+      figure.name = figure_file_name(asked.name + figure.name.substr(kPrefix.size()));
+      figures.push_back(answering(asked.name, std::move(figure)));
+    }
+  }
+  return figures;
+}
 
 std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers& found) {
   const std::vector<const Finding*> means = found.all(choice.means);

@@ -1,6 +1,6 @@
 // Responses to anchors by their place in a run.
 
-#include "app/findings/shared/figures/anchor_figures.h"
+#include "app/findings/shared/anchor_figures.h"
 
 #include <algorithm>
 #include <array>
@@ -107,7 +107,6 @@ Figure anchor_figure(const ResultTable& anchors, const RowReader& trend) {
   const std::string block = trend.text(kBlock);
   const std::string question = trend.text(kQuestion);
   Figure figure{.name = figure_file_name("anchors_" + block + '_' + question),
-                .table = kAnchorTrend,
                 .title = phrase("Figures", "Responses to the anchors of the block %1, question %2")
                              .with(block, question)};
   figure.x.name = phrase("Figures", "place of the anchor in the block");
@@ -143,13 +142,12 @@ Figure anchor_figure(const ResultTable& anchors, const RowReader& trend) {
 
 }  // namespace
 
-std::vector<Figure> anchor_figures(const AnalysisOutcome& outcome) {
+std::vector<Figure> anchor_figures(const ResultTable& trend, const AnalysisOutcome& outcome) {
   std::vector<Figure> figures{};
   const ResultTable* const anchors = table_named(outcome, kAnchors);
-  const ResultTable* const trend = table_named(outcome, kAnchorTrend);
-  if (anchors == nullptr || trend == nullptr) return figures;
-  for (const ResultRow& row : trend->rows) {
-    figures.push_back(anchor_figure(*anchors, RowReader(*trend, row)));
+  if (anchors == nullptr) return figures;
+  for (const ResultRow& row : trend.rows) {
+    figures.push_back(anchor_figure(*anchors, RowReader(trend, row)));
   }
   return figures;
 }

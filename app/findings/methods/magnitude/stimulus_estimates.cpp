@@ -1,6 +1,6 @@
 // Calls the families `magnitude`, for means and exponents, and `rmanova`, for effects of stimulus and condition.
 
-#include "app/findings/shared/stimulus_estimates.h"
+#include "app/findings/methods/magnitude/stimulus_estimates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +14,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/findings/gathering/answer_columns.h"
+#include "app/findings/methods/magnitude/stimulus_estimates_figure.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/columns.h"
 #include "app/findings/outcome/display_number.h"
@@ -158,6 +159,17 @@ Phrase note_on_stimulus_means(const ComparedEstimates& compared) {
       .with(note);
 }
 
+std::vector<Figure> figures_of_stimuli(const ResultTable&, const AnalysisOutcome& outcome) {
+  const auto& questions = outcome.questions;
+  const bool asks_for_difference =
+      std::any_of(questions.begin(), questions.end(),
+                  [](const AnsweredQuestion& one) { return one.name == "stimuli"; });
+  const FoundNumbers found(outcome.findings, kStimulusEstimates);
+  return {answering(
+      asks_for_difference ? "stimuli" : "exponent",
+      stimulus_estimates_figure(found, outcome.name_of_predictor, outcome.unit_of_predictor))};
+}
+
 void add_stimulus_means(const ComparedEstimates& compared, const FoundNumbers& found,
                         AnalysisOutcome& outcome) {
   using namespace columns;
@@ -167,6 +179,7 @@ void add_stimulus_means(const ComparedEstimates& compared, const FoundNumbers& f
                     {kCondition, kStimulus, kPredictor, kPersons, kLeftOut, kNormalisedEstimate,
                      interval_of(kNormalisedEstimate), kRawEstimate, kStimulusUnit, kPredictorUnit},
                     note_on_stimulus_means(compared)};
+  means.figures = figures_of_stimuli;
   ResultTable persons{
       kEstimatesOfPersons,
       phrase("Analysis", "Estimates of each participant"),
@@ -338,12 +351,12 @@ ComparedEstimates with_predictor(ComparedEstimates compared, AnalysisOutcome& ou
   return compared;
 }
 
-std::vector<Finding> anova_of(const ComparedEstimates& compared) {
+std::vector<Finding> anova_of_stimuli(const ComparedEstimates& compared) {
   if (compared.stimuli.size() < 2) return {};
   return analysis_of(kAnova, "rmanova", anova_table(compared, "stimulus"));
 }
 
-std::vector<Finding> curves_of(const ComparedEstimates& compared) {
+std::vector<Finding> means_of_stimuli(const ComparedEstimates& compared) {
   return analysis_of(kStimulusEstimates, "magnitude",
                      items_table(compared.gathered, compared.estimates, compared.predictor));
 }
@@ -355,14 +368,14 @@ std::vector<StudyTest> test_stimulus_estimates(const GatheredAnswers& gathered) 
   AnalysisOutcome unused{};
   const ComparedEstimates compared = with_predictor(compared_estimates(gathered, unused), unused);
   if (compared.estimates.empty()) return std::move(tests).take_family();
-  const std::vector<Finding> anova = anova_of(compared);
+  const std::vector<Finding> anova = anova_of_stimuli(compared);
   if (!anova.empty()) {
     add_effect_tests(FoundNumbers(anova), compared.conditions.size(), kEffectsOfStimuli, tests);
   }
   const bool compares_groups =
       tests.is_in_family(kGroupsTest) || tests.is_in_family(kGroupProfilesTest);
   if (tests.is_in_family("exponent") || compares_groups) {
-    const std::vector<Finding> curves = curves_of(compared);
+    const std::vector<Finding> curves = means_of_stimuli(compared);
     const FoundNumbers found(curves);
     add_exponent_tests(compared, found, tests);
     if (compares_groups) groups_of(compared, found).add_tests(tests, unused);
@@ -374,7 +387,7 @@ std::vector<StudyTest> test_stimulus_estimates(const GatheredAnswers& gathered) 
 void analyze_stimulus_estimates(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   const ComparedEstimates compared = with_predictor(compared_estimates(gathered, outcome), outcome);
   if (compared.estimates.empty()) return;
-  const std::vector<Finding> means = curves_of(compared);
+  const std::vector<Finding> means = means_of_stimuli(compared);
   const FoundNumbers found(means);
   add_stimulus_means(compared, found, outcome);
   add_exponents(compared, found, outcome);
@@ -383,7 +396,7 @@ void analyze_stimulus_estimates(const GatheredAnswers& gathered, AnalysisOutcome
     outcome.unit_of_predictor = unit_of_predictor(gathered.estimation);
   }
   StudyTests tests(gathered);
-  const std::vector<Finding> anova = anova_of(compared);
+  const std::vector<Finding> anova = anova_of_stimuli(compared);
   const FoundNumbers found_anova(anova);
   if (!anova.empty()) {
     add_anova(found_anova, outcome, kEffectsOfStimuli);
