@@ -348,6 +348,7 @@ int EmulatedFalcon::control(std::uint8_t* setup_and_data, int length) {
   const int value = setup_and_data[2] | setup_and_data[3] << 8;
   if (const auto told = answer_text_request(setup_and_data, length, settings_.serial)) return *told;
   if (kind != 0x40) return 0;
+  if (setup_and_data[4] != 0 || setup_and_data[5] != 0) return 0;  // of another port of a chip
   settings_sent_.emplace_back(request, value);
   switch (request) {
     case 0:
