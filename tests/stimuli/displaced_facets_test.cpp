@@ -53,5 +53,20 @@ TEST(DisplacedFacets, AreAsShortAsTheLimitOnTheirNumberAllows) {
   EXPECT_EQ(few.triangles.size(), 512U * 4U * 4U);
 }
 
+TEST(DisplacedFacets, AreAsManyWhicheverSideOfATriangleIsTheLongest) {
+  TexturedMesh mesh = body_mesh(SphereShape{2.0 * kRadius_m}, nullptr);
+  mesh.triangles.resize(1);
+  mesh.places.resize(1);
+  mesh.places[0].fill(mesh.places[0][0]);
+  auto& triangle = mesh.triangles[0];
+  mesh.vertices_m[triangle[0]] = {0.0, 0.0, 0.0};
+  mesh.vertices_m[triangle[1]] = {0.0095, 0.0, 0.0};
+  mesh.vertices_m[triangle[2]] = {0.005, 0.001, 0.0};
+  for (int turn = 0; turn < 3; ++turn) {
+    EXPECT_EQ(displaced_facets(mesh, {.longest_m = 0.001}).triangles.size(), 10U * 10U) << turn;
+    std::rotate(triangle.begin(), triangle.begin() + 1, triangle.end());
+  }
+}
+
 }  // namespace
 }  // namespace asperity

@@ -224,6 +224,8 @@ TEST(TextureFromPhotograph, RefusesAFieldOfTheRecipeByItsName) {
               HasSubstr("spectral_tilt is 1.5; it must be a number from 0 to 1"));
   EXPECT_THAT(refusal_with([](TextureRecipe& r) { r.homomorphic_wavelength_m = 0.0; }),
               HasSubstr("homomorphic_wavelength_m"));
+  EXPECT_THAT(refusal_with([](TextureRecipe& r) { r.gaussian_wavelength_m = NAN; }),
+              HasSubstr("gaussian_wavelength_m"));
   // 400 pixels over 0.1 m: two pixels are 0.5 mm.
   EXPECT_THAT(
       refusal_with([](TextureRecipe& r) { r.gaussian_wavelength_m = 4e-4; }),
