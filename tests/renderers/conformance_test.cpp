@@ -14,10 +14,12 @@
 #include <variant>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "renderers/built_in_models.h"
+#include "renderers/conformance/check_paths.h"
 #include "renderers/conformance/heap_calls.h"
 #include "renderers/models/sinusoid.h"
 #include "renderers/servo/servo_thread.h"
@@ -84,6 +86,20 @@ std::vector<std::string> ids_of_built_in_models() {
 INSTANTIATE_TEST_SUITE_P(Conformance, BuiltInModel, testing::ValuesIn(ids_of_built_in_models()),
                          [](const auto& model) { return model.param; });
 
+// The velocity of the last of them is that of the tick before, half a tick late.
+TEST(ConformancePaths, HaveTheVelocitiesOfTheirPositions) {
+  const ForceModel model = sinusoid_model();
+  for (const std::vector<ProbeState>& path :
+       {stroke(model, 1.0, kConformanceRate_Hz), wandering(model, 1.0), around_sphere(1.0)}) {
+    for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+      const double between_s =
+          1e-9 * static_cast<double>(path[i + 1].time_ns - path[i - 1].time_ns);
+      const glm::dvec3 moved_m = path[i + 1].position_m - path[i - 1].position_m;
+      ASSERT_LT(glm::distance(path[i].velocity_m_per_s, moved_m / between_s), 5e-3) << i;
+    }
+  }
+}
+
 TEST(Conformance, HasNoCheckThatDoesNotApplyToAPointModel) {
   if (!kCountsHeapCalls) GTEST_SKIP() << "the sanitizer owns the heap";
   std::vector<std::string> names{};
@@ -92,6 +108,9 @@ TEST(Conformance, HasNoCheckThatDoesNotApplyToAPointModel) {
     EXPECT_NE(check.measured, "") << check.name;
     EXPECT_NE(check.required, "") << check.name;
     names.emplace_back(check.name);
+    if (check.name == "finite") {
+      EXPECT_THAT(check.measured, testing::MatchesRegex("[1-9][0-9 ]* ticks.*"));
+    }
   }
   EXPECT_THAT(names, testing::ElementsAre("zero_amplitude", "deterministic", "finite",
                                           "no_allocation", "band", "time_per_tick"));
@@ -110,6 +129,10 @@ TEST(Conformance, IsViolatedByAModelThatRemembersEarlierPresentations) {
     if (result.penetration_m > 0.0) result.wrench.force_N.z += step;
   };
   EXPECT_THAT(violated_by(with_fault(drift)), testing::ElementsAre("deterministic"));
+  for (const ConformanceCheck& check : conformance_of(with_fault(drift))) {
+    if (check.name != "deterministic") continue;
+    EXPECT_THAT(check.measured, testing::MatchesRegex(".* [1-9][0-9]{0,2} after reset, of 600"));
+  }
 }
 
 TEST(Conformance, IsViolatedByANumberThatIsNotFiniteAndByAForceInFreeSpace) {
