@@ -145,6 +145,9 @@ TEST_F(Workbench, IsProvisionalUntilItIsChosenWhatThePhotographShows) {
   settle();
   EXPECT_TRUE(find<QPushButton>("save").isEnabled());
   EXPECT_EQ(page_->recipe().sign, HeightSign::dark_is_high);
+  EXPECT_TRUE(find<QLabel>("expectation").text().startsWith("Dark is high"));
+  find<QComboBox>("kind").setCurrentIndex(2);
+  EXPECT_TRUE(find<QLabel>("expectation").text().contains("paint becomes relief"));
   // The next photograph is chosen anew.
   drop_all({photograph("stone", 256)});
   EXPECT_EQ(find<QComboBox>("kind").currentIndex(), -1);
