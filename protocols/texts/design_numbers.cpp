@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <variant>
 
 #include "protocols/design/block_factors.h"
@@ -120,21 +121,20 @@ DesignValues values_of_all_blocks(const Protocol& protocol) {
   const bool has_main =
       std::any_of(protocol.blocks.begin(), protocol.blocks.end(),
                   [](const auto& named) { return named.second.phase == Phase::main; });
-  std::optional<DesignValues> common{};
-  for (const auto& [name, block] : protocol.blocks) {
+  DesignValues common{};
+  std::set<std::string> different{};
+  for (const auto& [block_name, block] : protocol.blocks) {
     if (has_main && block.phase != Phase::main) continue;
-    const DesignValues values = values_of_block(protocol, block);
-    if (!common) {
-      common = values;
-      continue;
+    for (const auto& [name, value] : values_of_block(protocol, block)) {
+      const auto [known, is_new] = common.emplace(name, value);
+      if (is_new) continue;
+      if (known->second.number != value.number || known->second.names != value.names) {
+        different.insert(name);
+      }
     }
-    std::erase_if(*common, [&values](const auto& each) {
-      const auto here = values.find(each.first);
-      return here == values.end() || here->second.number != each.second.number ||
-             here->second.names != each.second.names;
-    });
   }
-  return common.value_or(DesignValues{});
+  std::erase_if(common, [&different](const auto& each) { return different.contains(each.first); });
+  return common;
 }
 
 DesignValues values_of_session(const Protocol& protocol, const Plan& example) {

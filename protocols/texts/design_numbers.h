@@ -13,7 +13,7 @@ namespace asperity {
 
 /// What a placeholder belongs to.
 enum class NumberScope {
-  block,  ///< a trial of one block; in a text outside blocks it has a value where all main blocks agree
+  block,  ///< a trial of one block; in a text outside blocks it has a value where the main blocks agree
   session  ///< the participant's plan; in the screens and breaks of the flow, and in those of a resumed session
 };
 
@@ -50,7 +50,7 @@ const DesignNumber* find_design_number(std::string_view name) noexcept;
 /// Those of a trial of the block that have a value: no `scales` in a block without scales.
 DesignValues values_of_block(const Protocol& protocol, const Protocol::Block& block);
 
-/// Those in which all blocks of the main phase agree, or all blocks if there is none of the main phase.
+/// Those in which all blocks of the main phase that have them agree; of all blocks if there is none of the main phase.
 DesignValues values_of_all_blocks(const Protocol& protocol);
 
 /// Those of the session, and those of `values_of_all_blocks`. `example`: a plan of the participant's session (example_plan), from

@@ -127,6 +127,17 @@ TEST(Placeholders, AreReplacedInBlocksWhenTheProtocolIsRead) {
   EXPECT_THAT(protocol.source, HasSubstr("{scales}"));
 }
 
+/// Blocks that have none of them do not matter.
+TEST(Placeholders, OfScreensAreThoseInWhichTheMainBlocksAgree) {
+  json root = json::parse(library_text("attributes_of_textures"));
+  const auto values = [&root] {
+    return values_of_all_blocks(read_protocol(root.dump(), "test.json", models()));
+  };
+  EXPECT_EQ(values().at("scales").number, 5) << "the recognition has none";
+  EXPECT_EQ(values().at("pictures").number, 6);
+  EXPECT_FALSE(values().contains("questions")) << "five and one";
+}
+
 TEST(Placeholders, ThatMeanNothingAreRefused) {
   const json jnd = json::parse(library_text("amplitude_jnd"));
   EXPECT_THAT(problems_with(jnd, "{trails}"),

@@ -160,7 +160,14 @@ TEST(TextWarnings, AreNotMadeForTheLibrary) {
 
 /// A design that changes under a text that stays.
 TEST(TextWarnings, NameTheTextsThatAChangedDesignLeavesBehind) {
-  json root = json::parse(library_text("semantic_differential", "en"));
+  std::string text = library_text("semantic_differential", "en");
+  const std::string placeholder = "{scales}";
+  for (std::size_t at = text.find(placeholder); at != std::string::npos;
+       at = text.find(placeholder)) {
+    text.replace(at, placeholder.size(), "eight");
+  }
+  json root = json::parse(text);
+  EXPECT_THAT(warnings_of(text), IsEmpty());
   for (auto& [name, block] : root.at("blocks").items()) {
     block.at("questions").erase(block.at("questions").begin() + 4, block.at("questions").end());
   }
