@@ -56,7 +56,7 @@ void Meaning::check_texts() {
         if (place.is_of_session) continue;
         report(place.pointer, in_braces(name) +
                                   " is known when a session begins: use it in a screen or break of "
-                                  "\"flow\", in \"resume\", or in \"instructions\"");
+                                  "\"flow\", or in \"resume\"");
         continue;
       }
       if (values_of_design(protocol_, place).contains(name)) continue;

@@ -32,9 +32,8 @@ std::vector<TextPlace> participant_texts(const nlohmann::json& root, const Proto
   std::vector<TextPlace> places{};
   for (TranslatableText& each : translatable_texts(root)) {
     if (each.shape.translated != Translated::always || each.shape.is_value) continue;
-    const bool is_of_session = each.pointer.starts_with("/flow/") ||
-                               each.pointer.starts_with("/resume/") ||
-                               each.pointer == "/instructions";
+    const bool is_of_session =
+        each.pointer.starts_with("/flow/") || each.pointer.starts_with("/resume/");
     const Protocol::Block* const block = block_of(each.pointer, protocol);
     places.push_back({std::move(each.pointer), std::move(each.text), is_of_session, block});
   }

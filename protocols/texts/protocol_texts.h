@@ -17,8 +17,8 @@ namespace asperity {
 struct TextPlace {
   std::string pointer{};
   std::string text{};
-  /// Of a screen or break of the flow, of a resumed session, and the instructions: it can state numbers of the session, and keeps
-  /// its placeholders until it is read.
+  /// Of a screen or break of the flow, or of a resumed session: it can state numbers of the session, and keeps its placeholders
+  /// until it is read.
   bool is_of_session = false;
   const Protocol::Block* block = nullptr;  ///< of a text within a block; otherwise null
 };
