@@ -152,9 +152,9 @@ void Conductor::note_guidance() {
 }
 
 void Conductor::note_texts() {
-  values_.clear();
-  if (!has_placeholders(protocol_)) return;
-  values_ = values_of_session(protocol_, example_plan(protocol_, allocation_of(session_.row)));
+  values_ = states_session(protocol_)
+                ? values_of_session(protocol_, example_plan(protocol_, allocation_of(session_.row)))
+                : values_of_all_blocks(protocol_);
   for (const TextAsRead& each : texts_as_read(protocol_, values_)) {
     course_.event("text_as_read", each.text,
                   nlohmann::ordered_json{{"place", each.pointer}}.dump());

@@ -186,8 +186,9 @@ std::filesystem::path rename_protocol(const Study& study, const std::filesystem:
 void move_protocol(const std::filesystem::path& from, const std::filesystem::path& to,
                    const std::string& text) {
   write_copy(from, to, text);
-  for (const ProtocolInLanguage& each : translations_of(from)) std::filesystem::remove(each.file);
+  const std::vector<ProtocolInLanguage> translations = translations_of(from);
   std::filesystem::remove(from);
+  for (const ProtocolInLanguage& each : translations) std::filesystem::remove(each.file);
 }
 
 void delete_protocol(const Study& study, const std::filesystem::path& file) {

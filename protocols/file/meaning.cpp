@@ -35,7 +35,6 @@ std::vector<Diagnostic> Meaning::check() {
   // Trials can be checked only if all references are valid.
   if (found_.empty()) check_size();
   if (found_.empty()) check_trials();
-  if (found_.empty()) check_texts_of_session();
   std::stable_sort(found_.begin(), found_.end(), [](const Diagnostic& a, const Diagnostic& b) {
     return std::pair(a.line, a.column) < std::pair(b.line, b.column);
   });

@@ -170,8 +170,6 @@ class Meaning final : private ProblemSink {
   void check_criterion(const Protocol::Block& block, const std::string& pointer);
   /// Whether the placeholders of texts have a form, a name, and a value where they are.
   void check_texts();
-  /// Whether those with numbers of the session have one.
-  void check_texts_of_session();
   void check_analysis();
   void check_constructs();
   /// The items that can be chosen in main blocks, for the check of the declared target.

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "protocols/file/meaning_checks.h"
-#include "protocols/plan/course.h"
 #include "protocols/texts/protocol_texts.h"
 
 namespace asperity {
@@ -41,6 +40,25 @@ std::string problem_of_form(const Placeholder& placeholder) {
   return {};
 }
 
+/// What a session lacks that a placeholder states; empty if it lacks nothing.
+std::string missing_in_session(const std::string& name, const Protocol& protocol) {
+  if (name == "breaks") {
+    return has_known_breaks(protocol)
+               ? ""
+               : "a session has no breaks, or their number depends on responses or on the time in "
+                 "contact";
+  }
+  const auto runs = [&protocol](bool of_main) {
+    return std::any_of(protocol.flow.begin(), protocol.flow.end(), [&](const auto& step) {
+      const auto* const run = std::get_if<Protocol::Run>(&step);
+      const auto block = run == nullptr ? protocol.blocks.end() : protocol.blocks.find(run->block);
+      return block != protocol.blocks.end() && (block->second.phase == Phase::main) == of_main;
+    });
+  };
+  if (name == "practice_trials") return runs(false) ? "" : "a session has no trials of practice";
+  return name == "minutes" || runs(true) ? "" : "a session has no main part";
+}
+
 }  // namespace
 
 void Meaning::check_texts() {
@@ -53,7 +71,11 @@ void Meaning::check_texts() {
         continue;
       }
       if (find_design_number(name)->scope == NumberScope::session) {
-        if (place.is_of_session) continue;
+        if (place.is_of_session) {
+          const std::string missing = missing_in_session(name, protocol_);
+          if (!missing.empty()) report(place.pointer, missing + "; remove " + in_braces(name));
+          continue;
+        }
         report(place.pointer, in_braces(name) +
                                   " is known when a session begins: use it in a screen or break of "
                                   "\"flow\", or in \"resume\"");
@@ -66,25 +88,6 @@ void Meaning::check_texts() {
                                 : "the main blocks have no " + name +
                                       ", or differ in them; write the number, or use " +
                                       in_braces(name) + " in a text of the block");
-    }
-  }
-}
-
-void Meaning::check_texts_of_session() {
-  DesignValues values{};
-  for (const TextPlace& place : participant_texts(document_.root(), protocol_)) {
-    for (const Placeholder& placeholder : placeholders_in(place.text)) {
-      if (find_design_number(placeholder.name)->scope != NumberScope::session) continue;
-      if (values.empty()) values = values_of_session(protocol_, example_plan(protocol_, {1, 0}));
-      if (values.contains(placeholder.name)) continue;
-      report(place.pointer,
-             placeholder.name == "breaks"
-                 ? "a session has no breaks, or their number depends on responses or on the time "
-                   "in contact; remove {breaks}"
-                 : "a session has no " +
-                       std::string(placeholder.name == "practice_trials" ? "trials of practice"
-                                                                         : placeholder.name) +
-                       "; remove " + in_braces(placeholder.name));
     }
   }
 }

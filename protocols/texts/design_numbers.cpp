@@ -66,15 +66,19 @@ std::map<int, PlannedRun> runs_in(const Protocol& protocol, const Plan& plan) {
   return runs;
 }
 
+/// Whether the responses determine how many trials a run of the block has.
+bool has_variable_length(const Block& block) {
+  if (block.until) return true;
+  return block.procedure &&
+         std::any_of(block.procedure->tracks.begin(), block.procedure->tracks.end(),
+                     [](const auto& each) { return !procedure_of(each).has_fixed_length(each); });
+}
+
 /// The trials of the longest run with other responses; nothing where the responses do not matter.
 std::optional<int> most_trials_of_run(const Protocol& protocol, const PlannedRun& run) {
+  if (!has_variable_length(*run.block)) return {};
   if (run.block->until)
     return run.trials;  // the plan has as many as there are without the criterion
-  if (!run.block->procedure) return {};
-  const bool is_fixed = std::all_of(
-      run.block->procedure->tracks.begin(), run.block->procedure->tracks.end(),
-      [](const ProcedureSettings& each) { return procedure_of(each).has_fixed_length(each); });
-  if (is_fixed) return {};
   const std::size_t anchors = run.block->has_anchors() ? run.block->anchor_places.size() : 0;
   return std::max(run.trials, static_cast<int>(most_trials_of(protocol, *run.block) + anchors));
 }
@@ -95,6 +99,7 @@ const DesignNumber* find_design_number(std::string_view name) noexcept {
 }
 
 DesignValues values_of_block(const Protocol& protocol, const Block& block) {
+  if (block.design == nullptr) return {};  // of a stored protocol: that of another version
   DesignValues values{};
   const auto set = [&values](const char* name, std::optional<int> number) {
     if (number && *number > 0) values[name].number = *number;
@@ -110,10 +115,14 @@ DesignValues values_of_block(const Protocol& protocol, const Block& block) {
                       return std::holds_alternative<ScaleForm>(question.form);
                     })));
   set("options", agreed(block, [&](const auto& each) { return options_of(block, each); }));
-  const std::optional<int> pictures =
-      agreed(block, [](const auto& each) { return static_cast<int>(each.pictures.size()); });
-  const bool shows_texture = protocol.realism_standard == RealismStandard::photograph;
-  set("pictures", pictures ? pictures : shows_texture ? std::optional(1) : std::nullopt);
+  const bool has_pictures = std::any_of(block.questions.begin(), block.questions.end(),
+                                        [](const auto& each) { return !each.pictures.empty(); });
+  if (has_pictures) {
+    set("pictures",
+        agreed(block, [](const auto& each) { return static_cast<int>(each.pictures.size()); }));
+  } else if (protocol.realism_standard == RealismStandard::photograph) {
+    set("pictures", 1);
+  }
   return values;
 }
 
@@ -125,6 +134,7 @@ DesignValues values_of_all_blocks(const Protocol& protocol) {
   std::set<std::string> different{};
   for (const auto& [block_name, block] : protocol.blocks) {
     if (has_main && block.phase != Phase::main) continue;
+    if (block.design == nullptr) return {};
     for (const auto& [name, value] : values_of_block(protocol, block)) {
       const auto [known, is_new] = common.emplace(name, value);
       if (is_new) continue;
@@ -135,6 +145,21 @@ DesignValues values_of_all_blocks(const Protocol& protocol) {
   }
   std::erase_if(common, [&different](const auto& each) { return different.contains(each.first); });
   return common;
+}
+
+bool has_known_breaks(const Protocol& protocol) {
+  bool has_breaks = false;
+  for (const Protocol::Step& step : protocol.flow) {
+    if (std::holds_alternative<Protocol::Break>(step)) has_breaks = true;
+    const auto* const run = std::get_if<Protocol::Run>(&step);
+    if (run == nullptr || !run->pause) continue;
+    has_breaks = true;
+    if (run->break_every_contact_s > 0.0) return false;
+    const auto block = protocol.blocks.find(run->block);
+    if (block == protocol.blocks.end()) continue;
+    if (run->break_every_trials > 0 && has_variable_length(block->second)) return false;
+  }
+  return has_breaks;
 }
 
 DesignValues values_of_session(const Protocol& protocol, const Plan& example) {
@@ -159,16 +184,11 @@ DesignValues values_of_session(const Protocol& protocol, const Plan& example) {
   if (trials.number > 0) values["trials"] = trials;
   if (practised.number > 0) values["practice_trials"] = practised;
   values["minutes"] = {.number = rounded_minutes(total_s), .is_largest = can_be_shorter};
-  const bool depends_on_responses =
-      std::any_of(protocol.flow.begin(), protocol.flow.end(), [&](const Protocol::Step& step) {
-        const auto* const run = std::get_if<Protocol::Run>(&step);
-        return run != nullptr && (run->break_every_contact_s > 0.0 ||
-                                  (can_be_shorter && run->break_every_trials > 0));
-      });
-  const auto breaks = std::count_if(
-      example.steps.begin(), example.steps.end(),
-      [](const PlanStep& step) { return std::holds_alternative<Protocol::Break>(step); });
-  if (!depends_on_responses && breaks > 0) values["breaks"].number = static_cast<int>(breaks);
+  if (has_known_breaks(protocol)) {
+    values["breaks"].number = static_cast<int>(std::count_if(
+        example.steps.begin(), example.steps.end(),
+        [](const PlanStep& step) { return std::holds_alternative<Protocol::Break>(step); }));
+  }
   return values;
 }
 

@@ -23,7 +23,7 @@ struct DesignNumber {
   std::string_view meaning{};  ///< after "the"
 };
 
-/// None of them tells a group, a level or a correct response.
+/// None of them reveals a group, a level or a correct response.
 inline constexpr std::array kDesignNumbers{
     DesignNumber{"surfaces", NumberScope::block, "number of surfaces of a trial"},
     DesignNumber{"surface_names", NumberScope::block,
@@ -53,9 +53,12 @@ DesignValues values_of_block(const Protocol& protocol, const Protocol::Block& bl
 /// Those in which all blocks of the main phase that have them agree; of all blocks if there is none of the main phase.
 DesignValues values_of_all_blocks(const Protocol& protocol);
 
+/// Whether the number of breaks of a session is known when it begins, and there are any.
+bool has_known_breaks(const Protocol& protocol);
+
 /// Those of the session, and those of `values_of_all_blocks`. `example`: a plan of the participant's session (example_plan), from
-/// which the numbers of tracks that end early, and of practice to a criterion, are replaced by the largest ones. `breaks` has no
-/// value where it depends on responses or on the time in contact.
+/// which the numbers of tracks that end early, and of practice to a criterion, are replaced by the largest ones. `breaks` has a
+/// value only with has_known_breaks.
 DesignValues values_of_session(const Protocol& protocol, const Plan& example);
 
 }  // namespace asperity

@@ -57,10 +57,16 @@ std::string as_written(const Placeholder& placeholder) {
   return placeholder.is_closed ? text + '}' : text;
 }
 
+/// After the end of another one, or of a paragraph; "e.g. " and "z. B. " end none.
 bool begins_sentence(std::string_view before) {
   const std::size_t last = before.find_last_not_of(" \n");
-  return last == std::string_view::npos || before[last] == '.' || before[last] == '!' ||
-         before[last] == '?' || (last + 1 < before.size() && before[last + 1] == '\n');
+  if (last == std::string_view::npos) return true;
+  if (before.substr(last).find("\n\n") != std::string_view::npos) return true;
+  if (before[last] == '!' || before[last] == '?') return true;
+  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  const bool is_one_letter =
+      last > 0 && is_letter(before[last - 1]) && (last == 1 || !is_letter(before[last - 2]));
+  return before[last] == '.' && !is_one_letter;
 }
 
 /// "A, B and C"

@@ -82,7 +82,16 @@ std::vector<TextPlace> with_placeholders(const Protocol& protocol) {
 
 }  // namespace
 
-bool has_placeholders(const Protocol& protocol) { return !with_placeholders(protocol).empty(); }
+bool states_session(const Protocol& protocol) {
+  const std::vector<TextPlace> places = with_placeholders(protocol);
+  return std::any_of(places.begin(), places.end(), [](const TextPlace& place) {
+    const std::vector<Placeholder> found = placeholders_in(place.text);
+    return std::any_of(found.begin(), found.end(), [](const Placeholder& each) {
+      const DesignNumber* const number = find_design_number(each.name);
+      return number != nullptr && number->scope == NumberScope::session;
+    });
+  });
+}
 
 std::vector<TextAsRead> texts_as_read(const Protocol& protocol, const DesignValues& of_session) {
   std::vector<TextAsRead> texts{};

@@ -36,8 +36,8 @@ std::optional<nlohmann::json> with_design_values(const nlohmann::json& root,
 /// A step of a plan with its texts as they are read in the session with these values (values_of_session).
 PlanStep as_read(PlanStep step, const DesignValues& of_session, std::string_view language);
 
-/// Whether a text of the protocol has a placeholder.
-bool has_placeholders(const Protocol& protocol);
+/// Whether a text of the protocol states a number of the session.
+bool states_session(const Protocol& protocol);
 
 /// A text as a participant reads it.
 struct TextAsRead {

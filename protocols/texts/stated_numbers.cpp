@@ -131,29 +131,37 @@ struct Language {
   List
       verbs_before_one{};  ///< "feel one surface": a count; elsewhere "one" is an article or a pronoun
   List after_one{};        ///< "one surface at a time"
+  List about{};
 };
 
 constexpr std::array<std::string_view, 24> kFunctionEn{
     "of", "to",   "in",  "on", "or",    "and",  "the", "a",    "an",   "for",   "with", "at",
     "by", "from", "are", "is", "times", "time", "you", "each", "your", "these", "this", "after"};
-constexpr std::array<std::string_view, 17> kBeforeEn{
-    "least", "most",  "than", "first", "last",    "next",   "every", "each", "another",
-    "more",  "other", "to",   "few",   "between", "within", "after", "any"};
+constexpr std::array<std::string_view, 22> kBeforeEn{
+    "least",   "most", "than",  "first",    "last",      "next",    "every",  "each",
+    "another", "more", "other", "to",       "few",       "between", "within", "after",
+    "any",     "if",   "when",  "whenever", "remaining", "whether"};
 constexpr std::array<std::string_view, 3> kJointsEn{"or", "to", "and"};
-constexpr std::array<std::string_view, 9> kVerbsEn{"feel", "see",      "hear", "has", "have",
-                                                   "on",   "contains", "get",  "are"};
-constexpr std::array<std::string_view, 4> kAfterOneEn{"at", "after", "then", "of"};
+constexpr std::array<std::string_view, 7> kVerbsEn{"feel", "see",      "hear", "has",
+                                                   "have", "contains", "get"};
+constexpr std::array<std::string_view, 5> kAfterOneEn{"at", "after", "then", "of", "and"};
 
 constexpr std::array<std::string_view, 24> kFunctionDe{
     "von", "zu",  "in",  "auf", "oder", "und",  "der", "die",  "das", "den", "dem", "des",
     "mal", "mit", "bei", "an",  "für",  "nach", "aus", "sind", "ist", "sie", "je",  "pro"};
-constexpr std::array<std::string_view, 20> kBeforeDe{
-    "mindestens", "höchstens", "als",    "ersten",   "letzten", "nächsten", "alle",
-    "allen",      "jede",      "jeden",  "jeder",    "weitere", "bis",      "noch",
-    "anderen",    "nach",      "binnen", "zwischen", "je",      "pro"};
+constexpr std::array<std::string_view, 24> kBeforeDe{
+    "mindestens", "höchstens", "als",   "ersten",  "letzten", "nächsten", "alle",    "allen",
+    "jede",       "jeden",     "jeder", "weitere", "bis",     "noch",     "anderen", "nach",
+    "binnen",     "zwischen",  "je",    "pro",     "wenn",    "falls",    "ob",      "übrigen"};
 constexpr std::array<std::string_view, 3> kJointsDe{"oder", "bis", "und"};
-constexpr std::array<std::string_view, 4> kVerbsDe{"fühlen", "sehen", "hören", "auf"};
-constexpr std::array<std::string_view, 4> kAfterOneDe{"auf", "nach", "nacheinander", "dann"};
+constexpr std::array<std::string_view, 3> kVerbsDe{"fühlen", "sehen", "hören"};
+constexpr std::array<std::string_view, 6> kAfterOneDe{"auf",  "nach",   "nacheinander",
+                                                      "dann", "danach", "und"};
+
+constexpr std::array<std::string_view, 4> kAboutEn{"about", "approximately", "around", "roughly"};
+constexpr std::array<std::string_view, 5> kAboutDe{"etwa", "ungefähr", "rund", "circa", "ca"};
+constexpr std::array<std::string_view, 11> kNegations{
+    "no", "not", "never", "without", "kein", "keine", "keinen", "keiner", "nicht", "nie", "ohne"};
 
 constexpr std::array<Language, 2> kLanguages{
     {{.tag = "en",
@@ -174,7 +182,8 @@ constexpr std::array<Language, 2> kLanguages{
       .before_others = kBeforeEn,
       .joints = kJointsEn,
       .verbs_before_one = kVerbsEn,
-      .after_one = kAfterOneEn},
+      .after_one = kAfterOneEn,
+      .about = kAboutEn},
      {.tag = "de",
       .numbers = {"eine",     "zwei",     "drei",     "vier",     "fünf",
                   "sechs",    "sieben",   "acht",     "neun",     "zehn",
@@ -194,7 +203,8 @@ constexpr std::array<Language, 2> kLanguages{
       .before_others = kBeforeDe,
       .joints = kJointsDe,
       .verbs_before_one = kVerbsDe,
-      .after_one = kAfterOneDe}}};
+      .after_one = kAfterOneDe,
+      .about = kAboutDe}}};
 
 const Language* find_language(std::string_view tag) {
   const auto* const found =
@@ -208,7 +218,7 @@ std::optional<int> number_of(const std::string& word, const Language& language) 
   int number = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   if (error == std::errc{} && end == word.data() + word.size()) return number;
-  const bool is_one = language.tag == "de" && (word == "ein" || word == "einen" || word == "einer");
+  const bool is_one = language.tag == "de" && (word == "ein" || word == "einen");
   if (is_one) return 1;
   const auto* const found =
       std::find(language.numbers.begin(), language.numbers.end(), std::string_view(word));
@@ -245,6 +255,25 @@ std::optional<std::pair<std::string_view, std::size_t>> counted_noun(const std::
   return {};
 }
 
+/// Whether only a dash, a point or a comma is between a number and the one before it: "2–4", "1.5", "2,5".
+bool continues_number(std::string_view text, const std::vector<Word>& words, std::size_t at,
+                      const Language& language) {
+  if (at == 0 || words[at].follows_blank) return false;
+  if (!number_of(words[at - 1].lower, language)) return false;
+  std::string between(text.substr(words[at - 1].end, words[at].begin - words[at - 1].end));
+  std::erase(between, ' ');
+  return between == "." || between == "," || between == "-" || between == "–" || between == "—";
+}
+
+/// The sentence that contains these characters.
+std::string sentence_around(std::string_view text, std::size_t begin, std::size_t end) {
+  constexpr std::string_view kEnds = ".!?\n";
+  const std::size_t before =
+      begin == 0 ? std::string_view::npos : text.find_last_of(kEnds, begin - 1);
+  const std::size_t first = before == std::string_view::npos ? 0 : before + 1;
+  return std::string(text.substr(first, text.find_first_of(kEnds, end) - first));
+}
+
 }  // namespace
 
 std::vector<StatedNumber> numbers_stated_in(std::string_view text, std::string_view tag) {
@@ -261,7 +290,7 @@ std::vector<StatedNumber> numbers_stated_in(std::string_view text, std::string_v
     if (is_one_of(before, language->before_others)) continue;
     const bool is_range = i > 1 && is_one_of(before, language->joints) &&
                           number_of(words[i - 2].lower, *language).has_value();
-    if (is_range) continue;
+    if (is_range || continues_number(text, words, i, *language)) continue;
     if (*number == 1 && words[i].lower != "1") {
       const std::string after = noun->second < words.size() ? words[noun->second].lower : "";
       if (!is_one_of(before, language->verbs_before_one) || is_one_of(after, language->after_one)) {
@@ -269,8 +298,12 @@ std::vector<StatedNumber> numbers_stated_in(std::string_view text, std::string_v
       }
     }
     const std::size_t end = words[noun->second - 1].end;
-    found.push_back(
-        {noun->first, *number, std::string(text.substr(words[i].begin, end - words[i].begin))});
+    found.push_back({.name = noun->first,
+                     .number = *number,
+                     .words = std::string(text.substr(words[i].begin, end - words[i].begin)),
+                     .begins_clause = before.empty(),
+                     .is_about = is_one_of(before, language->about),
+                     .sentence = sentence_around(text, words[i].begin, end)});
   }
   return found;
 }
@@ -286,7 +319,10 @@ std::string phrase_in(std::string_view text, std::span<const std::string_view> p
         is_same = is_stem ? words[i + j].lower.starts_with(wanted[j].lower)
                           : words[i + j].lower == wanted[j].lower;
       }
-      if (!is_same) continue;
+      const auto is_negated = [&](std::size_t before) {  // "no pictures", "not be blindfolded"
+        return i >= before && is_one_of(words[i - before].lower, kNegations);
+      };
+      if (!is_same || is_negated(1) || is_negated(2)) continue;
       const std::size_t end = words[i + wanted.size() - 1].end;
       return std::string(text.substr(words[i].begin, end - words[i].begin));
     }

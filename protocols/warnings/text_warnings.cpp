@@ -102,20 +102,27 @@ struct Part {
   std::string_view otherwise{};  ///< what the protocol lacks
 };
 
-constexpr std::array<std::string_view, 2> kScaleEn{"scale", "scales"};
-constexpr std::array<std::string_view, 2> kScaleDe{"skala", "skalen"};
-constexpr std::array<std::string_view, 2> kLineEn{"on the line", "along the line"};
-constexpr std::array<std::string_view, 2> kLineDe{"auf der linie", "entlang der linie"};
-constexpr std::array<std::string_view, 2> kFamiliarEn{"familiar", "familiari*"};
-constexpr std::array<std::string_view, 3> kFamiliarDe{"vertraut", "kennenlernen", "eingewöhn*"};
-constexpr std::array<std::string_view, 3> kPractiseEn{"practise", "practice", "practising"};
-constexpr std::array<std::string_view, 2> kPractiseDe{"üben", "übung*"};
-constexpr std::array<std::string_view, 4> kPictureEn{"picture", "pictures", "photo*", "images"};
-constexpr std::array<std::string_view, 4> kPictureDe{"bild", "bilder", "bildern", "foto*"};
-// Participants may always pause, which is no break of the flow.
-constexpr std::array<std::string_view, 2> kBreakEn{"a break", "breaks"};
-constexpr std::array<std::string_view, 3> kBreakDe{"gibt es eine pause", "einer pause", "pausen"};
-constexpr std::array<std::string_view, 2> kMaskEn{"eye mask", "blindfold*"};
+// Phrases with which instructions mention a part; a word alone occurs in other senses ("in practice", "photosensitive").
+constexpr std::array<std::string_view, 3> kScaleEn{"on the scale", "on each scale", "scales"};
+constexpr std::array<std::string_view, 3> kScaleDe{"auf der skala", "auf jeder skala", "skalen"};
+constexpr std::array<std::string_view, 2> kLineEn{"mark on the line", "answer on the line"};
+constexpr std::array<std::string_view, 3> kLineDe{"dann auf der linie", "sie auf der linie",
+                                                  "sie es auf der linie"};
+constexpr std::array<std::string_view, 3> kFamiliarEn{"become familiar", "familiarisation",
+                                                      "familiarization"};
+constexpr std::array<std::string_view, 3> kFamiliarDe{"aufgabe kennenzulernen",
+                                                      "vertraut zu machen", "eingewöhnung"};
+constexpr std::array<std::string_view, 3> kPractiseEn{"practise the task", "practice trial*",
+                                                      "practice block"};
+constexpr std::array<std::string_view, 3> kPractiseDe{"üben sie die aufgabe", "übungsdurchg*",
+                                                      "in der übung"};
+constexpr std::array<std::string_view, 3> kPictureEn{"the picture", "pictures", "the photograph"};
+constexpr std::array<std::string_view, 4> kPictureDe{"das bild", "bilder", "bildern", "das foto"};
+// Participants may take a break at any time, which is no break of the flow.
+constexpr std::array<std::string_view, 3> kBreakEn{"there is a break", "will be a break",
+                                                   "will be breaks"};
+constexpr std::array<std::string_view, 2> kBreakDe{"gibt es eine pause", "gibt es pausen"};
+constexpr std::array<std::string_view, 3> kMaskEn{"eye mask", "the blindfold", "blindfolded"};
 constexpr std::array<std::string_view, 3> kMaskDe{"augenbinde", "augenmaske", "schlafmaske"};
 constexpr std::array<std::string_view, 1> kCannotTellEn{"i cannot tell"};
 constexpr std::array<std::string_view, 1> kCannotTellDe{"ich kann es nicht sagen"};
@@ -138,7 +145,9 @@ constexpr std::array kParts{
     Part{kCannotTellEn, kCannotTellDe, permits_cannot_tell,
          "no question has this option (\"allow_cannot_tell\")"}};
 
-// Of a text whose minutes may be those of a break.
+// Of a sentence whose minutes are those of the session, and of one whose minutes may be those of a break.
+constexpr std::array<std::string_view, 8> kSessions{
+    "session*", "experiment*", "study", "sitzung*", "studie", "versuch", "insgesamt", "in all"};
 constexpr std::array<std::string_view, 4> kRests{"break*", "rest", "pause*", "ruhen"};
 
 /// Whether what a text calls so is one of `kParts`, or its number is not known (breaks).
@@ -159,7 +168,7 @@ class TextWarnings final {
       // A question of the questionnaire is about anything.
       if (place.pointer.starts_with("/questions/")) continue;
       compare_numbers(place);
-      compare_parts(place);
+      if (!place.pointer.starts_with("/consent/")) compare_parts(place);
     }
     return std::move(found_);
   }
@@ -193,7 +202,8 @@ class TextWarnings final {
     };
     session_["trials"].insert(of("trials") + of("practice_trials"));
     if (!values.contains("breaks")) session_.erase("breaks");
-    minutes_ = of("minutes");
+    largest_min_ = of("minutes");
+    estimate_min_ = static_cast<int>(std::lround(cost_of(protocol_, example_).total_s / 60.0));
   }
 
   /// Whether no trial compares surfaces: their number in a text can then be that of a run or of the study.
@@ -228,15 +238,20 @@ class TextWarnings final {
   }
 
   /// Also where the design has none of them, which compare_parts names.
-  bool is_of_design(const Numbers& numbers, const StatedNumber& stated,
-                    const TextPlace& place) const {
+  bool is_of_design(const Numbers& numbers, const StatedNumber& stated) const {
     if (stated.name == "minutes") {
-      if (3 * std::abs(stated.number - minutes_) <= minutes_) return true;
-      return !phrase_in(place.text, kRests).empty();  // the duration of a break
+      if (phrase_in(stated.sentence, kSessions).empty()) return true;  // of a part, or of a stroke
+      if (!phrase_in(stated.sentence, kRests).empty()) return true;
+      return 3 * stated.number >= 2 * estimate_min_ && 3 * stated.number <= 4 * largest_min_;
     }
+    // "Two surfaces are the same": not how many there are.
+    if (stated.name == "surfaces" && stated.begins_clause) return true;
     const auto known = numbers.find(stated.name);
     if (known == numbers.end() || known->second.empty()) return is_named_as_part(stated.name);
-    return known->second.contains(stated.number);
+    return std::any_of(known->second.begin(), known->second.end(), [&stated](int number) {
+      return stated.is_about ? 10 * std::abs(stated.number - number) <= number
+                             : stated.number == number;
+    });
   }
 
   void compare_numbers(const TextPlace& place) {
@@ -249,7 +264,7 @@ class TextWarnings final {
       add_values(numbers, values);
     }
     for (const StatedNumber& stated : numbers_stated_in(place.text, protocol_.language)) {
-      if (is_of_design(numbers, stated, place)) continue;
+      if (is_of_design(numbers, stated)) continue;
       warn(place, "the text states " + in_quotes(stated.words) + ", but " +
                       design_states(numbers, stated, place));
     }
@@ -261,7 +276,7 @@ class TextWarnings final {
     const std::string name(stated.name);
     const std::string noun = name == "practice_trials" ? "trials of practice" : name;
     if (name == "minutes") {
-      return "a session takes about " + std::to_string(minutes_) +
+      return "a session takes about " + std::to_string(estimate_min_) +
              " minutes by estimate; correct the text" +
              (place.is_of_session ? ", or write {minutes}" : "");
     }
@@ -307,7 +322,8 @@ class TextWarnings final {
   const Plan& example_;
   JsonDocument document_;
   Numbers session_{};
-  int minutes_ = 0;
+  int estimate_min_ = 0;
+  int largest_min_ = 0;
   std::vector<Diagnostic> found_{};
 };
 
