@@ -152,10 +152,11 @@ void Conductor::note_guidance() {
 }
 
 void Conductor::note_texts() {
-  values_ = states_session(protocol_)
+  const std::vector<TextPlace> places = texts_with_placeholders(protocol_);
+  values_ = states_session(places)
                 ? values_of_session(protocol_, example_plan(protocol_, allocation_of(session_.row)))
                 : values_of_all_blocks(protocol_);
-  for (const TextAsRead& each : texts_as_read(protocol_, values_)) {
+  for (const TextAsRead& each : texts_as_read(protocol_, places, values_)) {
     course_.event("text_as_read", each.text,
                   nlohmann::ordered_json{{"place", each.pointer}}.dump());
   }

@@ -65,4 +65,12 @@ bool chooses_levels_from_answers(const Protocol::Block& block) {
   return tracks.empty() || !std::holds_alternative<ConstantStimuli>(tracks.front());
 }
 
+bool has_tracks_of_fixed_length(const Protocol::Block& block) {
+  return !block.procedure ||
+         std::all_of(block.procedure->tracks.begin(), block.procedure->tracks.end(),
+                     [](const ProcedureSettings& settings) {
+                       return procedure_of(settings).has_fixed_length(settings);
+                     });
+}
+
 }  // namespace asperity

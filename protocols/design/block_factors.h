@@ -25,6 +25,9 @@ bool is_varied(const Protocol& protocol, const std::string& factor);
 /// whose tracks could not be read does.
 bool chooses_levels_from_answers(const Protocol::Block& block);
 
+/// Whether the number of trials of the block's tracks does not depend on the responses; true without a procedure.
+bool has_tracks_of_fixed_length(const Protocol::Block& block);
+
 /// The question whose answers a procedure and a psychometric function are made of: the first one with a judgement. Null
 /// if there is none.
 const Protocol::TrialQuestionTemplate* judged_question(const Protocol::Block& block) noexcept;

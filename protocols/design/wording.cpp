@@ -86,10 +86,11 @@ std::string unknown_name(std::string_view what, const std::string& name,
                              : "; use " + one_of(declared));
 }
 
-std::string listed_words(const std::vector<std::string>& words) {
+std::string listed_words(const std::vector<std::string>& words, std::string_view joint) {
   std::string text{};
   for (std::size_t i = 0; i < words.size(); ++i) {
-    text += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
+    if (i > 0) text += i + 1 == words.size() ? joint : ", ";
+    text += words[i];
   }
   return text;
 }

@@ -11,8 +11,8 @@ namespace asperity {
 
 /// The names as a list: "a", "b" or "c".
 std::string one_of(const std::vector<std::string>& names);
-/// "30, 45 and 60".
-std::string listed_words(const std::vector<std::string>& words);
+/// "30, 45 and 60"; `joint` is before the last one.
+std::string listed_words(const std::vector<std::string>& words, std::string_view joint = " and ");
 /// The name that is most similar to `written`, if one is similar enough.
 std::optional<std::string> nearest_name(std::string_view written,
                                         const std::vector<std::string>& names);

@@ -461,12 +461,7 @@ bool has_estimated_trials(const Protocol& protocol) {
   return std::any_of(protocol.blocks.begin(), protocol.blocks.end(), [&protocol](const auto& each) {
     const auto& procedure = each.second.procedure;
     if (!procedure) return false;
-    if (std::any_of(procedure->tracks.begin(), procedure->tracks.end(),
-                    [](const ProcedureSettings& settings) {
-                      return !procedure_of(settings).has_fixed_length(settings);
-                    })) {
-      return true;
-    }
+    if (!has_tracks_of_fixed_length(each.second)) return true;
     // The trials after the last complete group of `every` contain a catch trial or not.
     const double trials = expected_trials_of_run(protocol, each.second);
     return procedure->catch_trials && trials != std::round(trials);

@@ -12,7 +12,6 @@
 
 #include "protocols/design/block_factors.h"
 #include "protocols/plan/level_tracks.h"
-#include "protocols/procedures/procedure.h"
 
 namespace asperity {
 
@@ -68,10 +67,7 @@ std::map<int, PlannedRun> runs_in(const Protocol& protocol, const Plan& plan) {
 
 /// Whether the responses determine how many trials a run of the block has.
 bool has_variable_length(const Block& block) {
-  if (block.until) return true;
-  return block.procedure &&
-         std::any_of(block.procedure->tracks.begin(), block.procedure->tracks.end(),
-                     [](const auto& each) { return !procedure_of(each).has_fixed_length(each); });
+  return block.until || !has_tracks_of_fixed_length(block);
 }
 
 /// The trials of the longest run with other responses; nothing where the responses do not matter.

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <variant>
 
+#include "protocols/design/wording.h"
+
 namespace asperity {
 
 namespace {
@@ -69,21 +71,13 @@ bool begins_sentence(std::string_view before) {
   return before[last] == '.' && !is_one_letter;
 }
 
-/// "A, B and C"
-std::string listed(const std::vector<std::string>& names, std::string_view language) {
-  const std::string_view joint = is_language(language, "en")   ? " and "
-                                 : is_language(language, "de") ? " und "
-                                                               : ", ";
-  std::string text{};
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) text += i + 1 == names.size() ? joint : ", ";
-    text += names[i];
-  }
-  return text;
+std::string_view joint_of_list(std::string_view language) {
+  if (is_language(language, "en")) return " and ";
+  return is_language(language, "de") ? " und " : ", ";
 }
 
 std::string text_of(const DesignValue& value, std::string_view before, std::string_view language) {
-  if (!value.names.empty()) return listed(value.names, language);
+  if (!value.names.empty()) return listed_words(value.names, joint_of_list(language));
   const std::string_view word = number_word(value.number, language);
   std::string text = word.empty() ? std::to_string(value.number) : std::string(word);
   if (value.is_largest) {

@@ -70,20 +70,15 @@ PlanStep as_read(PlanStep step, const DesignValues& of_session, std::string_view
   return step;
 }
 
-namespace {
-
-std::vector<TextPlace> with_placeholders(const Protocol& protocol) {
-  if (protocol.source.empty()) return {};  // made by a program
+std::vector<TextPlace> texts_with_placeholders(const Protocol& protocol) {
+  if (protocol.source.empty()) return {};
   std::vector<TextPlace> places =
       participant_texts(nlohmann::json::parse(protocol.source), protocol);
   std::erase_if(places, [](const TextPlace& each) { return placeholders_in(each.text).empty(); });
   return places;
 }
 
-}  // namespace
-
-bool states_session(const Protocol& protocol) {
-  const std::vector<TextPlace> places = with_placeholders(protocol);
+bool states_session(const std::vector<TextPlace>& places) {
   return std::any_of(places.begin(), places.end(), [](const TextPlace& place) {
     const std::vector<Placeholder> found = placeholders_in(place.text);
     return std::any_of(found.begin(), found.end(), [](const Placeholder& each) {
@@ -93,9 +88,11 @@ bool states_session(const Protocol& protocol) {
   });
 }
 
-std::vector<TextAsRead> texts_as_read(const Protocol& protocol, const DesignValues& of_session) {
+std::vector<TextAsRead> texts_as_read(const Protocol& protocol,
+                                      const std::vector<TextPlace>& places,
+                                      const DesignValues& of_session) {
   std::vector<TextAsRead> texts{};
-  for (const TextPlace& place : with_placeholders(protocol)) {
+  for (const TextPlace& place : places) {
     const DesignValues values =
         place.is_of_session ? of_session : values_of_design(protocol, place);
     texts.push_back({place.pointer, with_values(place.text, values, protocol.language)});

@@ -36,8 +36,11 @@ std::optional<nlohmann::json> with_design_values(const nlohmann::json& root,
 /// A step of a plan with its texts as they are read in the session with these values (values_of_session).
 PlanStep as_read(PlanStep step, const DesignValues& of_session, std::string_view language);
 
-/// Whether a text of the protocol states a number of the session.
-bool states_session(const Protocol& protocol);
+/// The texts of a protocol that have a placeholder; none of one that a program has made, without a source.
+std::vector<TextPlace> texts_with_placeholders(const Protocol& protocol);
+
+/// Whether one of the texts states a number of the session.
+bool states_session(const std::vector<TextPlace>& places);
 
 /// A text as a participant reads it.
 struct TextAsRead {
@@ -45,7 +48,9 @@ struct TextAsRead {
   std::string text{};
 };
 
-/// Every text of a protocol that has a placeholder, as read in the session with these values (values_of_session).
-std::vector<TextAsRead> texts_as_read(const Protocol& protocol, const DesignValues& of_session);
+/// Texts of the protocol as read in the session with these values (values_of_session).
+std::vector<TextAsRead> texts_as_read(const Protocol& protocol,
+                                      const std::vector<TextPlace>& places,
+                                      const DesignValues& of_session);
 
 }  // namespace asperity

@@ -8,11 +8,11 @@
 #include <variant>
 
 #include "analysis/numbers/number_text.h"
+#include "protocols/design/block_factors.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
 #include "protocols/plan/roughness_matching.h"
-#include "protocols/procedures/procedure.h"
 
 namespace asperity {
 
@@ -59,15 +59,6 @@ std::map<std::string, RunSize, std::less<>> largest_runs(const Protocol& protoco
   return largest;
 }
 
-/// Whether the number of trials depends on the responses, so that a break may come in some sessions.
-bool has_estimated_length(const Protocol::Block& block) {
-  return block.procedure &&
-         std::any_of(block.procedure->tracks.begin(), block.procedure->tracks.end(),
-                     [](const ProcedureSettings& settings) {
-                       return !procedure_of(settings).has_fixed_length(settings);
-                     });
-}
-
 }  // namespace
 
 std::vector<Diagnostic> warnings_about_plan(const Protocol& protocol, const std::string& file_name,
@@ -78,7 +69,8 @@ std::vector<Diagnostic> warnings_about_plan(const Protocol& protocol, const std:
   for (std::size_t i = 0; i < protocol.flow.size(); ++i) {
     const auto* const run = std::get_if<Protocol::Run>(&protocol.flow[i]);
     if (run == nullptr || !largest.contains(run->block)) continue;
-    if (has_estimated_length(protocol.blocks.at(run->block))) continue;
+    // A break may come in some sessions.
+    if (!has_tracks_of_fixed_length(protocol.blocks.at(run->block))) continue;
     const RunSize& size = largest.at(run->block);
     const std::string place = pointer_to("/flow", i);
     const std::string of_block = "a run of the block " + in_quotes(run->block);

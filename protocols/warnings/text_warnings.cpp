@@ -13,8 +13,6 @@
 #include <utility>
 #include <variant>
 
-#include <nlohmann/json.hpp>
-
 #include "protocols/design/block_factors.h"
 #include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
@@ -159,12 +157,15 @@ bool is_named_as_part(std::string_view name) {
 class TextWarnings final {
  public:
   TextWarnings(const Protocol& protocol, const std::string& file_name, const Plan& example)
-      : protocol_(protocol), example_(example), document_(protocol.source, file_name) {}
+      : protocol_(protocol),
+        example_(example),
+        document_(protocol.source, file_name),
+        has_single_surfaces_(
+            !any_block(protocol, [](const auto& block) { return surfaces_in_trial(block) > 1; })) {}
 
   std::vector<Diagnostic> all() {
     gather_session();
-    const auto root = nlohmann::json::parse(protocol_.source);
-    for (const TextPlace& place : participant_texts(root, protocol_)) {
+    for (const TextPlace& place : participant_texts(document_.root(), protocol_)) {
       // A question of the questionnaire is about anything.
       if (place.pointer.starts_with("/questions/")) continue;
       compare_numbers(place);
@@ -180,7 +181,7 @@ class TextWarnings final {
     for (const auto& [name, block] : protocol_.blocks) {
       add_values(session_, values_of_block(protocol_, block));
     }
-    if (is_of_single_surfaces()) {
+    if (has_single_surfaces_) {
       for (const bool of_main : {true, false}) {
         session_["surfaces"].insert(distinct_surfaces(protocol_, example_, of_main));
       }
@@ -206,11 +207,6 @@ class TextWarnings final {
     estimate_min_ = static_cast<int>(std::lround(cost_of(protocol_, example_).total_s / 60.0));
   }
 
-  /// Whether no trial compares surfaces: their number in a text can then be that of a run or of the study.
-  bool is_of_single_surfaces() const {
-    return !any_block(protocol_, [](const auto& block) { return surfaces_in_trial(block) > 1; });
-  }
-
   /// The trials and surfaces of one run of a block, and its breaks.
   void add_run(const Protocol::Run& run) {
     std::map<int, std::pair<int, int>> sizes{};  // trials and surfaces by ordinal
@@ -229,10 +225,10 @@ class TextWarnings final {
       all += size.first;
       session_["trials"].insert(size.first);
       if (!is_main) session_["practice_trials"].insert(size.first);
-      if (is_of_single_surfaces()) session_["surfaces"].insert(size.second);
+      if (has_single_surfaces_) session_["surfaces"].insert(size.second);
     }
     session_["trials"].insert(all);
-    if (is_of_single_surfaces()) session_["surfaces"].insert(static_cast<int>(stimuli.size()));
+    if (has_single_surfaces_) session_["surfaces"].insert(static_cast<int>(stimuli.size()));
     session_["blocks"].insert(static_cast<int>(sizes.size()));
     if (run.break_every_trials > 0) session_["trials"].insert(run.break_every_trials);
   }
@@ -270,7 +266,7 @@ class TextWarnings final {
     }
   }
 
-  /// "the design has 4; correct the text, or write {scales}"
+  /// "the number of scales is 4; correct the text, or write {scales}"
   std::string design_states(const Numbers& numbers, const StatedNumber& stated,
                             const TextPlace& place) const {
     const std::string name(stated.name);
@@ -289,16 +285,8 @@ class TextWarnings final {
     const bool can_be_replaced =
         all.size() == 1 &&
         (place.is_of_session || find_design_number(name)->scope == NumberScope::block);
-    return "the number of " + noun + " is " + one_of_numbers(all) + "; correct the text" +
+    return "the number of " + noun + " is " + listed_words(all, " or ") + "; correct the text" +
            (can_be_replaced ? ", or write {" + name + "}" : "");
-  }
-
-  static std::string one_of_numbers(const std::vector<std::string>& numbers) {
-    std::string text = numbers.front();
-    for (std::size_t i = 1; i < numbers.size(); ++i) {
-      text += (i + 1 == numbers.size() ? " or " : ", ") + numbers[i];
-    }
-    return text;
   }
 
   void compare_parts(const TextPlace& place) {
@@ -321,6 +309,8 @@ class TextWarnings final {
   const Protocol& protocol_;
   const Plan& example_;
   JsonDocument document_;
+  /// No trial compares surfaces: their number in a text can then be that of a run or of the study.
+  bool has_single_surfaces_ = false;
   Numbers session_{};
   int estimate_min_ = 0;
   int largest_min_ = 0;

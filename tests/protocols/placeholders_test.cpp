@@ -104,7 +104,8 @@ TEST(Placeholders, AreKeptInScreensUntilTheSession) {
   EXPECT_EQ(values.at("trials").number, 85) << "two tracks of 40 trials, at most 5 catch trials";
   EXPECT_EQ(values.at("practice_trials").number,
             static_cast<int>(plan.trials.size()) - static_cast<int>(main));
-  const std::vector<TextAsRead> read = texts_as_read(protocol, values);
+  const std::vector<TextAsRead> read =
+      texts_as_read(protocol, texts_with_placeholders(protocol), values);
   ASSERT_EQ(read.size(), 1U);
   EXPECT_THAT(read.front().text, testing::StartsWith("Two surfaces, at most "));
   EXPECT_THAT(read.front().text, testing::Not(HasSubstr("{")));
@@ -116,7 +117,7 @@ TEST(Placeholders, AreKeptInScreensUntilTheSession) {
   EXPECT_EQ(std::get<Protocol::Screen>(as_read(*step, values, "en")).text, read.front().text);
 }
 
-/// The numbers of a block are those of every participant: whoever reads the protocol reads the text with them.
+/// The numbers of a block are those of every participant: every reader of the protocol has the text with them.
 TEST(Placeholders, AreReplacedInBlocksWhenTheProtocolIsRead) {
   json root = json::parse(library_text("semantic_differential"));
   root.at("blocks").at("ratings").at("page_prompt") = "Mark on {scales} scales. {{x}";
