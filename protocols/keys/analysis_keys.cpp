@@ -23,11 +23,11 @@ constexpr auto kConstructKeys = keys_of(
 
 constexpr auto kExclusionKeys =
     keys_of(member_key<&CatchExclusion::more_errors_than>(
-                "more_catch_errors_than", "More errors than",
+                "more_catch_errors_than", "Maximum number of errors",
                 "Participants with more errors in catch trials than this number are excluded.",
                 NumberShape{.minimum = 0.0, .maximum = 100'000.0, .is_whole = true}),
             member_key<&CatchExclusion::error_rate_above>(
-                "catch_error_rate_above", "Proportion of errors above",
+                "catch_error_rate_above", "Maximum proportion of errors",
                 "Participants with a greater proportion of errors in catch trials are excluded.",
                 NumberShape{.minimum = 0.0, .below = 1.0}));
 constexpr std::array<std::string_view, 2> kExclusions{"more_catch_errors_than",

@@ -45,7 +45,7 @@ constexpr auto kLayouts =
                     {"one_page", true, "all questions are shown together"}});
 using Feedback = Block::Feedback;
 constexpr auto kFeedbacks =
-    words_of<Feedback>({{"none", Feedback::none, "none"},
+    words_of<Feedback>({{"none", Feedback::none, "no feedback"},
                         {"correctness", Feedback::correctness, "whether the response is correct"},
                         {"correct_answer", Feedback::correct_answer, "the correct response"}});
 
@@ -176,11 +176,11 @@ constexpr auto kBlockKeys = keys_of(
         "repetition is completed before the next.",
         kOrders),
     member_key<&Block::maximum_in_a_row>(
-        "maximum_in_a_row", "At most in a row",
+        "maximum_in_a_row", "Longest run of a level",
         "For a factor: largest number of consecutive trials with the same level.",
         MapShape{.entry = &kTrialsInARow, .meaning = "Trials in a row.", .key = kFactorName}),
     member_key<&Block::minimum_distance>(
-        "minimum_distance", "Smallest distance",
+        "minimum_distance", "Smallest distance of a level",
         "For a factor: smallest difference of the positions of two trials with the same level; 2 "
         "excludes adjacent trials.",
         MapShape{.entry = &kDistance, .meaning = "Difference of positions.", .key = kFactorName}),
@@ -245,7 +245,7 @@ constexpr auto kBlockKeys = keys_of(
         NumberShape{.above = 0.0, .maximum = 3600.0, .unit = "s"}),
     member_key<&Block::feedback>("feedback", "Feedback",
                                  "Feedback to the participant after a response.", kFeedbacks),
-    member_key<&Block::until>("until", "Until", kCriterionTable));
+    member_key<&Block::until>("until", "Criterion", kCriterionTable));
 
 }  // namespace
 

@@ -24,11 +24,12 @@ constexpr auto kCriterionKeys = keys_of(
     required_key(member_key<&Criterion::correct>("correct", "Correct responses",
                                                  "Number of correct responses required.", kCount)),
     required_key(member_key<&Criterion::of_last>(
-        "of_last", "Of the last", "Number of most recent responses that are considered.", kCount)),
+        "of_last", "Responses considered", "Number of most recent responses that are considered.",
+        kCount)),
     required_key(member_key<&Criterion::maximum_trials>(
-        "maximum_trials", "At most",
+        "maximum_trials", "Maximum number of trials",
         "Number of trials after which the block ends even if the criterion is not met.", kCount)),
-    member_key<&Criterion::on_failure>("on_failure", "Otherwise",
+    member_key<&Criterion::on_failure>("on_failure", "Consequence of failure",
                                        "Consequence if the criterion is not met.", kOnFailures));
 
 constexpr ValueShape kStiffnessLevel = kStiffness;
@@ -53,9 +54,9 @@ constexpr NumberShape kLimitOfInterval{
     .minimum = 0.0, .maximum = 600.0, .display = {.unit = "s", .power = 0}};
 constexpr auto kIntervalKeys =
     keys_of(required_key(member_key<&DrawnInterval::shortest_s>(
-                "shortest", "Shortest", "The lower limit.", kLimitOfInterval)),
+                "shortest", "Shortest interval", "The lower limit.", kLimitOfInterval)),
             required_key(member_key<&DrawnInterval::longest_s>(
-                "longest", "Longest", "The upper limit.", kLimitOfInterval)));
+                "longest", "Longest interval", "The upper limit.", kLimitOfInterval)));
 
 constexpr ValueShape kFixedInterval = kSeconds;
 constexpr std::array kIntervalForms{kFixedInterval, kObjectOf<kIntervalTable>};
@@ -71,12 +72,12 @@ void store_interval(const json& value, Arrangement& arrangement) {
 
 constexpr auto kVisitsKeys = keys_of(
     member_key<&Arrangement::minimum_visits>(
-        "minimum", "At least",
+        "minimum", "Minimum",
         "Visits to each surface before a response is possible. In a sequence the surfaces are "
         "presented this number of times: A B, A B A B and so on.",
         NumberShape{.minimum = 1.0, .maximum = 20.0, .is_whole = true}),
     member_key<&Arrangement::maximum_visits>(
-        "maximum", "At most",
+        "maximum", "Maximum",
         "Maximum number of visits to each surface, including those on request; absent: no limit.",
         NumberShape{.minimum = 1.0, .maximum = 1000.0, .is_whole = true}));
 
@@ -103,7 +104,7 @@ constexpr auto kPhases = words_of<bool>(
 
 constexpr auto kArrangementKeys = keys_of(
     member_key<&Arrangement::surfaces>(
-        "surfaces", "Surfaces",
+        "surfaces", "Presentation",
         "sequential: one after the other, in the order of the trial; side_by_side: 2 to 4 surfaces "
         "at once, as patches of the workspace; on_request: one at a time, in any order that the "
         "participant chooses.",
@@ -127,7 +128,7 @@ constexpr auto kArrangementKeys = keys_of(
         "trial.",
         kPatchAxes),
     member_key<&Arrangement::draws_phase>(
-        "phase", "Phase",
+        "phase", "Phase of the texture",
         "fixed: a texture always has the same place on its surface; drawn: the point of the "
         "texture at the centre of the surface is drawn for every presentation.",
         kPhases));
@@ -137,15 +138,15 @@ constexpr auto kAllPairsKeys = keys_of(
         "factor", "Factor", "The factor whose levels are paired.",
         NameShape{.registry = kFactorNames, .governs_levels = true})),
     member_key<&Block::AllPairs::in_both_orders>(
-        "in_both_orders", "In both orders",
+        "in_both_orders", "Both orders",
         "true: every pair twice, with either level first; false: every pair once, in the order "
         "that positions determines.",
         TruthShape{}),
     member_key<&Block::AllPairs::with_identical>(
-        "with_identical", "With identical surfaces",
+        "with_identical", "Identical pairs",
         "Similarity: whether each level is also paired with itself, once.", TruthShape{}),
     member_key<&Block::AllPairs::parts>(
-        "parts", "Parts",
+        "parts", "Parts of the pairs",
         "Similarity: the number of parts into which the pairs of different levels are divided; "
         "each participant is given one part, in which all levels occur equally often as far as "
         "possible. 1: every participant is given all pairs.",
@@ -183,8 +184,8 @@ constexpr auto kPresentedKeys = keys_of(
         WordShape{kRoles}),
     required_key(member_key<&Protocol::Presented::stimulus>(
         "stimulus", "Stimulus", "The name of the stimulus.", NameShape{"stimuli"})),
-    member_key<&Protocol::Presented::with>("with", "With", "Factors fixed for this surface.",
-                                           kLevels),
+    member_key<&Protocol::Presented::with>("with", "Fixed factors",
+                                           "Factors fixed for this surface.", kLevels),
     member_key<&Protocol::Presented::item>(
         "item", "Item",
         "Name of the surface in the responses, if the model (selection) or the texture does not "

@@ -24,7 +24,7 @@ constexpr auto kDeviceLimitKeys = keys_of(
     entry_key<Limits>("lateness_p50_s", "Median lateness", "Largest median lateness of a tick.",
                       kSeconds),
     with_computed_default(
-        entry_key<Limits>("lateness_p99_s", "99th percentile of the lateness",
+        entry_key<Limits>("lateness_p99_s", "99th percentile of lateness",
                           "Largest 99th percentile of the lateness of a tick. Default: one period.",
                           kSeconds),
         "one period"),
@@ -85,12 +85,12 @@ constexpr auto kDeviceKeys = keys_of(
         "maximum_lost_records", "Lost records per attempt",
         "An attempt with more lost records than this is invalid.", kCount),
     member_key<&Protocol::profile_maximum_age_days>(
-        "profile_maximum_age_days", "Maximum age of the device profile",
+        "profile_maximum_age_days", "Maximum age of the profile",
         "A session with a participant who is not virtual requires a device profile that is at most "
         "this old and has no failed item.",
         NumberShape{.above = 0.0, .maximum = 10'000.0, .unit = "days"}),
     member_key<&Protocol::refuses_rehearsal_warnings>(
-        "refuse_rehearsal_warnings", "Refuse stimuli beyond the device",
+        "refuse_rehearsal_warnings", "Refuse unsuitable devices",
         "A session with a participant who is not virtual is refused if the study has no profile of "
         "the device, or if, according to its profile, the device cannot render a stimulus or "
         "violates a limit.",

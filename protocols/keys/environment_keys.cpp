@@ -42,7 +42,7 @@ constexpr auto kNoiseKeys =
     keys_of(required_key(member_key<&Protocol::Noise::kind>("kind", "Spectrum",
                                                             "Spectrum of the noise.", kNoises)),
             member_key<&Protocol::Noise::level_dBA>(
-                "level_dBA", "Level", "Level at the ear.",
+                "level_dBA", "Sound level", "Level at the ear.",
                 NumberShape{.minimum = 0.0, .maximum = 85.0, .unit = "dBA"}));
 
 constexpr auto kEnvironmentKeys = keys_of(

@@ -20,11 +20,11 @@ constexpr std::array<KeyWord, 12> kPredictors{
      {"force_sd_N", 0, "the SD of the normal force"},
      {"speed_m_per_s", 0, "the mean speed"},
      {"speed_sd_m_per_s", 0, "the SD of the speed"},
-     {"waves_5_to_10_mm", 0, "the force in this octave of wavelength"},
-     {"waves_2.5_to_5_mm", 0, "the force in this octave of wavelength"},
-     {"waves_1.25_to_2.5_mm", 0, "the force in this octave of wavelength"},
-     {"waves_0.625_to_1.25_mm", 0, "the force in this octave of wavelength"},
-     {"waves_0.3125_to_0.625_mm", 0, "the force in this octave of wavelength"}}};
+     {"waves_5_to_10_mm", 0, "the force at wavelengths of 5 to 10 mm"},
+     {"waves_2.5_to_5_mm", 0, "the force at wavelengths of 2.5 to 5 mm"},
+     {"waves_1.25_to_2.5_mm", 0, "the force at wavelengths of 1.25 to 2.5 mm"},
+     {"waves_0.625_to_1.25_mm", 0, "the force at wavelengths of 0.625 to 1.25 mm"},
+     {"waves_0.3125_to_0.625_mm", 0, "the force at wavelengths of 0.3125 to 0.625 mm"}}};
 
 constexpr ValueShape kValueOfLevel = NumberShape{};
 
@@ -37,12 +37,12 @@ void store_standard(const json& value, EstimationModulus& modulus) {
       value.is_number() ? number_text(value.get<double>()) : value.get<std::string>();
 }
 
-constexpr auto kModulusKeys =
-    keys_of(required_key(custom_key<&store_standard>(
-                "standard", "Standard", "The level of the analysed factor that is the standard.",
-                FormsShape{kStandardForms})),
-            required_key(member_key<&EstimationModulus::value>(
-                "value", "Number", "The number of the standard.", NumberShape{.above = 0.0})));
+constexpr auto kModulusKeys = keys_of(
+    required_key(custom_key<&store_standard>(
+        "standard", "Standard", "The level of the analysed factor that is the standard.",
+        FormsShape{kStandardForms})),
+    required_key(member_key<&EstimationModulus::value>(
+        "value", "Assigned number", "The number of the standard.", NumberShape{.above = 0.0})));
 
 constexpr std::array<KeyWord, 1> kFree{{{"free", 0, "every participant chooses a scale"}}};
 constexpr ValueShape kFreeModulus = WordShape{kFree};
@@ -60,7 +60,7 @@ constexpr auto kNormalisations = words_of<Normalisation>(
     {{"geometric_mean", Normalisation::geometric_mean, "the mean of the participant's cells"},
      {"standard", Normalisation::standard,
       "the distance of the estimates of the standard from the modulus"},
-     {"none", Normalisation::none, "nothing"}});
+     {"none", Normalisation::none, "nothing is removed"}});
 
 constexpr auto kEstimationKeys = keys_of(
     member_key<&Estimation::spacing>(

@@ -36,9 +36,9 @@ constexpr NumberShape kContact_s{.above = 0.0, .maximum = 600.0, .unit = "s"};
 constexpr NumberShape kLimit{.minimum = 0.0};
 
 constexpr auto kBandKeys = keys_of(
-    member_key<&Band::minimum>("minimum", "At least", "The lower limit of the band.", kLimit),
+    member_key<&Band::minimum>("minimum", "Lower limit", "The lower limit of the band.", kLimit),
     member_key<&Band::target>("target", "Target", "The intended value.", kLimit),
-    member_key<&Band::maximum>("maximum", "At most", "The upper limit of the band.", kLimit));
+    member_key<&Band::maximum>("maximum", "Upper limit", "The upper limit of the band.", kLimit));
 
 using OnFailure = Exploration::OnFailure;
 constexpr auto kOnFailure =
@@ -88,11 +88,11 @@ constexpr auto kExplorationKeys = keys_of(
         "Required fraction inside each band: of the contact time for the force, of the strokes for "
         "the speed.",
         NumberShape{.minimum = 0.0, .maximum = 1.0}),
-    member_key<&Exploration::on_failure>("on_failure", "Outside the bands",
+    member_key<&Exploration::on_failure>("on_failure", "Consequence of deviations",
                                          "Consequence of an exploration outside the bands.",
                                          kOnFailure),
     member_key<&Exploration::maximum_repeats>(
-        "maximum_repeats", "Repeats", "Largest number of repeats of a trial.",
+        "maximum_repeats", "Maximum number of repeats", "Largest number of repeats of a trial.",
         NumberShape{.minimum = 0.0, .maximum = 10.0, .is_whole = true}),
     member_key<&Exploration::guidance>(
         "guidance", "Guidance",

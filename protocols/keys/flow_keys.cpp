@@ -27,7 +27,7 @@ constexpr auto kStepKeys = keys_of(
     alternative_of<Step>(member_key<&Protocol::Screen::text>(
         "screen", "Text", "A text that the participant reads.", kShownParagraph)),
     needing("screen", alternative_of<Step>(member_key<&Protocol::Screen::condition>(
-                          "if", "Only if", kConditionTable,
+                          "if", "Condition", kConditionTable,
                           "With screen: the condition under which the text is shown."))),
     alternative_of<Step>(member_key<&Protocol::Check::what>(
         "check", "Check",
@@ -38,7 +38,7 @@ constexpr auto kStepKeys = keys_of(
     alternative_of<Step>(
         member_key<&Run::block>("run", "Block", "The block to run.", NameShape{"blocks"})),
     needing("run", alternative_of<Step>(member_key<&Run::for_each>(
-                       "for_each", "For each level of",
+                       "for_each", "Factor of the runs",
                        "With run: a factor; the block runs once per level, in the "
                        "counterbalanced order.",
                        kFactorName))),
@@ -79,7 +79,7 @@ constexpr auto kDriftCheckKeys = keys_of(
         "before the recording.",
         kShownParagraph)),
     member_key<&DriftCheck::tip_text>(
-        "tip_text", "Request at the reference point",
+        "tip_text", "Request at reference point",
         "Request to hold the tip at a fixed reference point; with it a second recording is made "
         "there.",
         kShownParagraph),

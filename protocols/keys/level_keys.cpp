@@ -64,10 +64,11 @@ constexpr auto kDimensionKeys = keys_of(
     member_key<&Dimension::factor>(
         "factor", "Factor", "Name of the factor in the data; the name of the parameter by default.",
         NameShape{.registry = kFactorNames, .is_declared = true}),
-    required_key(member_key<&Dimension::role>(
-        "of", "Of", "Role of the surface whose parameter is varied.", NameShape{kRoleNames})),
+    required_key(member_key<&Dimension::role>("of", "Varied surface",
+                                              "Role of the surface whose parameter is varied.",
+                                              NameShape{kRoleNames})),
     member_key<&Dimension::standard_role>(
-        "relative_to", "Relative to",
+        "relative_to", "Reference surface",
         "Role of the surface to which levels refer; its stimulus states the parameter, unless this "
         "is \"relative_amplitude\".",
         NameShape{kRoleNames}),
@@ -80,7 +81,7 @@ constexpr auto kDimensionKeys = keys_of(
         "Differences from the standard, in the unit of the parameter: a list or a grid.",
         kLevelsOfMeasure),
     custom_key<&store_levels<LevelMeasure::percent>>(
-        "levels_percent", "Per cent",
+        "levels_percent", "Differences in per cent",
         "Differences from the standard in per cent of the standard: a list or a grid.",
         kLevelsOfMeasure),
     custom_key<&store_levels<LevelMeasure::ratio>>(
@@ -96,13 +97,13 @@ constexpr ListShape kSteps{
     .entry = &kGridLevel, .meaning = "A step.", .shortest = 1, .longest = 100};
 
 consteval auto range_keys(const NumberShape& lowest) {
-  return keys_of(
-      required_key(member_key<&ValueRange::lowest>("lowest", "Lowest", "Lowest value.", lowest)),
-      required_key(
-          member_key<&ValueRange::highest>("highest", "Highest", "Highest value.", NumberShape{})),
-      required_key(member_key<&ValueRange::count>(
-          "count", "Number", "Number of values.",
-          NumberShape{.minimum = 1.0, .maximum = 1000.0, .is_whole = true})));
+  return keys_of(required_key(member_key<&ValueRange::lowest>("lowest", "Lowest value",
+                                                              "Lowest value.", lowest)),
+                 required_key(member_key<&ValueRange::highest>("highest", "Highest value",
+                                                               "Highest value.", NumberShape{})),
+                 required_key(member_key<&ValueRange::count>(
+                     "count", "Number of values", "Number of values.",
+                     NumberShape{.minimum = 1.0, .maximum = 1000.0, .is_whole = true})));
 }
 constexpr auto kRangeKeys = range_keys({.above = 0.0});
 constexpr auto kLapseRangeKeys = range_keys({.minimum = 0.0});
@@ -125,15 +126,16 @@ constexpr auto kIntervalRuleKeys = keys_of(
         "the lower end.",
         NumberShape{.above = 1.0})),
     required_key(member_key<&IntervalRule::minimum_trials>(
-        "minimum_trials", "Trials", "Minimum number of trials of the track.", kTrialCount)),
+        "minimum_trials", "Minimum number of trials", "Minimum number of trials of the track.",
+        kTrialCount)),
     required_key(member_key<&IntervalRule::minimum_of_each>(
-        "minimum_of_each", "Of each response",
+        "minimum_of_each", "Minimum of each response",
         "Minimum number of correct responses, and of incorrect responses.",
         NumberShape{.minimum = 0.0, .maximum = 10'000.0, .is_whole = true})));
 
 constexpr auto kStopKeys = keys_of(
     required_key(member_key<&Declaration::Stop::trials>(
-        "trials", "Trials", "Maximum number of trials of a track.", kTrialCount)),
+        "trials", "Maximum number of trials", "Maximum number of trials of a track.", kTrialCount)),
     member_key<&Declaration::Stop::reversals>("reversals", "Reversals",
                                               "Up-down: number of reversals.", kTrialCount),
     member_key<&Declaration::Stop::clipped_moves>(
@@ -144,7 +146,7 @@ constexpr auto kStopKeys = keys_of(
     member_key<&Declaration::Stop::interval>("interval", "Precision", kIntervalRuleTable));
 
 constexpr auto kTrackKeys = keys_of(member_key<&Declaration::Track::start>(
-    "start", "Start", "The level of its first trial, if it differs.", NumberShape{}));
+    "start", "Starting level", "The level of its first trial, if it differs.", NumberShape{}));
 
 constexpr auto kCatchTypes = words_of<CatchType>(
     {{"easy", CatchType::easy, "the comparison at an easy level"},
@@ -165,7 +167,7 @@ constexpr auto kCatchTrialsKeys = keys_of(
         "\"vary\": at least as easy as its easiest level.",
         NumberShape{}),
     required_key(member_key<&Declaration::CatchTrials::every>(
-        "every", "One in",
+        "every", "Trials per catch trial",
         "Number of consecutive trials of the block that contain one catch trial.",
         NumberShape{.minimum = 2.0, .maximum = 10'000.0, .is_whole = true})));
 
@@ -217,24 +219,24 @@ constexpr auto kProcedureKeys = keys_of(
         "repetitions", "Repetitions", "Constant stimuli: number of presentations of every level.",
         kTrialCount),
     member_key<&Declaration::down>(
-        "down", "Down after",
+        "down", "Responses before a move down",
         "Transformed up-down: number of correct responses in succession before a move down.",
         kMoves),
     member_key<&Declaration::up>(
-        "up", "Up after",
+        "up", "Responses before a move up",
         "Transformed up-down: number of incorrect responses in succession before a move up.",
         kMoves),
     with_standard(
         member_key<&Declaration::target>(
-            "target", "Target",
+            "target", "Target proportion",
             "Weighted up-down: proportion correct at the target level. Psi and QUEST+: proportion "
             "correct at the threshold; 2/3 by default where one of three surfaces is chosen.",
             NumberShape{.above = 0.0, .below = 1.0}),
         [](const ProtocolKey&) { return json(WeightedUpDown{}.target); }),
-    with_standard(
-        member_key<&Declaration::start>(
-            "start", "Start", "Up-down: the level of the first trial of a track.", NumberShape{}),
-        [](const ProtocolKey&) { return json(nullptr); }),
+    with_standard(member_key<&Declaration::start>(
+                      "start", "Starting level",
+                      "Up-down: the level of the first trial of a track.", NumberShape{}),
+                  [](const ProtocolKey&) { return json(nullptr); }),
     member_key<&Declaration::steps>(
         "steps", "Steps",
         "Up-down: the step, in the unit of the scale of the grid. If several are listed, each "
@@ -248,7 +250,7 @@ constexpr auto kProcedureKeys = keys_of(
         "Up-down: the steps of moves down, if they differ from `steps`.", kSteps),
     member_key<&Declaration::prior>("prior", "Prior", kPriorTable),
     with_standard(custom_key<&store_marginalised>(
-                      "marginalise", "Marginalised",
+                      "marginalise", "Nuisance parameters",
                       "Psi: the nuisance parameters, on which no trials are spent.", kNuisanceList),
                   [](const ProtocolKey&) {
                     return json::array({"slope", "lapse"});
@@ -258,17 +260,17 @@ constexpr auto kProcedureKeys = keys_of(
         "External: an object that the program receives unchanged; its content is not interpreted.",
         ObjectShape{&kAnyObject}),
     member_key<&Declaration::answer_within_s>(
-        "answer_within_s", "Answer within",
+        "answer_within_s", "Time to answer",
         "External: the time in seconds within which the program must answer.",
         NumberShape{.minimum = 1.0, .maximum = 600.0, .unit = "s"}),
-    member_key<&Declaration::stop>("stop", "Stop", kStopTable),
+    member_key<&Declaration::stop>("stop", "Stopping rule", kStopTable),
     list_key<&Declaration::tracks, kTrackTable>(
         "tracks", "Tracks",
         "Interleaved tracks of each combination of the levels of the other factors; one track by "
         "default.",
         {.shortest = 1, .longest = 16}),
     member_key<&Declaration::timeouts_are_incorrect>(
-        "timed_out", "Missed deadline",
+        "timed_out", "Missed response deadline",
         "What a missed response deadline means: same_level: the level is presented again in "
         "another trial; incorrect: an incorrect response.",
         kTimeouts),

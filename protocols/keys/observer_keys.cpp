@@ -17,15 +17,17 @@ constexpr auto kExpectations = words_of<Expectation>(
      {"true_surface", Expectation::true_surface, "the texture's true height field"},
      {"prior", Expectation::prior, "the features that the texture states"}});
 
-constexpr auto kMagnitudes = words_of<MagnitudeOf>(
-    {{"lateral_force", MagnitudeOf::lateral_force, "relative to the mean normal force"},
-     {"normal_force", MagnitudeOf::normal_force, "relative to the mean normal force"},
-     {"held_tool", MagnitudeOf::held_tool, "the acceleration of a held tool"},
-     {"compliance", MagnitudeOf::compliance,
-      "the depth to which the surface yields over the normal force"}});
+constexpr auto kMagnitudes =
+    words_of<MagnitudeOf>({{"lateral_force", MagnitudeOf::lateral_force,
+                            "the lateral force, relative to the mean normal force"},
+                           {"normal_force", MagnitudeOf::normal_force,
+                            "the normal force, relative to the mean normal force"},
+                           {"held_tool", MagnitudeOf::held_tool, "the acceleration of a held tool"},
+                           {"compliance", MagnitudeOf::compliance,
+                            "the depth to which the surface yields over the normal force"}});
 
-constexpr auto kEffects = words_of<bool>({{"increases", false, "with the varied parameter"},
-                                          {"decreases", true, "with the varied parameter"}});
+constexpr auto kEffects = words_of<bool>({{"increases", false, "it increases with the parameter"},
+                                          {"decreases", true, "it decreases with the parameter"}});
 
 constexpr NumberShape kCriterion{.above = 0.0, .maximum = 1000.0};
 
@@ -42,7 +44,7 @@ constexpr auto kObserverKeys = keys_of(
         "from the expected heights, as from heights of a photograph. Absent: nothing is "
         "subtracted.",
         NumberShape{.minimum = 0.0001, .maximum = 1.0, .unit = "m", .display = kMillimetres}),
-    member_key<&Observer::deaf>("deaf", "Ignores forces", "Whether the felt forces are ignored.",
+    member_key<&Observer::deaf>("deaf", "Forces ignored", "Whether the felt forces are ignored.",
                                 TruthShape{}),
     member_key<&Observer::feature_noise>("feature_noise", "Noise",
                                          "Standard deviation of the noise added to every feature.",

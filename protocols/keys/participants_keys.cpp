@@ -69,7 +69,7 @@ constexpr auto kResumeKeys = keys_of(
         "The texts that the participant reads. Default: the last text before the interruption.",
         ListShape{.entry = &kResumeText, .longest = 20}),
     member_key<&Resume::maximum_age_hours>(
-        "maximum_age_hours", "Without a reason",
+        "maximum_age_hours", "Maximum age without a reason",
         "Time since the interruption after which a session is resumed only with a reason, which "
         "is stored.",
         NumberShape{.above = 0.0, .maximum = 100'000.0, .unit = "hours"}),

@@ -19,10 +19,10 @@ constexpr auto kEqualForceKeys = keys_of(
     member_key<&EqualForce::to_model>("to_model", "Model",
                                       "The model whose texture force is the target.",
                                       NameShape{kModelNames}),
-    member_key<&EqualForce::band_low_Hz>("band_low_Hz", "From",
+    member_key<&EqualForce::band_low_Hz>("band_low_Hz", "Lower limit of the band",
                                          "Lower limit of the band in which the RMS is computed.",
                                          NumberShape{.minimum = 0.0, .unit = "Hz"}),
-    member_key<&EqualForce::band_high_Hz>("band_high_Hz", "To",
+    member_key<&EqualForce::band_high_Hz>("band_high_Hz", "Upper limit of the band",
                                           "Upper limit of the band in which the RMS is computed.",
                                           NumberShape{.above = 0.0, .unit = "Hz"}));
 constexpr std::array<std::string_view, 2> kTargets{"rms_N", "to_model"};
