@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Every text of the windows has its finished translation, with the same places for values.
 
-Texts are what app/gui passes through tr() and what app/ makes with phrase() for windows and terminal."""
+Texts are what app/gui passes through tr(), what app/ makes with phrase() for windows and terminal, and what
+protocols/keys states about keys ("Keys")."""
 import os
 import re
 import subprocess
@@ -55,7 +56,7 @@ def sources():
 
 def names_without_namespace():
     """What the sources declare for tr() and give to phrase() apart from classes of the namespace."""
-    declared = set()
+    declared = {"Keys"}
     for _, text in sources():
         declared |= set(re.findall(r"Q_DECLARE_TR_FUNCTIONS\((\w+)\)", text))
         declared |= set(re.findall(PHRASE, text))
@@ -111,8 +112,9 @@ with tempfile.TemporaryDirectory() as fresh:
             complain(language, key, f"is no text of the windows any more; {REFRESH}")
         if language == "de" and len(wanted) < 100:
             complaints.append(f"only {len(wanted)} texts were found in app")
-        if language == "de" and not any(key[0] == "SessionChecks" for key in wanted):
-            complaints.append("no phrase() was found in app")
+        for name, what in (("SessionChecks", "phrase() was found in app"), ("Keys", "text was found in protocols/keys")):
+            if language == "de" and not any(key[0] == name for key in wanted):
+                complaints.append(f"no {what}")
     check_phrases()
 
 if complaints:

@@ -6455,6 +6455,3377 @@
     </message>
 </context>
 <context>
+    <name>Keys</name>
+    <message>
+        <source>Scales</source>
+        <translation>Skalen</translation>
+    </message>
+    <message>
+        <source>Names of questions with a scale, all with the same minimum and maximum.</source>
+        <translation>Namen von Fragen mit Skala, alle mit demselben Minimum und Maximum.</translation>
+    </message>
+    <message>
+        <source>Reverse-keyed</source>
+        <translation>Umgepolte Skalen</translation>
+    </message>
+    <message>
+        <source>Those of the scales on which the attribute decreases; absent: none.</source>
+        <translation>Diejenigen der Skalen, auf denen das Merkmal abnimmt; ohne Angabe: keine.</translation>
+    </message>
+    <message>
+        <source>Maximum number of errors</source>
+        <translation>Höchstzahl der Fehler</translation>
+    </message>
+    <message>
+        <source>Participants with more errors in catch trials than this number are excluded.</source>
+        <translation>Versuchspersonen mit mehr Fehlern in Kontrolldurchgängen als dieser Zahl werden ausgeschlossen.</translation>
+    </message>
+    <message>
+        <source>Maximum proportion of errors</source>
+        <translation>Höchster Anteil der Fehler</translation>
+    </message>
+    <message>
+        <source>Participants with a greater proportion of errors in catch trials are excluded.</source>
+        <translation>Versuchspersonen mit einem größeren Anteil von Fehlern in Kontrolldurchgängen werden ausgeschlossen.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Selection: the item that is tested against the others.</source>
+        <translation>Auswahl: das Item, das gegen die anderen getestet wird.</translation>
+    </message>
+    <message>
+        <source>A test of this kind of protocol.</source>
+        <translation>Ein Test dieser Art von Protokoll.</translation>
+    </message>
+    <message>
+        <source>Family of tests</source>
+        <translation>Testfamilie</translation>
+    </message>
+    <message>
+        <source>Tests whose p values are Holm-corrected together: the confirmatory tests of the study. All others are exploratory. Reports compare women and men only if `sexes` is listed. Absent: pairs in a selection, items in a matching, right in a recognition, spacing in a magnitude (with a factor in place of the spacing: exponent, or stimuli without a predictor), ratings in a rating, pairs in a paired comparison, order in a discrimination.</source>
+        <translation>Tests, deren p-Werte gemeinsam Holm-korrigiert werden: die konfirmatorischen Tests der Studie. Alle anderen sind explorativ. Berichte vergleichen Frauen und Männer nur, wenn `sexes` aufgeführt ist. Ohne Angabe: pairs bei einer Auswahl, items bei einer Zuordnung, right bei einer Wiedererkennung, spacing bei einer Größenschätzung (mit einem Faktor anstelle der Abstände: exponent, oder stimuli ohne Prädiktor), ratings bei einer Beurteilung, pairs bei einem Paarvergleich, order bei einer Unterscheidung.</translation>
+    </message>
+    <message>
+        <source>Equivalence margin</source>
+        <translation>Äquivalenzbereich</translation>
+    </message>
+    <message>
+        <source>Matching and recognition: equivalence margin of the difference between the mean proportions correct of two groups of participants (two one-sided tests).</source>
+        <translation>Zuordnung und Wiedererkennung: Grenze, bis zu der die Differenz der mittleren Anteile richtiger Antworten zweier Gruppen von Versuchspersonen als äquivalent gilt (zwei einseitige Tests).</translation>
+    </message>
+    <message>
+        <source>Exclusion</source>
+        <translation>Ausschluss</translation>
+    </message>
+    <message>
+        <source>Constructs</source>
+        <translation>Konstrukte</translation>
+    </message>
+    <message>
+        <source>Rating: constructs, by name. Cronbach&apos;s alpha is computed over the scales of each.</source>
+        <translation>Beurteilung: Konstrukte nach Namen. Cronbachs Alpha wird über die Skalen jedes Konstrukts berechnet.</translation>
+    </message>
+    <message>
+        <source>The tests, declared before data collection. Further keys are stored with the study and not interpreted.</source>
+        <translation>Die vor der Erhebung festgelegten Tests. Weitere Schlüssel werden mit der Studie gespeichert und nicht ausgewertet.</translation>
+    </message>
+    <message>
+        <source>Scales that are to measure the same attribute of the items.</source>
+        <translation>Skalen, die dasselbe Merkmal der Items messen sollen.</translation>
+    </message>
+    <message>
+        <source>Discrimination with catch trials: participants with more errors in them are excluded; results are reported with and without these participants. One of the two keys.</source>
+        <translation>Unterscheidung mit Kontrolldurchgängen: Versuchspersonen mit mehr Fehlern darin werden ausgeschlossen; Ergebnisse werden mit und ohne diese Versuchspersonen berichtet. Einer der beiden Schlüssel.</translation>
+    </message>
+    <message>
+        <source>not analysed</source>
+        <translation>nicht ausgewertet</translation>
+    </message>
+    <message>
+        <source>analysed</source>
+        <translation>ausgewertet</translation>
+    </message>
+    <message>
+        <source>as written</source>
+        <translation>wie angegeben</translation>
+    </message>
+    <message>
+        <source>all trials in random order</source>
+        <translation>alle Durchgänge in zufälliger Reihenfolge</translation>
+    </message>
+    <message>
+        <source>each repetition is completed before the next</source>
+        <translation>jede Wiederholung wird vor der nächsten abgeschlossen</translation>
+    </message>
+    <message>
+        <source>as listed</source>
+        <translation>wie aufgeführt</translation>
+    </message>
+    <message>
+        <source>in random order</source>
+        <translation>in zufälliger Reihenfolge</translation>
+    </message>
+    <message>
+        <source>every item in every position equally often</source>
+        <translation>jedes Item gleich oft an jeder Position</translation>
+    </message>
+    <message>
+        <source>in a new random order in every trial</source>
+        <translation>in jedem Durchgang in neuer zufälliger Reihenfolge</translation>
+    </message>
+    <message>
+        <source>every question has a separate page</source>
+        <translation>jede Frage hat eine eigene Seite</translation>
+    </message>
+    <message>
+        <source>all questions are shown together</source>
+        <translation>alle Fragen werden zusammen gezeigt</translation>
+    </message>
+    <message>
+        <source>no feedback</source>
+        <translation>keine Rückmeldung</translation>
+    </message>
+    <message>
+        <source>whether the response is correct</source>
+        <translation>ob die Antwort richtig ist</translation>
+    </message>
+    <message>
+        <source>the correct response</source>
+        <translation>die richtige Antwort</translation>
+    </message>
+    <message>
+        <source>one of two surfaces is chosen</source>
+        <translation>eine von zwei Oberflächen wird gewählt</translation>
+    </message>
+    <message>
+        <source>the comparison is chosen among two standards</source>
+        <translation>der Vergleichsreiz wird unter zwei Standardreizen gewählt</translation>
+    </message>
+    <message>
+        <source>of three surfaces, two of them equal, the odd one is chosen</source>
+        <translation>von drei Oberflächen, zwei davon gleich, wird die abweichende gewählt</translation>
+    </message>
+    <message>
+        <source>one surface, with the options yes and no</source>
+        <translation>eine Oberfläche, mit den Antworten Ja und Nein</translation>
+    </message>
+    <message>
+        <source>two surfaces, with the options same and different</source>
+        <translation>zwei Oberflächen, mit den Antworten gleich und verschieden</translation>
+    </message>
+    <message>
+        <source>before the trials</source>
+        <translation>vor den Durchgängen</translation>
+    </message>
+    <message>
+        <source>after half of the trials</source>
+        <translation>nach der Hälfte der Durchgänge</translation>
+    </message>
+    <message>
+        <source>after the trials</source>
+        <translation>nach den Durchgängen</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>The kind of experiment of this block, if it differs from that of the protocol.</source>
+        <translation>Die Art des Experiments dieses Blocks, wenn sie von der des Protokolls abweicht.</translation>
+    </message>
+    <message>
+        <source>that of the protocol</source>
+        <translation>die des Protokolls</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>Purpose of the trials. Only main trials are analysed.</source>
+        <translation>Zweck der Durchgänge. Nur Hauptdurchgänge (main) werden ausgewertet.</translation>
+    </message>
+    <message>
+        <source>Crossed factors</source>
+        <translation>Gekreuzte Faktoren</translation>
+    </message>
+    <message>
+        <source>Factors whose levels are all combined.</source>
+        <translation>Faktoren, deren Stufen alle miteinander kombiniert werden.</translation>
+    </message>
+    <message>
+        <source>One trial: factor and level.</source>
+        <translation>Ein Durchgang: Faktor und Stufe.</translation>
+    </message>
+    <message>
+        <source>Listed trials</source>
+        <translation>Aufgeführte Durchgänge</translation>
+    </message>
+    <message>
+        <source>List of trials, each with a level of the same factors; an alternative to crossed.</source>
+        <translation>Liste der Durchgänge, jeder mit einer Stufe derselben Faktoren; eine Alternative zu gekreuzten Faktoren.</translation>
+    </message>
+    <message>
+        <source>One combination: factor and level.</source>
+        <translation>Eine Kombination: Faktor und Stufe.</translation>
+    </message>
+    <message>
+        <source>Excluded combinations</source>
+        <translation>Ausgelassene Kombinationen</translation>
+    </message>
+    <message>
+        <source>Combinations of crossed or varied levels that are left out: those with all levels of an entry.</source>
+        <translation>Kombinationen gekreuzter oder variierter Stufen, die ausgelassen werden: diejenigen mit allen Stufen eines Eintrags.</translation>
+    </message>
+    <message>
+        <source>A formula of numbers, factors, +, -, *, / and parentheses, such as speed / spacing.</source>
+        <translation>Eine Formel aus Zahlen, Faktoren, +, -, *, / und Klammern, zum Beispiel speed / spacing.</translation>
+    </message>
+    <message>
+        <source>Derived factors</source>
+        <translation>Abgeleitete Faktoren</translation>
+    </message>
+    <message>
+        <source>Factors whose level in every trial is computed from levels that the block crosses, lists or varies: name and formula.</source>
+        <translation>Faktoren, deren Stufe in jedem Durchgang aus Stufen berechnet wird, die der Block kreuzt, aufführt oder variiert: Name und Formel.</translation>
+    </message>
+    <message>
+        <source>Repetitions of some trials</source>
+        <translation>Einzelne Wiederholungen</translation>
+    </message>
+    <message>
+        <source>Numbers of repetitions of some trials, in place of repetitions.</source>
+        <translation>Anzahlen der Wiederholungen einzelner Durchgänge, anstelle der allgemeinen.</translation>
+    </message>
+    <message>
+        <source>All pairs</source>
+        <translation>Alle Paare</translation>
+    </message>
+    <message>
+        <source>Varied parameter</source>
+        <translation>Variierter Parameter</translation>
+    </message>
+    <message>
+        <source>Procedure</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>Design</translation>
+    </message>
+    <message>
+        <source>Discrimination: two_alternatives: one of two surfaces is chosen; three_alternatives: the comparison is chosen among two standards; oddity: of three surfaces, two of them equal, the odd one is chosen, which is equally often a comparison and a standard; yes_no: one surface, the standard or the comparison, with the options yes and no; same_different: two surfaces, equal or different, with the options same and different.</source>
+        <translation>Unterscheidung: two_alternatives: eine von zwei Oberflächen wird gewählt; three_alternatives: der Vergleichsreiz wird unter zwei Standardreizen gewählt; oddity: von drei Oberflächen, zwei davon gleich, wird die abweichende gewählt, die gleich oft ein Vergleichsreiz und ein Standardreiz ist; yes_no: eine Oberfläche, der Standard- oder der Vergleichsreiz, mit den Antworten Ja und Nein; same_different: zwei gleiche oder verschiedene Oberflächen, mit den Antworten gleich und verschieden.</translation>
+    </message>
+    <message>
+        <source>Repetitions</source>
+        <translation>Wiederholungen</translation>
+    </message>
+    <message>
+        <source>Number of repetitions of the combinations or rows.</source>
+        <translation>Anzahl der Wiederholungen der Kombinationen oder Zeilen.</translation>
+    </message>
+    <message>
+        <source>Drawn factors</source>
+        <translation>Ausgeloste Faktoren</translation>
+    </message>
+    <message>
+        <source>Factors drawn at random on every trial, each level equally often over the block as far as possible.</source>
+        <translation>Faktoren, deren Stufe in jedem Durchgang zufällig gezogen wird, über den Block jede möglichst gleich oft.</translation>
+    </message>
+    <message>
+        <source>Anchor</source>
+        <translation>Anker</translation>
+    </message>
+    <message>
+        <source>Anchors, reference trials of every run of the block whose responses are stored and not analysed: factor and level, that of &quot;vary&quot; in its measure.</source>
+        <translation>Anker, Vergleichsdurchgänge jedes Laufs des Blocks, deren Antworten gespeichert und nicht ausgewertet werden: Faktor und Stufe, die von „vary“ in dessen Maß.</translation>
+    </message>
+    <message>
+        <source>Levels of the anchor</source>
+        <translation>Stufen des Ankers</translation>
+    </message>
+    <message>
+        <source>With &quot;all_pairs&quot;: the levels of the two surfaces of an anchor.</source>
+        <translation>Mit „all_pairs“: die Stufen der beiden Oberflächen eines Ankers.</translation>
+    </message>
+    <message>
+        <source>Places of the anchors</source>
+        <translation>Stellen der Anker</translation>
+    </message>
+    <message>
+        <source>Places of the anchors in every run of the block: before its trials, after half of them (of a procedure: of its largest number of trials, if it is reached), and after them.</source>
+        <translation>Stellen der Anker in jedem Lauf des Blocks: vor den Durchgängen, nach der Hälfte (bei einem Verfahren: der Höchstzahl seiner Durchgänge, wenn sie erreicht wird) und danach.</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>fixed: as written; shuffle: all trials in random order; shuffle_within_repetition: each repetition is completed before the next.</source>
+        <translation>fixed: wie angegeben; shuffle: alle Durchgänge in zufälliger Reihenfolge; shuffle_within_repetition: jede Wiederholung wird vor der nächsten abgeschlossen.</translation>
+    </message>
+    <message>
+        <source>Trials in a row.</source>
+        <translation>Durchgänge nacheinander.</translation>
+    </message>
+    <message>
+        <source>Longest run of a level</source>
+        <translation>Längste Folge einer Stufe</translation>
+    </message>
+    <message>
+        <source>For a factor: largest number of consecutive trials with the same level.</source>
+        <translation>Für einen Faktor: größte Anzahl aufeinanderfolgender Durchgänge mit derselben Stufe.</translation>
+    </message>
+    <message>
+        <source>Difference of positions.</source>
+        <translation>Differenz der Positionen.</translation>
+    </message>
+    <message>
+        <source>Smallest distance of a level</source>
+        <translation>Mindestabstand einer Stufe</translation>
+    </message>
+    <message>
+        <source>For a factor: smallest difference of the positions of two trials with the same level; 2 excludes adjacent trials.</source>
+        <translation>Für einen Faktor: kleinste Differenz der Positionen zweier Durchgänge mit derselben Stufe; 2 schließt benachbarte Durchgänge aus.</translation>
+    </message>
+    <message>
+        <source>Fixed positions</source>
+        <translation>Feste Positionen</translation>
+    </message>
+    <message>
+        <source>Positions whose trial has certain levels.</source>
+        <translation>Positionen, deren Durchgang bestimmte Stufen hat.</translation>
+    </message>
+    <message>
+        <source>Surfaces</source>
+        <translation>Oberflächen</translation>
+    </message>
+    <message>
+        <source>The surfaces of one trial.</source>
+        <translation>Die Oberflächen eines Durchgangs.</translation>
+    </message>
+    <message>
+        <source>Order of the surfaces</source>
+        <translation>Reihenfolge der Oberflächen</translation>
+    </message>
+    <message>
+        <source>Order of the surfaces within a trial. balanced: every item in every position equally often over the block; in a choice between surfaces with `vary` and without `procedure` and `until` also within each level, if every combination of levels has a multiple of the number of surfaces as its number of trials.</source>
+        <translation>Reihenfolge der Oberflächen in einem Durchgang. balanced: jedes Item über den Block gleich oft an jeder Position; bei einer Wahl zwischen Oberflächen mit `vary` und ohne `procedure` und `until` auch innerhalb jeder Stufe, wenn die Anzahl der Durchgänge jeder Stufenkombination ein Vielfaches der Anzahl der Oberflächen ist.</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Frage</translation>
+    </message>
+    <message>
+        <source>this or `questions`</source>
+        <translation>dies oder `questions`</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Fragen</translation>
+    </message>
+    <message>
+        <source>The questions of every trial, at most 12, instead of &quot;question&quot;.</source>
+        <translation>Die Fragen jedes Durchgangs, höchstens 12, anstelle von „question“.</translation>
+    </message>
+    <message>
+        <source>this or `question`</source>
+        <translation>dies oder `question`</translation>
+    </message>
+    <message>
+        <source>Order of the questions</source>
+        <translation>Reihenfolge der Fragen</translation>
+    </message>
+    <message>
+        <source>fixed: as written; shuffle: in a new random order in every trial.</source>
+        <translation>fixed: wie angegeben; shuffle: in jedem Durchgang in neuer zufälliger Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>Layout of the questions</source>
+        <translation>Anordnung der Fragen</translation>
+    </message>
+    <message>
+        <source>one_after_another: every question has a separate page; one_page: all questions are shown together, which requires scales with labels at the ends only.</source>
+        <translation>one_after_another: jede Frage hat eine eigene Seite; one_page: alle Fragen werden zusammen gezeigt, was Skalen erfordert, die nur an den Enden beschriftet sind.</translation>
+    </message>
+    <message>
+        <source>Text of the page</source>
+        <translation>Text der Seite</translation>
+    </message>
+    <message>
+        <source>The text above the questions of one page.</source>
+        <translation>Der Text über den Fragen einer Seite.</translation>
+    </message>
+    <message>
+        <source>Text for the experimenter</source>
+        <translation>Text für die Versuchsleitung</translation>
+    </message>
+    <message>
+        <source>With &quot;questions&quot;: text for the experimenter; {code} is replaced by the code of the trial&apos;s texture.</source>
+        <translation>Mit „questions“: Text für die Versuchsleitung; {code} wird durch den Code der Textur des Durchgangs ersetzt.</translation>
+    </message>
+    <message>
+        <source>Pictures after feeling</source>
+        <translation>Bilder nach dem Fühlen</translation>
+    </message>
+    <message>
+        <source>With &quot;questions&quot;: whether pictures stay hidden until every surface has been felt.</source>
+        <translation>Mit „questions“: ob Bilder verborgen bleiben, bis jede Oberfläche gefühlt wurde.</translation>
+    </message>
+    <message>
+        <source>Surfaces can be felt again</source>
+        <translation>Erneutes Fühlen möglich</translation>
+    </message>
+    <message>
+        <source>With &quot;questions&quot;: whether the participant may switch between the surfaces before responding.</source>
+        <translation>Mit „questions“: ob die Versuchsperson vor der Antwort zwischen den Oberflächen wechseln kann.</translation>
+    </message>
+    <message>
+        <source>Exploration</source>
+        <translation>Exploration</translation>
+    </message>
+    <message>
+        <source>The name of the exploration.</source>
+        <translation>Der Name der Exploration.</translation>
+    </message>
+    <message>
+        <source>Arrangement</source>
+        <translation>Anordnung</translation>
+    </message>
+    <message>
+        <source>Equal roughness</source>
+        <translation>Gleiche Rauheit</translation>
+    </message>
+    <message>
+        <source>Roving</source>
+        <translation>Zufallsvariation (Roving)</translation>
+    </message>
+    <message>
+        <source>Pause before a trial</source>
+        <translation>Pause vor einem Durchgang</translation>
+    </message>
+    <message>
+        <source>Pause before every trial.</source>
+        <translation>Pause vor jedem Durchgang.</translation>
+    </message>
+    <message>
+        <source>Pause between surfaces</source>
+        <translation>Pause zwischen Oberflächen</translation>
+    </message>
+    <message>
+        <source>Pause between two surfaces.</source>
+        <translation>Pause zwischen zwei Oberflächen.</translation>
+    </message>
+    <message>
+        <source>Response deadline</source>
+        <translation>Antwortfrist</translation>
+    </message>
+    <message>
+        <source>Time to respond; absent: no limit.</source>
+        <translation>Zeit für die Antwort; ohne Angabe: unbegrenzt.</translation>
+    </message>
+    <message>
+        <source>Feedback</source>
+        <translation>Rückmeldung</translation>
+    </message>
+    <message>
+        <source>Feedback to the participant after a response.</source>
+        <translation>Rückmeldung an die Versuchsperson nach einer Antwort.</translation>
+    </message>
+    <message>
+        <source>Criterion</source>
+        <translation>Kriterium</translation>
+    </message>
+    <message>
+        <source>Trials of one kind, run together.</source>
+        <translation>Durchgänge einer Art, die zusammen ablaufen.</translation>
+    </message>
+    <message>
+        <source>the session continues, flagged</source>
+        <translation>die Sitzung wird fortgesetzt und markiert</translation>
+    </message>
+    <message>
+        <source>the session ends</source>
+        <translation>die Sitzung endet</translation>
+    </message>
+    <message>
+        <source>Correct responses</source>
+        <translation>Richtige Antworten</translation>
+    </message>
+    <message>
+        <source>Number of correct responses required.</source>
+        <translation>Anzahl der erforderlichen richtigen Antworten.</translation>
+    </message>
+    <message>
+        <source>Responses considered</source>
+        <translation>Berücksichtigte Antworten</translation>
+    </message>
+    <message>
+        <source>Number of most recent responses that are considered.</source>
+        <translation>Anzahl der letzten Antworten, die berücksichtigt werden.</translation>
+    </message>
+    <message>
+        <source>Maximum number of trials</source>
+        <translation>Höchstzahl der Durchgänge</translation>
+    </message>
+    <message>
+        <source>Number of trials after which the block ends even if the criterion is not met.</source>
+        <translation>Anzahl der Durchgänge, nach der der Block auch dann endet, wenn das Kriterium nicht erreicht ist.</translation>
+    </message>
+    <message>
+        <source>Consequence of failure</source>
+        <translation>Folge bei Verfehlen</translation>
+    </message>
+    <message>
+        <source>Consequence if the criterion is not met.</source>
+        <translation>Was geschieht, wenn das Kriterium nicht erreicht wird.</translation>
+    </message>
+    <message>
+        <source>A level.</source>
+        <translation>Eine Stufe.</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Levels of the stiffness.</source>
+        <translation>Stufen der Steifigkeit.</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>Levels of the Coulomb friction coefficient.</source>
+        <translation>Stufen des Coulomb-Reibungskoeffizienten.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Levels of the height of the surface&apos;s plane above that of the workspace.</source>
+        <translation>Stufen der Höhe der Oberflächenebene über der des Arbeitsraums.</translation>
+    </message>
+    <message>
+        <source>The lower limit.</source>
+        <translation>Die untere Grenze.</translation>
+    </message>
+    <message>
+        <source>The upper limit.</source>
+        <translation>Die obere Grenze.</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Visits to each surface before a response is possible. In a sequence the surfaces are presented this number of times: A B, A B A B and so on.</source>
+        <translation>Besuche jeder Oberfläche, bevor eine Antwort möglich ist. In einer Abfolge werden die Oberflächen so oft dargeboten: A B, A B A B usw.</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Maximum number of visits to each surface, including those on request; absent: no limit.</source>
+        <translation>Höchstzahl der Besuche jeder Oberfläche einschließlich der gewünschten; ohne Angabe: unbegrenzt.</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>Strokes in each visit.</source>
+        <translation>Striche bei jedem Besuch.</translation>
+    </message>
+    <message>
+        <source>Contact time</source>
+        <translation>Kontaktzeit</translation>
+    </message>
+    <message>
+        <source>Contact time of each visit.</source>
+        <translation>Kontaktzeit jedes Besuchs.</translation>
+    </message>
+    <message>
+        <source>one after the other, in the order of the trial</source>
+        <translation>nacheinander, in der Reihenfolge des Durchgangs</translation>
+    </message>
+    <message>
+        <source>2 to 4 surfaces at once, as patches of the workspace</source>
+        <translation>2 bis 4 Oberflächen zugleich, als Felder des Arbeitsraums</translation>
+    </message>
+    <message>
+        <source>one at a time, in any order that the participant chooses</source>
+        <translation>einzeln, in einer Reihenfolge nach Wahl der Versuchsperson</translation>
+    </message>
+    <message>
+        <source>along x</source>
+        <translation>entlang x</translation>
+    </message>
+    <message>
+        <source>along y</source>
+        <translation>entlang y</translation>
+    </message>
+    <message>
+        <source>a texture always has the same place on its surface</source>
+        <translation>eine Textur liegt auf ihrer Oberfläche immer gleich</translation>
+    </message>
+    <message>
+        <source>the point of the texture at the centre of the surface is drawn for every presentation</source>
+        <translation>der Punkt der Textur in der Mitte der Oberfläche wird für jede Darbietung zufällig gezogen</translation>
+    </message>
+    <message>
+        <source>sequential: one after the other, in the order of the trial; side_by_side: 2 to 4 surfaces at once, as patches of the workspace; on_request: one at a time, in any order that the participant chooses.</source>
+        <translation>sequential: nacheinander, in der Reihenfolge des Durchgangs; side_by_side: 2 bis 4 Oberflächen zugleich, als Felder des Arbeitsraums; on_request: einzeln, in einer Reihenfolge nach Wahl der Versuchsperson.</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Besuche</translation>
+    </message>
+    <message>
+        <source>Inter-stimulus interval</source>
+        <translation>Interstimulusintervall</translation>
+    </message>
+    <message>
+        <source>The inter-stimulus interval, from the last contact with a surface to the permission to touch the next: a time, or the limits between which it is drawn for every interval. It replaces pause_between_surfaces_s.</source>
+        <translation>Das Interstimulusintervall, vom letzten Kontakt mit einer Oberfläche bis zur Freigabe der nächsten: eine Zeit oder die Grenzen, zwischen denen sie für jedes Intervall gezogen wird. Es ersetzt pause_between_surfaces_s.</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Darbietungsdauer</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Zwischenraum</translation>
+    </message>
+    <message>
+        <source>Side by side: the width of the flat surface between two patches, with the stiffness and the friction of the material.</source>
+        <translation>Nebeneinander: die Breite der ebenen Oberfläche zwischen zwei Feldern, mit der Steifigkeit und der Reibung des Materials.</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Side by side: the axis of the workspace along which the patches lie, in the order of the trial.</source>
+        <translation>Nebeneinander: die Achse des Arbeitsraums, entlang der die Felder in der Reihenfolge des Durchgangs liegen.</translation>
+    </message>
+    <message>
+        <source>Phase of the texture</source>
+        <translation>Phase der Textur</translation>
+    </message>
+    <message>
+        <source>fixed: a texture always has the same place on its surface; drawn: the point of the texture at the centre of the surface is drawn for every presentation.</source>
+        <translation>fixed: eine Textur liegt auf ihrer Oberfläche immer gleich; drawn: der Punkt der Textur in der Mitte der Oberfläche wird für jede Darbietung zufällig gezogen.</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>The factor whose levels are paired.</source>
+        <translation>Der Faktor, dessen Stufen gepaart werden.</translation>
+    </message>
+    <message>
+        <source>Both orders</source>
+        <translation>Beide Reihenfolgen</translation>
+    </message>
+    <message>
+        <source>true: every pair twice, with either level first; false: every pair once, in the order that positions determines.</source>
+        <translation>true: jedes Paar zweimal, mit jeder der beiden Stufen zuerst; false: jedes Paar einmal, in der Reihenfolge, die positions bestimmt.</translation>
+    </message>
+    <message>
+        <source>Identical pairs</source>
+        <translation>Gleiche Paare</translation>
+    </message>
+    <message>
+        <source>Similarity: whether each level is also paired with itself, once.</source>
+        <translation>Ähnlichkeit: ob jede Stufe auch einmal mit sich selbst gepaart wird.</translation>
+    </message>
+    <message>
+        <source>Parts of the pairs</source>
+        <translation>Teile der Paare</translation>
+    </message>
+    <message>
+        <source>Similarity: the number of parts into which the pairs of different levels are divided; each participant is given one part, in which all levels occur equally often as far as possible. 1: every participant is given all pairs.</source>
+        <translation>Ähnlichkeit: die Anzahl der Teile, in die die Paare verschiedener Stufen zerlegt werden; jede Versuchsperson erhält einen Teil, in dem alle Stufen möglichst gleich oft vorkommen. 1: jede Versuchsperson erhält alle Paare.</translation>
+    </message>
+    <message>
+        <source>Matching block</source>
+        <translation>Angleichender Block</translation>
+    </message>
+    <message>
+        <source>The block that matches the surfaces: a discrimination with the judgement &quot;comparison&quot; whose procedure varies the parameter &quot;relative_amplitude&quot;.</source>
+        <translation>Der Block, der die Oberflächen angleicht: eine Unterscheidung mit dem Urteil „comparison“, deren Verfahren den Parameter „relative_amplitude“ variiert.</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>Factor and level.</source>
+        <translation>Faktor und Stufe.</translation>
+    </message>
+    <message>
+        <source>Repetitions of these trials.</source>
+        <translation>Wiederholungen dieser Durchgänge.</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Position in every run of the block, from 1.</source>
+        <translation>Position in jedem Lauf des Blocks, ab 1.</translation>
+    </message>
+    <message>
+        <source>one that can be chosen</source>
+        <translation>eine, die gewählt werden kann</translation>
+    </message>
+    <message>
+        <source>the judged surface</source>
+        <translation>die beurteilte Oberfläche</translation>
+    </message>
+    <message>
+        <source>the standard</source>
+        <translation>der Standardreiz</translation>
+    </message>
+    <message>
+        <source>the comparison</source>
+        <translation>der Vergleichsreiz</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>Role of the surface, determined by the kind: alternative in a selection and a paired comparison, standard or comparison in a discrimination, target otherwise.</source>
+        <translation>Rolle der Oberfläche, durch die Art bestimmt: alternative bei einer Auswahl und einem Paarvergleich, standard oder comparison bei einer Unterscheidung, sonst target.</translation>
+    </message>
+    <message>
+        <source>Stimulus</source>
+        <translation>Reiz</translation>
+    </message>
+    <message>
+        <source>The name of the stimulus.</source>
+        <translation>Der Name des Reizes.</translation>
+    </message>
+    <message>
+        <source>Fixed factors</source>
+        <translation>Festgelegte Faktoren</translation>
+    </message>
+    <message>
+        <source>Factors fixed for this surface.</source>
+        <translation>Faktoren, die für diese Oberfläche festgelegt sind.</translation>
+    </message>
+    <message>
+        <source>Item</source>
+        <translation>Item</translation>
+    </message>
+    <message>
+        <source>Name of the surface in the responses, if the model (selection) or the texture does not distinguish the surfaces.</source>
+        <translation>Name der Oberfläche in den Antworten, wenn das Modell (Auswahl) oder die Textur die Oberflächen nicht unterscheidet.</translation>
+    </message>
+    <message>
+        <source>Practice to a criterion: the block ends when at least `correct` of the last `of_last` responses are correct.</source>
+        <translation>Übung bis zu einem Kriterium: Der Block endet, wenn mindestens `correct` der letzten `of_last` Antworten richtig sind.</translation>
+    </message>
+    <message>
+        <source>Irrelevant quantities that vary at random between presentations: each presentation has one of the levels.</source>
+        <translation>Irrelevante Größen, die sich zwischen Darbietungen zufällig ändern: Jede Darbietung hat eine der Stufen.</translation>
+    </message>
+    <message>
+        <source>How the surfaces of a trial are presented.</source>
+        <translation>Wie die Oberflächen eines Durchgangs dargeboten werden.</translation>
+    </message>
+    <message>
+        <source>Visits to each surface.</source>
+        <translation>Besuche jeder Oberfläche.</translation>
+    </message>
+    <message>
+        <source>The limits between which an interval is drawn.</source>
+        <translation>Die Grenzen, zwischen denen ein Intervall gezogen wird.</translation>
+    </message>
+    <message>
+        <source>The end of every visit, the same for all surfaces: a number of strokes or a contact time. Absent: the participant ends it, within the limits of the exploration.</source>
+        <translation>Das Ende jedes Besuchs, gleich für alle Oberflächen: eine Anzahl von Strichen oder eine Kontaktzeit. Ohne Angabe: Die Versuchsperson beendet ihn, innerhalb der Grenzen der Exploration.</translation>
+    </message>
+    <message>
+        <source>Every pair of levels of a factor is a trial, in combination with crossed or listed factors: one stimulus is presented with both levels, and the level is the name of its surface in the responses.</source>
+        <translation>Jedes Paar von Stufen eines Faktors ist ein Durchgang, kombiniert mit gekreuzten oder aufgeführten Faktoren: Ein Reiz wird mit beiden Stufen dargeboten, und die Stufe ist der Name seiner Oberfläche in den Antworten.</translation>
+    </message>
+    <message>
+        <source>The surfaces are presented at the amplitudes at which the participant judged them as rough as the reference of another block, which is run before.</source>
+        <translation>Die Oberflächen werden mit den Amplituden dargeboten, bei denen die Versuchsperson sie als so rau wie die Referenz eines anderen Blocks beurteilte, der vorher abläuft.</translation>
+    </message>
+    <message>
+        <source>The trials with all of these levels, and their number of repetitions.</source>
+        <translation>Die Durchgänge mit allen diesen Stufen und die Anzahl ihrer Wiederholungen.</translation>
+    </message>
+    <message>
+        <source>A position and the levels of its trial.</source>
+        <translation>Eine Position und die Stufen ihres Durchgangs.</translation>
+    </message>
+    <message>
+        <source>One surface.</source>
+        <translation>Eine Oberfläche.</translation>
+    </message>
+    <message>
+        <source>a plate</source>
+        <translation>eine Platte</translation>
+    </message>
+    <message>
+        <source>a box</source>
+        <translation>ein Quader</translation>
+    </message>
+    <message>
+        <source>a cylinder</source>
+        <translation>ein Zylinder</translation>
+    </message>
+    <message>
+        <source>a cylinder a tenth as long as wide</source>
+        <translation>ein Zylinder, ein Zehntel so lang wie breit</translation>
+    </message>
+    <message>
+        <source>a sphere</source>
+        <translation>eine Kugel</translation>
+    </message>
+    <message>
+        <source>along z</source>
+        <translation>entlang z</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Textured mesh made by `asperity bake`; the origin of its frame is the centre of the patch (surface) or the tip (tool).</source>
+        <translation>Texturiertes Netz aus `asperity bake`; der Ursprung seines Koordinatensystems ist die Mitte des Felds (Oberfläche) oder die Spitze (Werkzeug).</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>A shape instead of a mesh; a surface&apos;s highest point lies in the plane of the patch, a tool&apos;s lowest point is its tip.</source>
+        <translation>Eine Form anstelle eines Netzes; der höchste Punkt einer Oberfläche liegt in der Ebene des Felds, der tiefste Punkt eines Werkzeugs ist seine Spitze.</translation>
+    </message>
+    <message>
+        <source>A size.</source>
+        <translation>Eine Größe.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Size of a plate or a box along x, y and z.</source>
+        <translation>Größe einer Platte oder eines Quaders entlang x, y und z.</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Diameter of a cylinder, a disc or a sphere. The thickness of a disc is a tenth of its diameter.</source>
+        <translation>Durchmesser eines Zylinders, einer Scheibe oder einer Kugel. Die Dicke einer Scheibe ist ein Zehntel ihres Durchmessers.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Length of a cylinder along its axis.</source>
+        <translation>Länge eines Zylinders entlang seiner Achse.</translation>
+    </message>
+    <message>
+        <source>Direction of the axis of a cylinder or a disc, or of the axis through the poles of a sphere.</source>
+        <translation>Richtung der Achse eines Zylinders oder einer Scheibe oder der Achse durch die Pole einer Kugel.</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Textur</translation>
+    </message>
+    <message>
+        <source>The texture whose height field is applied to the shape: on a plate&apos;s upper side, on all sides of a box, around a cylinder or a sphere. Absent: a surface has the texture of its stimulus, and a tool is smooth.</source>
+        <translation>Die Textur, deren Höhenfeld auf die Form aufgebracht wird: auf die Oberseite einer Platte, auf alle Seiten eines Quaders, um einen Zylinder oder eine Kugel. Ohne Angabe: Eine Oberfläche hat die Textur ihres Reizes, und ein Werkzeug ist glatt.</translation>
+    </message>
+    <message>
+        <source>A solid body: a mesh with a haptic texture, or a shape with or without a relief on it.</source>
+        <translation>Ein fester Körper: ein Netz mit einer haptischen Textur oder eine Form mit oder ohne Relief.</translation>
+    </message>
+    <message>
+        <source>A level: a number or a name.</source>
+        <translation>Eine Stufe: eine Zahl oder ein Name.</translation>
+    </message>
+    <message>
+        <source>the most realistic of several renderings is chosen</source>
+        <translation>die realistischste von mehreren Wiedergaben wird gewählt</translation>
+    </message>
+    <message>
+        <source>felt textures are assigned to the same number of pictures</source>
+        <translation>gefühlte Texturen werden ebenso vielen Bildern zugeordnet</translation>
+    </message>
+    <message>
+        <source>one felt texture is recognised among pictures</source>
+        <translation>eine gefühlte Textur wird unter Bildern wiedererkannt</translation>
+    </message>
+    <message>
+        <source>the roughness of one felt surface is estimated as a number</source>
+        <translation>die Rauheit einer gefühlten Oberfläche wird als Zahl geschätzt</translation>
+    </message>
+    <message>
+        <source>one felt surface is rated on one or more scales</source>
+        <translation>eine gefühlte Oberfläche wird auf einer oder mehreren Skalen beurteilt</translation>
+    </message>
+    <message>
+        <source>one of two felt surfaces is chosen</source>
+        <translation>eine von zwei gefühlten Oberflächen wird gewählt</translation>
+    </message>
+    <message>
+        <source>a standard and a comparison that differs from it in one parameter are felt, and one of the two is chosen</source>
+        <translation>ein Standardreiz und ein Vergleichsreiz, der sich in einem Parameter unterscheidet, werden gefühlt, und einer der beiden wird gewählt</translation>
+    </message>
+    <message>
+        <source>the dissimilarity of two felt surfaces is rated</source>
+        <translation>die Unähnlichkeit zweier gefühlter Oberflächen wird beurteilt</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>Lowest rate of the servo loop, in Hz.</source>
+        <translation>Niedrigste Rate der Servoschleife, in Hz.</translation>
+    </message>
+    <message>
+        <source>95 % of `device.rate_Hz`</source>
+        <translation>95 % von `device.rate_Hz`</translation>
+    </message>
+    <message>
+        <source>Median lateness</source>
+        <translation>Median der Verspätung</translation>
+    </message>
+    <message>
+        <source>Largest median lateness of a tick.</source>
+        <translation>Größter Median der Verspätung eines Takts.</translation>
+    </message>
+    <message>
+        <source>Largest 99th percentile of the lateness of a tick. Default: one period.</source>
+        <translation>Größtes 99. Perzentil der Verspätung eines Takts. Vorgabe: eine Periode.</translation>
+    </message>
+    <message>
+        <source>one period</source>
+        <translation>eine Periode</translation>
+    </message>
+    <message>
+        <source>Greatest lateness</source>
+        <translation>Größte Verspätung</translation>
+    </message>
+    <message>
+        <source>Largest lateness of any tick.</source>
+        <translation>Größte Verspätung irgendeines Takts.</translation>
+    </message>
+    <message>
+        <source>Missed deadlines</source>
+        <translation>Verpasste Fristen</translation>
+    </message>
+    <message>
+        <source>Largest number of ticks in two seconds that are more than a period late.</source>
+        <translation>Größte Anzahl der Takte in zwei Sekunden, die um mehr als eine Periode verspätet sind.</translation>
+    </message>
+    <message>
+        <source>Position noise</source>
+        <translation>Positionsrauschen</translation>
+    </message>
+    <message>
+        <source>Largest standard deviation of positions at rest.</source>
+        <translation>Größte Standardabweichung der Positionen in Ruhe.</translation>
+    </message>
+    <message>
+        <source>Largest friction of the device.</source>
+        <translation>Größte Reibung des Geräts.</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>Lowest damping of the device.</source>
+        <translation>Niedrigste Dämpfung des Geräts.</translation>
+    </message>
+    <message>
+        <source>Position resolution</source>
+        <translation>Positionsauflösung</translation>
+    </message>
+    <message>
+        <source>Largest step between positions.</source>
+        <translation>Größter Schritt zwischen Positionen.</translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <translation>Latenz</translation>
+    </message>
+    <message>
+        <source>Longest time from a force to the measured motion.</source>
+        <translation>Längste Zeit von einer Kraft bis zur gemessenen Bewegung.</translation>
+    </message>
+    <message>
+        <source>Moving mass</source>
+        <translation>Bewegte Masse</translation>
+    </message>
+    <message>
+        <source>Largest moving mass.</source>
+        <translation>Größte bewegte Masse.</translation>
+    </message>
+    <message>
+        <source>Lowest resonance</source>
+        <translation>Niedrigste Resonanz</translation>
+    </message>
+    <message>
+        <source>Lower limit of the lowest resonance; a device without a resonance meets this limit.</source>
+        <translation>Untere Grenze der niedrigsten Resonanz; ein Gerät ohne Resonanz hält diese Grenze ein.</translation>
+    </message>
+    <message>
+        <source>Lower limit of the stiffest spring on which the handle comes to rest. device-test tries up to 8000 N/m.</source>
+        <translation>Untere Grenze der steifsten Feder, auf der der Griff zur Ruhe kommt. device-test prüft bis 8000 N/m.</translation>
+    </message>
+    <message>
+        <source>Force resolution</source>
+        <translation>Kraftauflösung</translation>
+    </message>
+    <message>
+        <source>Upper limit of the weakest force that moves the handle.</source>
+        <translation>Obere Grenze der schwächsten Kraft, die den Griff bewegt.</translation>
+    </message>
+    <message>
+        <source>Fraction of the workspace</source>
+        <translation>Anteil des Arbeitsraums</translation>
+    </message>
+    <message>
+        <source>Smallest fraction of the workspace that is reached. Default: 0.8.</source>
+        <translation>Kleinster Anteil des Arbeitsraums, der erreicht wird. Vorgabe: 0,8.</translation>
+    </message>
+    <message>
+        <source>`0.8`</source>
+        <translation>`0.8`</translation>
+    </message>
+    <message>
+        <source>on the processor</source>
+        <translation>auf dem Prozessor</translation>
+    </message>
+    <message>
+        <source>on the first OpenCL device</source>
+        <translation>auf dem ersten OpenCL-Gerät</translation>
+    </message>
+    <message>
+        <source>Rate of the servo loop</source>
+        <translation>Rate der Servoschleife</translation>
+    </message>
+    <message>
+        <source>Rate of the servo loop.</source>
+        <translation>Rate der Servoschleife.</translation>
+    </message>
+    <message>
+        <source>Force limit</source>
+        <translation>Kraftgrenze</translation>
+    </message>
+    <message>
+        <source>Upper limit of the force.</source>
+        <translation>Obere Grenze der Kraft.</translation>
+    </message>
+    <message>
+        <source>Missed deadlines per attempt</source>
+        <translation>Verpasste Fristen je Versuch</translation>
+    </message>
+    <message>
+        <source>An attempt with more missed deadlines than this while a surface is touched is invalid.</source>
+        <translation>Ein Versuch mit mehr verpassten Fristen während der Berührung einer Oberfläche ist ungültig.</translation>
+    </message>
+    <message>
+        <source>Gaps per attempt</source>
+        <translation>Lücken je Versuch</translation>
+    </message>
+    <message>
+        <source>An attempt with more gaps than this is invalid: times of more than two periods between two ticks while a surface is touched.</source>
+        <translation>Ein Versuch mit mehr Lücken ist ungültig: Zeiten von mehr als zwei Perioden zwischen zwei Takten während der Berührung einer Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Lost records per attempt</source>
+        <translation>Verlorene Werte je Versuch</translation>
+    </message>
+    <message>
+        <source>An attempt with more lost records than this is invalid.</source>
+        <translation>Ein Versuch mit mehr verlorenen Aufzeichnungswerten ist ungültig.</translation>
+    </message>
+    <message>
+        <source>A session with a participant who is not virtual requires a device profile that is at most this old and has no failed item.</source>
+        <translation>Eine Sitzung mit einer nicht virtuellen Versuchsperson erfordert ein Geräteprofil, das höchstens so alt ist und keinen nicht bestandenen Punkt hat.</translation>
+    </message>
+    <message>
+        <source>A session with a participant who is not virtual is refused if the study has no profile of the device, or if, according to its profile, the device cannot render a stimulus or violates a limit.</source>
+        <translation>Eine Sitzung mit einer nicht virtuellen Versuchsperson wird abgelehnt, wenn die Studie kein Profil des Geräts hat oder wenn das Gerät nach seinem Profil einen Reiz nicht wiedergeben kann oder eine Grenze verletzt.</translation>
+    </message>
+    <message>
+        <source>Evaluation of contacts</source>
+        <translation>Auswertung der Kontakte</translation>
+    </message>
+    <message>
+        <source>Where the contacts of two textured bodies are evaluated: cpu, on the processor; gpu, on the first OpenCL device of the computer, sampled again in every tick and in double precision. A computer without one refuses the session.</source>
+        <translation>Wo die Kontakte zweier texturierter Körper ausgewertet werden: cpu, auf dem Prozessor; gpu, auf dem ersten OpenCL-Gerät des Computers, in jedem Takt neu abgetastet und mit doppelter Genauigkeit. Ein Computer ohne ein solches lehnt die Sitzung ab.</translation>
+    </message>
+    <message>
+        <source>Input only</source>
+        <translation>Nur Eingabe</translation>
+    </message>
+    <message>
+        <source>true: the study needs only the hand&apos;s movement, and Run accepts a device that exerts no force. Otherwise sessions on such a device are pilots, unless the participant is virtual.</source>
+        <translation>true: Die Studie benötigt nur die Bewegung der Hand, und eine Erhebung ist auch mit einem Gerät ohne Kraft möglich. Sonst sind Sitzungen an einem solchen Gerät Piloten, außer bei virtuellen Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>Limits on the device</source>
+        <translation>Grenzen für das Gerät</translation>
+    </message>
+    <message>
+        <source>Requirements of the haptic device.</source>
+        <translation>Anforderungen an das haptische Gerät.</translation>
+    </message>
+    <message>
+        <source>Limits that device-test and sessions apply to the device. An item without a limit here has the default limit, if there is one.</source>
+        <translation>Grenzen, die device-test und Sitzungen auf das Gerät anwenden. Für einen Punkt ohne Angabe gilt die Vorgabe, wenn es eine gibt.</translation>
+    </message>
+    <message>
+        <source>hand, device and screen</source>
+        <translation>Hand, Gerät und Bildschirm</translation>
+    </message>
+    <message>
+        <source>the screen but not the hand</source>
+        <translation>den Bildschirm, aber nicht die Hand</translation>
+    </message>
+    <message>
+        <source>nothing: an eye mask is worn while surfaces are felt</source>
+        <translation>nichts: eine Augenbinde wird getragen, während Oberflächen gefühlt werden</translation>
+    </message>
+    <message>
+        <source>the surface shows its relief</source>
+        <translation>die Oberfläche zeigt ihr Relief</translation>
+    </message>
+    <message>
+        <source>the surface is plain</source>
+        <translation>die Oberfläche ist einfarbig</translation>
+    </message>
+    <message>
+        <source>the surface shows a pattern that belongs to no texture</source>
+        <translation>die Oberfläche zeigt ein Muster, das zu keiner Textur gehört</translation>
+    </message>
+    <message>
+        <source>unchanged</source>
+        <translation>unverändert</translation>
+    </message>
+    <message>
+        <source>in greyscale</source>
+        <translation>in Graustufen</translation>
+    </message>
+    <message>
+        <source>no noise</source>
+        <translation>kein Rauschen</translation>
+    </message>
+    <message>
+        <source>white noise</source>
+        <translation>weißes Rauschen</translation>
+    </message>
+    <message>
+        <source>pink noise</source>
+        <translation>rosa Rauschen</translation>
+    </message>
+    <message>
+        <source>Visual texture</source>
+        <translation>Sichtbare Textur</translation>
+    </message>
+    <message>
+        <source>Whether the surface shows its relief, is plain, or shows a pattern that belongs to no texture.</source>
+        <translation>Ob die Oberfläche ihr Relief zeigt, einfarbig ist oder ein Muster zeigt, das zu keiner Textur gehört.</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Unchanged, or in greyscale, so that colour is not a cue.</source>
+        <translation>Unverändert oder in Graustufen, damit Farbe kein Hinweis ist.</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Spectrum of the noise.</source>
+        <translation>Spektrum des Rauschens.</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Level at the ear.</source>
+        <translation>Pegel am Ohr.</translation>
+    </message>
+    <message>
+        <source>Vision</source>
+        <translation>Sicht</translation>
+    </message>
+    <message>
+        <source>What the participant sees: everything, the screen but not the hand, or nothing.</source>
+        <translation>Was die Versuchsperson sieht: alles, den Bildschirm, aber nicht die Hand, oder nichts.</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Recorded speech</source>
+        <translation>Aufgenommene Sprache</translation>
+    </message>
+    <message>
+        <source>Recorded speech instead of tones: cue → WAV file, relative to the study.</source>
+        <translation>Aufgenommene Sprache statt Tönen: Signal → WAV-Datei, relativ zur Studie.</translation>
+    </message>
+    <message>
+        <source>Masking noise</source>
+        <translation>Maskierrauschen</translation>
+    </message>
+    <message>
+        <source>What the participant sees and hears.</source>
+        <translation>Was die Versuchsperson sieht und hört.</translation>
+    </message>
+    <message>
+        <source>Object, tool and probe, shown to the participant while a surface is felt; absent: nothing is shown.</source>
+        <translation>Objekt, Werkzeug und Taster, die der Versuchsperson gezeigt werden, während sie eine Oberfläche fühlt; ohne Angabe: nichts wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>Presentation of photographs to the participant.</source>
+        <translation>Darbietung von Fotos für die Versuchsperson.</translation>
+    </message>
+    <message>
+        <source>Noise over headphones that masks the sound of the device.</source>
+        <translation>Rauschen über Kopfhörer, das das Geräusch des Geräts maskiert.</translation>
+    </message>
+    <message>
+        <source>the level itself</source>
+        <translation>die Stufe selbst</translation>
+    </message>
+    <message>
+        <source>the values stated for the levels</source>
+        <translation>die für die Stufen angegebenen Werte</translation>
+    </message>
+    <message>
+        <source>the RMS texture force</source>
+        <translation>der Effektivwert der Texturkraft</translation>
+    </message>
+    <message>
+        <source>the mean normal force</source>
+        <translation>die mittlere Normalkraft</translation>
+    </message>
+    <message>
+        <source>the SD of the normal force</source>
+        <translation>die SD der Normalkraft</translation>
+    </message>
+    <message>
+        <source>the mean speed</source>
+        <translation>die mittlere Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>the SD of the speed</source>
+        <translation>die SD der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>the force at wavelengths of 5 to 10 mm</source>
+        <translation>die Kraft bei Wellenlängen von 5 bis 10 mm</translation>
+    </message>
+    <message>
+        <source>the force at wavelengths of 2.5 to 5 mm</source>
+        <translation>die Kraft bei Wellenlängen von 2,5 bis 5 mm</translation>
+    </message>
+    <message>
+        <source>the force at wavelengths of 1.25 to 2.5 mm</source>
+        <translation>die Kraft bei Wellenlängen von 1,25 bis 2,5 mm</translation>
+    </message>
+    <message>
+        <source>the force at wavelengths of 0.625 to 1.25 mm</source>
+        <translation>die Kraft bei Wellenlängen von 0,625 bis 1,25 mm</translation>
+    </message>
+    <message>
+        <source>the force at wavelengths of 0.3125 to 0.625 mm</source>
+        <translation>die Kraft bei Wellenlängen von 0,3125 bis 0,625 mm</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>Standardreiz</translation>
+    </message>
+    <message>
+        <source>The level of the analysed factor that is the standard.</source>
+        <translation>Die Stufe des ausgewerteten Faktors, die der Standardreiz ist.</translation>
+    </message>
+    <message>
+        <source>Assigned number</source>
+        <translation>Zugewiesene Zahl</translation>
+    </message>
+    <message>
+        <source>The number of the standard.</source>
+        <translation>Die Zahl des Standardreizes.</translation>
+    </message>
+    <message>
+        <source>every participant chooses a scale</source>
+        <translation>jede Versuchsperson wählt eine Skala</translation>
+    </message>
+    <message>
+        <source>the mean of the participant&apos;s cells</source>
+        <translation>der Mittelwert der Zellen der Versuchsperson</translation>
+    </message>
+    <message>
+        <source>the distance of the estimates of the standard from the modulus</source>
+        <translation>der Abstand der Schätzungen des Standardreizes vom Modulus</translation>
+    </message>
+    <message>
+        <source>nothing is removed</source>
+        <translation>nichts wird entfernt</translation>
+    </message>
+    <message>
+        <source>Spacings</source>
+        <translation>Abstände</translation>
+    </message>
+    <message>
+        <source>The factor whose levels are spacings: numbers in metres, or textures with a spacing_m. Either spacing or factor.</source>
+        <translation>Der Faktor, dessen Stufen Abstände sind: Zahlen in Metern oder Texturen mit spacing_m. Entweder Abstände oder Faktor.</translation>
+    </message>
+    <message>
+        <source>The factor whose levels are the estimated stimuli, whatever they are, or the parameter that the blocks vary. Each level is an item of the responses.</source>
+        <translation>Der Faktor, dessen Stufen die geschätzten Reize sind, gleich welcher Art, oder der Parameter, den die Blöcke variieren. Jede Stufe ist ein Item der Antworten.</translation>
+    </message>
+    <message>
+        <source>Predictor</source>
+        <translation>Prädiktor</translation>
+    </message>
+    <message>
+        <source>With factor: the physical quantity of the power function: the level itself, the values stated for the levels, or a property that is measured during the study (the RMS texture force, the mean and SD of the normal force or of the speed, the force in an octave of wavelength). Absent: geometric means by level, and no exponent.</source>
+        <translation>Mit einem Faktor: die physikalische Größe der Potenzfunktion: die Stufe selbst, die für die Stufen angegebenen Werte oder eine Eigenschaft, die während der Studie gemessen wird (Effektivwert der Texturkraft, Mittelwert und SD der Normalkraft oder der Geschwindigkeit, Kraft in einer Oktave der Wellenlänge). Ohne Angabe: geometrische Mittel nach Stufe und kein Exponent.</translation>
+    </message>
+    <message>
+        <source>The value of a level.</source>
+        <translation>Der Wert einer Stufe.</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>With the predictor values: the value of each level, above 0, by the level in quotation marks, a number in any notation.</source>
+        <translation>Mit dem Prädiktor values: der Wert jeder Stufe, über 0, nach der Stufe in Anführungszeichen, einer Zahl in beliebiger Schreibweise.</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>With the predictor level or values: its unit. Absent: that of the factor.</source>
+        <translation>Mit dem Prädiktor level oder values: seine Einheit. Ohne Angabe: die des Faktors.</translation>
+    </message>
+    <message>
+        <source>Modulus</source>
+        <translation>Modulus</translation>
+    </message>
+    <message>
+        <source>free: every participant chooses a scale (free modulus). Otherwise a standard, which precedes the estimated surface in every trial, and the number assigned to it.</source>
+        <translation>free: jede Versuchsperson wählt eine Skala (freier Modulus). Sonst ein Standardreiz, der der geschätzten Oberfläche in jedem Durchgang vorausgeht, und die ihm zugewiesene Zahl.</translation>
+    </message>
+    <message>
+        <source>Normalisation</source>
+        <translation>Normierung</translation>
+    </message>
+    <message>
+        <source>What is removed from the logarithms of the estimates of a participant before means and exponents are computed: the mean of the participant&apos;s cells, the distance of the estimates of the standard from the modulus, or nothing. Absent: geometric_mean with free modulus, none with a standard.</source>
+        <translation>Was aus den Logarithmen der Schätzungen einer Versuchsperson entfernt wird, bevor Mittelwerte und Exponenten berechnet werden: der Mittelwert der Zellen der Versuchsperson, der Abstand der Schätzungen des Standardreizes vom Modulus oder nichts. Ohne Angabe: geometric_mean bei freiem Modulus, none mit einem Standardreiz.</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Bedingung</translation>
+    </message>
+    <message>
+        <source>The factor that is constant within a block: the probe, the force, the speed.</source>
+        <translation>Der Faktor, der innerhalb eines Blocks konstant ist: Taster, Kraft, Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Magnitude: the factors of the analysis of estimates, and the modulus.</source>
+        <translation>Größenschätzung: die Faktoren der Auswertung von Schätzungen und der Modulus.</translation>
+    </message>
+    <message>
+        <source>The standard and the number assigned to it.</source>
+        <translation>Der Standardreiz und die ihm zugewiesene Zahl.</translation>
+    </message>
+    <message>
+        <source>The levels: all numbers or all names.</source>
+        <translation>Die Stufen: nur Zahlen oder nur Namen.</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+    <message>
+        <source>Meaning of the factor, for the codebook.</source>
+        <translation>Bedeutung des Faktors, für das Codebook.</translation>
+    </message>
+    <message>
+        <source>SI unit of numeric levels, such as N or m.</source>
+        <translation>SI-Einheit numerischer Stufen, zum Beispiel N oder m.</translation>
+    </message>
+    <message>
+        <source>HED tags</source>
+        <translation>HED-Tags</translation>
+    </message>
+    <message>
+        <source>HED tags of levels, by level (hedtags.org), for the sidecars of exports.</source>
+        <translation>HED-Tags der Stufen, nach Stufe (hedtags.org), für die Begleitdateien der Exporte.</translation>
+    </message>
+    <message>
+        <source>Lower limit</source>
+        <translation>Untere Grenze</translation>
+    </message>
+    <message>
+        <source>The lower limit of the band.</source>
+        <translation>Die untere Grenze des Sollbereichs.</translation>
+    </message>
+    <message>
+        <source>The intended value.</source>
+        <translation>Der beabsichtigte Wert.</translation>
+    </message>
+    <message>
+        <source>Upper limit</source>
+        <translation>Obere Grenze</translation>
+    </message>
+    <message>
+        <source>The upper limit of the band.</source>
+        <translation>Die obere Grenze des Sollbereichs.</translation>
+    </message>
+    <message>
+        <source>the trial is flagged</source>
+        <translation>der Durchgang wird markiert</translation>
+    </message>
+    <message>
+        <source>the trial is repeated at once</source>
+        <translation>der Durchgang wird sofort wiederholt</translation>
+    </message>
+    <message>
+        <source>the trial is repeated at the end of the block</source>
+        <translation>der Durchgang wird am Ende des Blocks wiederholt</translation>
+    </message>
+    <message>
+        <source>only the experimenter sees it</source>
+        <translation>nur die Versuchsleitung sieht sie</translation>
+    </message>
+    <message>
+        <source>the participant sees both quantities with their bands</source>
+        <translation>die Versuchsperson sieht beide Größen mit ihren Sollbereichen</translation>
+    </message>
+    <message>
+        <source>the participant sees a moving mark to follow, and the force with its band</source>
+        <translation>die Versuchsperson sieht eine bewegte Marke, der sie folgt, und die Kraft mit ihrem Sollbereich</translation>
+    </message>
+    <message>
+        <source>the participant hears nothing inside the bands, low tones below them and high tones above them</source>
+        <translation>die Versuchsperson hört innerhalb der Sollbereiche nichts, darunter tiefe und darüber hohe Töne</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Direction of the stroke, from +x towards +y.</source>
+        <translation>Richtung des Strichs, von +x nach +y.</translation>
+    </message>
+    <message>
+        <source>Length of a stroke</source>
+        <translation>Länge eines Strichs</translation>
+    </message>
+    <message>
+        <source>Length of one stroke; the mean length of the strokes on a surface has to be in the band.</source>
+        <translation>Länge eines Strichs; die mittlere Länge der Striche auf einer Oberfläche muss im Sollbereich liegen.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Speed of a stroke: its length divided by its time, from turn to turn.</source>
+        <translation>Geschwindigkeit eines Strichs: seine Länge geteilt durch seine Zeit, von Wende zu Wende.</translation>
+    </message>
+    <message>
+        <source>Normal force</source>
+        <translation>Normalkraft</translation>
+    </message>
+    <message>
+        <source>Force normal to the surface, without the ripple of its texture.</source>
+        <translation>Kraft senkrecht zur Oberfläche, ohne die Welligkeit ihrer Textur.</translation>
+    </message>
+    <message>
+        <source>Number of strokes.</source>
+        <translation>Anzahl der Striche.</translation>
+    </message>
+    <message>
+        <source>Minimum contact time</source>
+        <translation>Kürzeste Kontaktzeit</translation>
+    </message>
+    <message>
+        <source>Contact time required before a response is accepted.</source>
+        <translation>Kontaktzeit, nach der eine Antwort angenommen wird.</translation>
+    </message>
+    <message>
+        <source>Maximum contact time</source>
+        <translation>Längste Kontaktzeit</translation>
+    </message>
+    <message>
+        <source>Contact time after which the surface fades out.</source>
+        <translation>Kontaktzeit, nach der die Oberfläche ausgeblendet wird.</translation>
+    </message>
+    <message>
+        <source>Fraction in the band</source>
+        <translation>Anteil im Sollbereich</translation>
+    </message>
+    <message>
+        <source>Required fraction inside each band: of the contact time for the force, of the strokes for the speed.</source>
+        <translation>Erforderlicher Anteil innerhalb jedes Sollbereichs: der Kontaktzeit bei der Kraft, der Striche bei der Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Consequence of deviations</source>
+        <translation>Folge von Abweichungen</translation>
+    </message>
+    <message>
+        <source>Consequence of an exploration outside the bands.</source>
+        <translation>Folge einer Exploration außerhalb der Sollbereiche.</translation>
+    </message>
+    <message>
+        <source>Maximum number of repeats</source>
+        <translation>Höchstzahl an Wiederholungen</translation>
+    </message>
+    <message>
+        <source>Largest number of repeats of a trial.</source>
+        <translation>Größte Anzahl der Wiederholungen eines Durchgangs.</translation>
+    </message>
+    <message>
+        <source>Guidance</source>
+        <translation>Führung</translation>
+    </message>
+    <message>
+        <source>Feedback about force and speed relative to their bands. experimenter: only the experimenter sees it; bars: the participant sees both quantities with their bands; moving_target: the participant sees a moving mark to follow, and the force with its band; tones: the participant hears nothing inside the bands, low tones below them and high tones above them.</source>
+        <translation>Rückmeldung über Kraft und Geschwindigkeit relativ zu ihren Sollbereichen. experimenter: nur die Versuchsleitung sieht sie; bars: die Versuchsperson sieht beide Größen mit ihren Sollbereichen; moving_target: die Versuchsperson sieht eine bewegte Marke, der sie folgt, und die Kraft mit ihrem Sollbereich; tones: die Versuchsperson hört innerhalb der Sollbereiche nichts, darunter tiefe und darüber hohe Töne.</translation>
+    </message>
+    <message>
+        <source>A variable of trials, presentations or runs of a block.</source>
+        <translation>Eine Variable von Durchgängen, Darbietungen oder Läufen eines Blocks.</translation>
+    </message>
+    <message>
+        <source>Instructed exploration of a surface, and the consequence of deviations from it.</source>
+        <translation>Instruierte Exploration einer Oberfläche und die Folge von Abweichungen davon.</translation>
+    </message>
+    <message>
+        <source>A range of a quantity, with one or more of these keys.</source>
+        <translation>Ein Bereich einer Größe, mit einem oder mehreren dieser Schlüssel.</translation>
+    </message>
+    <message>
+        <source>the check of the device</source>
+        <translation>die Prüfung des Geräts</translation>
+    </message>
+    <message>
+        <source>the device responds and zero force is sent</source>
+        <translation>das Gerät antwortet, und die Kraft null wird gesendet</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>A text that the participant reads.</source>
+        <translation>Ein Text, den die Versuchsperson liest.</translation>
+    </message>
+    <message>
+        <source>With screen: the condition under which the text is shown.</source>
+        <translation>Mit screen: die Bedingung, unter der der Text gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>device, force_zero: the surface is removed, and the check is passed if the device responds and zero force is sent.</source>
+        <translation>device, force_zero: Die Oberfläche wird entfernt, und die Prüfung ist bestanden, wenn das Gerät antwortet und die Kraft null gesendet wird.</translation>
+    </message>
+    <message>
+        <source>Break</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>Block</translation>
+    </message>
+    <message>
+        <source>The block to run.</source>
+        <translation>Der Block, der abläuft.</translation>
+    </message>
+    <message>
+        <source>Factor of the runs</source>
+        <translation>Faktor der Läufe</translation>
+    </message>
+    <message>
+        <source>With run: a factor; the block runs once per level, in the counterbalanced order.</source>
+        <translation>Mit run: ein Faktor; der Block läuft einmal je Stufe ab, in der ausbalancierten Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>Trials between breaks</source>
+        <translation>Durchgänge zwischen Pausen</translation>
+    </message>
+    <message>
+        <source>With run: the number of trials after which there is a break.</source>
+        <translation>Mit run: die Anzahl der Durchgänge, nach der es eine Pause gibt.</translation>
+    </message>
+    <message>
+        <source>Contact between breaks</source>
+        <translation>Kontakt zwischen Pausen</translation>
+    </message>
+    <message>
+        <source>With run: the time in contact with surfaces, in minutes, after which there is a break, measured since the last break.</source>
+        <translation>Mit run: die Kontaktzeit mit Oberflächen in Minuten, nach der es eine Pause gibt, gemessen seit der letzten Pause.</translation>
+    </message>
+    <message>
+        <source>The questions of this step.</source>
+        <translation>Die Fragen dieses Schritts.</translation>
+    </message>
+    <message>
+        <source>Shortest duration</source>
+        <translation>Kürzeste Dauer</translation>
+    </message>
+    <message>
+        <source>Shortest duration of the break.</source>
+        <translation>Kürzeste Dauer der Pause.</translation>
+    </message>
+    <message>
+        <source>Text for the participant during the break.</source>
+        <translation>Text für die Versuchsperson während der Pause.</translation>
+    </message>
+    <message>
+        <source>Check of zero force</source>
+        <translation>Prüfung der Kraft null</translation>
+    </message>
+    <message>
+        <source>Whether the break begins with a check that the device responds and zero force is sent.</source>
+        <translation>Ob die Pause mit einer Prüfung beginnt, ob das Gerät antwortet und die Kraft null gesendet wird.</translation>
+    </message>
+    <message>
+        <source>Check of the drift</source>
+        <translation>Prüfung der Drift</translation>
+    </message>
+    <message>
+        <source>Request</source>
+        <translation>Aufforderung</translation>
+    </message>
+    <message>
+        <source>Request to the experimenter to have the handle released, so that it rests; confirmed before the recording.</source>
+        <translation>Aufforderung an die Versuchsleitung, den Griff loslassen zu lassen, damit er ruht; vor der Aufzeichnung bestätigt.</translation>
+    </message>
+    <message>
+        <source>Request to hold the tip at a fixed reference point; with it a second recording is made there.</source>
+        <translation>Aufforderung, die Spitze an einen festen Bezugspunkt zu halten; mit ihr gibt es dort eine zweite Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Duration of each recording.</source>
+        <translation>Dauer jeder Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>One step of the session: screen, check, break, run or ask.</source>
+        <translation>Ein Schritt der Sitzung: screen, check, break, run oder ask.</translation>
+    </message>
+    <message>
+        <source>A break in which the participant rests.</source>
+        <translation>Eine Pause, in der die Versuchsperson ruht.</translation>
+    </message>
+    <message>
+        <source>Before the participant rests, the reading of the device is recorded while no hand moves it and no force is sent.</source>
+        <translation>Bevor die Versuchsperson ruht, wird der Messwert des Geräts aufgezeichnet, während keine Hand es bewegt und keine Kraft gesendet wird.</translation>
+    </message>
+    <message>
+        <source>equal differences</source>
+        <translation>gleiche Differenzen</translation>
+    </message>
+    <message>
+        <source>equal differences of the logarithm</source>
+        <translation>gleiche Differenzen des Logarithmus</translation>
+    </message>
+    <message>
+        <source>decibels of an amplitude</source>
+        <translation>Dezibel einer Amplitude</translation>
+    </message>
+    <message>
+        <source>equal ratios</source>
+        <translation>gleiche Verhältnisse</translation>
+    </message>
+    <message>
+        <source>Lowest level</source>
+        <translation>Niedrigste Stufe</translation>
+    </message>
+    <message>
+        <source>Of a grid: the lowest level.</source>
+        <translation>Bei einem Raster: die niedrigste Stufe.</translation>
+    </message>
+    <message>
+        <source>Highest level</source>
+        <translation>Höchste Stufe</translation>
+    </message>
+    <message>
+        <source>Of a grid: the upper limit of the levels.</source>
+        <translation>Bei einem Raster: die obere Grenze der Stufen.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Of a grid: the step, in the unit of its scale; with the scale ratio, a ratio above 1.</source>
+        <translation>Bei einem Raster: der Schritt, in der Einheit seiner Skala; mit der Skala ratio ein Verhältnis über 1.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skala</translation>
+    </message>
+    <message>
+        <source>Of a grid: the scale on which its steps are equal: linear, log10, db (decibels of an amplitude) or ratio.</source>
+        <translation>Bei einem Raster: die Skala, auf der seine Schritte gleich sind: linear, log10, db (Dezibel einer Amplitude) oder ratio.</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>The parameter of the force model, or &quot;relative_amplitude&quot;: a factor by which the amplitude of the texture is multiplied, whatever the force model and whatever determines the amplitude otherwise; a standard has the value 1.</source>
+        <translation>Der Parameter des Kraftmodells oder „relative_amplitude“: ein Faktor, mit dem die Amplitude der Textur multipliziert wird, gleich bei welchem Kraftmodell und was die Amplitude sonst bestimmt; ein Standardreiz hat den Wert 1.</translation>
+    </message>
+    <message>
+        <source>Name of the factor in the data; the name of the parameter by default.</source>
+        <translation>Name des Faktors in den Daten; Vorgabe ist der Name des Parameters.</translation>
+    </message>
+    <message>
+        <source>Varied surface</source>
+        <translation>Variierte Oberfläche</translation>
+    </message>
+    <message>
+        <source>Role of the surface whose parameter is varied.</source>
+        <translation>Rolle der Oberfläche, deren Parameter variiert wird.</translation>
+    </message>
+    <message>
+        <source>Reference surface</source>
+        <translation>Bezugsoberfläche</translation>
+    </message>
+    <message>
+        <source>Role of the surface to which levels refer; its stimulus states the parameter, unless this is &quot;relative_amplitude&quot;.</source>
+        <translation>Rolle der Oberfläche, auf die sich die Stufen beziehen; ihr Reiz gibt den Parameter an, außer wenn dieser „relative_amplitude“ ist.</translation>
+    </message>
+    <message>
+        <source>Values of the parameter, in its unit: a list, or a grid of equal steps.</source>
+        <translation>Werte des Parameters, in seiner Einheit: eine Liste oder ein Raster mit gleichen Schritten.</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Differenzen</translation>
+    </message>
+    <message>
+        <source>Differences from the standard, in the unit of the parameter: a list or a grid.</source>
+        <translation>Differenzen vom Standardreiz, in der Einheit des Parameters: eine Liste oder ein Raster.</translation>
+    </message>
+    <message>
+        <source>Differences in per cent</source>
+        <translation>Differenzen in Prozent</translation>
+    </message>
+    <message>
+        <source>Differences from the standard in per cent of the standard: a list or a grid.</source>
+        <translation>Differenzen vom Standardreiz in Prozent des Standardreizes: eine Liste oder ein Raster.</translation>
+    </message>
+    <message>
+        <source>Ratios</source>
+        <translation>Verhältnisse</translation>
+    </message>
+    <message>
+        <source>Ratios to the standard: a list or a grid.</source>
+        <translation>Verhältnisse zum Standardreiz: eine Liste oder ein Raster.</translation>
+    </message>
+    <message>
+        <source>Decibels</source>
+        <translation>Dezibel</translation>
+    </message>
+    <message>
+        <source>Levels re the standard in decibels, 20·log10 of the ratio: a list or a grid.</source>
+        <translation>Stufen relativ zum Standardreiz in Dezibel, 20·log10 des Verhältnisses: eine Liste oder ein Raster.</translation>
+    </message>
+    <message>
+        <source>A step.</source>
+        <translation>Ein Schritt.</translation>
+    </message>
+    <message>
+        <source>Lowest value.</source>
+        <translation>Niedrigster Wert.</translation>
+    </message>
+    <message>
+        <source>Highest value.</source>
+        <translation>Höchster Wert.</translation>
+    </message>
+    <message>
+        <source>Number of values</source>
+        <translation>Anzahl der Werte</translation>
+    </message>
+    <message>
+        <source>Number of values.</source>
+        <translation>Anzahl der Werte.</translation>
+    </message>
+    <message>
+        <source>Thresholds</source>
+        <translation>Schwellen</translation>
+    </message>
+    <message>
+        <source>Thresholds in steps of equal ratio, as differences of level from the standard; absent: 41 from the smallest to the greatest difference of the levels.</source>
+        <translation>Schwellen in Schritten gleichen Verhältnisses, als Differenzen der Stufe vom Standardreiz; ohne Angabe: 41 von der kleinsten bis zur größten Differenz der Stufen.</translation>
+    </message>
+    <message>
+        <source>Slopes</source>
+        <translation>Steigungen</translation>
+    </message>
+    <message>
+        <source>Slopes β in steps of equal ratio; absent: 8 from 1 to 8.</source>
+        <translation>Steigungen β in Schritten gleichen Verhältnisses; ohne Angabe: 8 von 1 bis 8.</translation>
+    </message>
+    <message>
+        <source>Lapse rates</source>
+        <translation>Fehlerraten (lapse rates)</translation>
+    </message>
+    <message>
+        <source>Lapse rates in equal steps; absent: 4 from 0 to 0.06.</source>
+        <translation>Fehlerraten (lapse rates) in gleichen Schritten; ohne Angabe: 4 von 0 bis 0,06.</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>The upper end of the 95 % credible interval of the threshold is at most this many times the lower end.</source>
+        <translation>Das obere Ende des 95-%-Glaubwürdigkeitsintervalls der Schwelle ist höchstens so viele Male das untere Ende.</translation>
+    </message>
+    <message>
+        <source>Minimum number of trials</source>
+        <translation>Mindestzahl der Durchgänge</translation>
+    </message>
+    <message>
+        <source>Minimum number of trials of the track.</source>
+        <translation>Mindestzahl der Durchgänge der Folge (Track).</translation>
+    </message>
+    <message>
+        <source>Minimum of each response</source>
+        <translation>Mindestzahl je Antwort</translation>
+    </message>
+    <message>
+        <source>Minimum number of correct responses, and of incorrect responses.</source>
+        <translation>Mindestzahl der richtigen und der falschen Antworten.</translation>
+    </message>
+    <message>
+        <source>Maximum number of trials of a track.</source>
+        <translation>Höchstzahl der Durchgänge einer Folge (Track).</translation>
+    </message>
+    <message>
+        <source>Reversals</source>
+        <translation>Umkehrpunkte</translation>
+    </message>
+    <message>
+        <source>Up-down: number of reversals.</source>
+        <translation>Up-down-Verfahren: Anzahl der Umkehrpunkte.</translation>
+    </message>
+    <message>
+        <source>Clipped moves</source>
+        <translation>Begrenzte Schritte</translation>
+    </message>
+    <message>
+        <source>Up-down: number of moves in succession that the lowest or highest level shortened or prevented; absent: the track stays at this level until a move leads away from it.</source>
+        <translation>Up-down-Verfahren: Anzahl aufeinanderfolgender Schritte, die die niedrigste oder höchste Stufe verkürzte oder verhinderte; ohne Angabe: Die Folge bleibt auf dieser Stufe, bis ein Schritt von ihr wegführt.</translation>
+    </message>
+    <message>
+        <source>Precision</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>The level of its first trial, if it differs.</source>
+        <translation>Die Stufe ihres ersten Durchgangs, wenn sie abweicht.</translation>
+    </message>
+    <message>
+        <source>the comparison at an easy level</source>
+        <translation>der Vergleichsreiz mit einer leichten Stufe</translation>
+    </message>
+    <message>
+        <source>the standard twice with the judgement performance</source>
+        <translation>zweimal der Standardreiz mit dem Urteil performance</translation>
+    </message>
+    <message>
+        <source>the standard twice with the judgement comparison</source>
+        <translation>zweimal der Standardreiz mit dem Urteil comparison</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>easy: the comparison at an easy level, an error in which is a lapse of attention; no_signal: the standard twice with the judgement performance, every choice in which is a false alarm; identical_pair: the standard twice with the judgement comparison.</source>
+        <translation>easy: der Vergleichsreiz mit einer leichten Stufe, ein Fehler ist hier eine Aufmerksamkeitslücke; no_signal: zweimal der Standardreiz mit dem Urteil performance, jede Wahl ist hier ein falscher Alarm; identical_pair: zweimal der Standardreiz mit dem Urteil comparison.</translation>
+    </message>
+    <message>
+        <source>Of the type easy, which requires it: level of the catch trials, in the measure of &quot;vary&quot;: at least as easy as its easiest level.</source>
+        <translation>Beim Typ easy, der sie erfordert: Stufe der Kontrolldurchgänge, im Maß von „vary“: mindestens so leicht wie dessen leichteste Stufe.</translation>
+    </message>
+    <message>
+        <source>Trials per catch trial</source>
+        <translation>Durchgänge je Kontrolle</translation>
+    </message>
+    <message>
+        <source>Number of consecutive trials of the block that contain one catch trial.</source>
+        <translation>Anzahl aufeinanderfolgender Durchgänge des Blocks, unter denen ein Kontrolldurchgang ist.</translation>
+    </message>
+    <message>
+        <source>every level equally often, in random order</source>
+        <translation>jede Stufe gleich oft, in zufälliger Reihenfolge</translation>
+    </message>
+    <message>
+        <source>down after `down` correct responses in succession, up after `up` incorrect ones</source>
+        <translation>abwärts nach `down` richtigen Antworten in Folge, aufwärts nach `up` falschen</translation>
+    </message>
+    <message>
+        <source>down after a correct response, up by a larger step after an incorrect one</source>
+        <translation>abwärts nach einer richtigen Antwort, um einen größeren Schritt aufwärts nach einer falschen</translation>
+    </message>
+    <message>
+        <source>the level from which the most is expected about the threshold</source>
+        <translation>die Stufe, die am meisten über die Schwelle erwarten lässt</translation>
+    </message>
+    <message>
+        <source>the level from which the most is expected about threshold, slope and lapse rate</source>
+        <translation>die Stufe, die am meisten über Schwelle, Steigung und Fehlerrate (lapse rate) erwarten lässt</translation>
+    </message>
+    <message>
+        <source>the level that a program of the laboratory states</source>
+        <translation>die Stufe, die ein Programm des Labors angibt</translation>
+    </message>
+    <message>
+        <source>the slope</source>
+        <translation>die Steigung</translation>
+    </message>
+    <message>
+        <source>the lapse rate</source>
+        <translation>die Fehlerrate (lapse rate)</translation>
+    </message>
+    <message>
+        <source>A nuisance parameter.</source>
+        <translation>Ein Störparameter.</translation>
+    </message>
+    <message>
+        <source>Any object.</source>
+        <translation>Ein beliebiges Objekt.</translation>
+    </message>
+    <message>
+        <source>the level is presented again in another trial</source>
+        <translation>die Stufe wird in einem anderen Durchgang noch einmal dargeboten</translation>
+    </message>
+    <message>
+        <source>an incorrect response</source>
+        <translation>eine falsche Antwort</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>constant_stimuli: every level equally often, in random order; transformed_up_down: down after `down` correct responses in succession, up after `up` incorrect ones; weighted_up_down: down after a correct response, up by a larger step after an incorrect one; psi: the level from which the most is expected about the threshold; quest_plus: the level from which the most is expected about threshold, slope and lapse rate; external: the level that a program of the laboratory states, which is given by run --external or in the window and never by a file.</source>
+        <translation>constant_stimuli: jede Stufe gleich oft, in zufälliger Reihenfolge; transformed_up_down: abwärts nach `down` richtigen Antworten in Folge, aufwärts nach `up` falschen; weighted_up_down: abwärts nach einer richtigen Antwort, um einen größeren Schritt aufwärts nach einer falschen; psi: die Stufe, die am meisten über die Schwelle erwarten lässt; quest_plus: die Stufe, die am meisten über Schwelle, Steigung und Fehlerrate (lapse rate) erwarten lässt; external: die Stufe, die ein Programm des Labors angibt; dieses wird mit run --external oder im Fenster gewählt und nie in einer Datei.</translation>
+    </message>
+    <message>
+        <source>Constant stimuli: number of presentations of every level.</source>
+        <translation>Konstante Reize: Anzahl der Darbietungen jeder Stufe.</translation>
+    </message>
+    <message>
+        <source>Responses before a move down</source>
+        <translation>Antworten je Abwärtsschritt</translation>
+    </message>
+    <message>
+        <source>Transformed up-down: number of correct responses in succession before a move down.</source>
+        <translation>Transformiertes Up-down-Verfahren: Anzahl richtiger Antworten in Folge vor einem Schritt abwärts.</translation>
+    </message>
+    <message>
+        <source>Responses before a move up</source>
+        <translation>Antworten je Aufwärtsschritt</translation>
+    </message>
+    <message>
+        <source>Transformed up-down: number of incorrect responses in succession before a move up.</source>
+        <translation>Transformiertes Up-down-Verfahren: Anzahl falscher Antworten in Folge vor einem Schritt aufwärts.</translation>
+    </message>
+    <message>
+        <source>Weighted up-down: proportion correct at the target level. Psi and QUEST+: proportion correct at the threshold; 2/3 by default where one of three surfaces is chosen.</source>
+        <translation>Gewichtetes Up-down-Verfahren: Anteil richtiger Antworten bei der Zielstufe. Psi und QUEST+: Anteil richtiger Antworten an der Schwelle; Vorgabe 2/3, wo eine von drei Oberflächen gewählt wird.</translation>
+    </message>
+    <message>
+        <source>Up-down: the level of the first trial of a track.</source>
+        <translation>Up-down-Verfahren: die Stufe des ersten Durchgangs einer Folge (Track).</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Up-down: the step, in the unit of the scale of the grid. If several are listed, each reversal selects the next one.</source>
+        <translation>Up-down-Verfahren: der Schritt, in der Einheit der Skala des Rasters. Sind mehrere aufgeführt, gilt nach jedem Umkehrpunkt der nächste.</translation>
+    </message>
+    <message>
+        <source>Steps up</source>
+        <translation>Schritte aufwärts</translation>
+    </message>
+    <message>
+        <source>Transformed up-down: the steps of moves up, if they differ from `steps`.</source>
+        <translation>Transformiertes Up-down-Verfahren: die Schritte aufwärts, wenn sie von `steps` abweichen.</translation>
+    </message>
+    <message>
+        <source>Steps down</source>
+        <translation>Schritte abwärts</translation>
+    </message>
+    <message>
+        <source>Up-down: the steps of moves down, if they differ from `steps`.</source>
+        <translation>Up-down-Verfahren: die Schritte abwärts, wenn sie von `steps` abweichen.</translation>
+    </message>
+    <message>
+        <source>Prior</source>
+        <translation>A-priori-Verteilung</translation>
+    </message>
+    <message>
+        <source>Nuisance parameters</source>
+        <translation>Störparameter</translation>
+    </message>
+    <message>
+        <source>Psi: the nuisance parameters, on which no trials are spent.</source>
+        <translation>Psi: die Störparameter, auf die keine Durchgänge verwendet werden.</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>External: an object that the program receives unchanged; its content is not interpreted.</source>
+        <translation>Extern: ein Objekt, das das Programm unverändert erhält; sein Inhalt wird nicht ausgewertet.</translation>
+    </message>
+    <message>
+        <source>Time to answer</source>
+        <translation>Zeit bis zur Antwort</translation>
+    </message>
+    <message>
+        <source>External: the time in seconds within which the program must answer.</source>
+        <translation>Extern: die Zeit in Sekunden, innerhalb derer das Programm antworten muss.</translation>
+    </message>
+    <message>
+        <source>Stopping rule</source>
+        <translation>Abbruchregel</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>Folgen (Tracks)</translation>
+    </message>
+    <message>
+        <source>Interleaved tracks of each combination of the levels of the other factors; one track by default.</source>
+        <translation>Verschränkte Folgen (Tracks) jeder Kombination der Stufen der anderen Faktoren; Vorgabe ist eine Folge.</translation>
+    </message>
+    <message>
+        <source>Missed response deadline</source>
+        <translation>Verpasste Antwortfrist</translation>
+    </message>
+    <message>
+        <source>What a missed response deadline means: same_level: the level is presented again in another trial; incorrect: an incorrect response.</source>
+        <translation>Was eine verpasste Antwortfrist bedeutet: same_level: Die Stufe wird in einem anderen Durchgang noch einmal dargeboten; incorrect: eine falsche Antwort.</translation>
+    </message>
+    <message>
+        <source>Catch trials</source>
+        <translation>Kontrolldurchgänge</translation>
+    </message>
+    <message>
+        <source>A grid of levels.</source>
+        <translation>Ein Raster von Stufen.</translation>
+    </message>
+    <message>
+        <source>The parameter that the trials vary: a factor whose levels are values of one parameter of one of the surfaces, in combination with the other factors of the block. It has exactly one of the keys with levels.</source>
+        <translation>Der Parameter, den die Durchgänge variieren: ein Faktor, dessen Stufen Werte eines Parameters einer der Oberflächen sind, kombiniert mit den anderen Faktoren des Blocks. Er hat genau einen der Schlüssel mit Stufen.</translation>
+    </message>
+    <message>
+        <source>A range of values.</source>
+        <translation>Ein Wertebereich.</translation>
+    </message>
+    <message>
+        <source>A range of lapse rates.</source>
+        <translation>Ein Bereich von Fehlerraten (lapse rates).</translation>
+    </message>
+    <message>
+        <source>Psi and QUEST+: the values of the parameters of a Weibull function of the difference from the standard, all equally probable before the first response.</source>
+        <translation>Psi und QUEST+: die Werte der Parameter einer Weibull-Funktion der Differenz zum Standardreiz, vor der ersten Antwort alle gleich wahrscheinlich.</translation>
+    </message>
+    <message>
+        <source>Psi and QUEST+: a precise threshold.</source>
+        <translation>Psi und QUEST+: eine genaue Schwelle.</translation>
+    </message>
+    <message>
+        <source>Up-down, psi, QUEST+ and external: a track ends when the first of these rules applies.</source>
+        <translation>Up-down-Verfahren, Psi, QUEST+ und extern: Eine Folge (Track) endet, wenn die erste dieser Regeln zutrifft.</translation>
+    </message>
+    <message>
+        <source>One track.</source>
+        <translation>Eine Folge (Track).</translation>
+    </message>
+    <message>
+        <source>Trials with a known response at random places among the others; no threshold is estimated from them.</source>
+        <translation>Durchgänge mit bekannter Antwort an zufälligen Stellen zwischen den anderen; aus ihnen wird keine Schwelle geschätzt.</translation>
+    </message>
+    <message>
+        <source>The procedure that chooses the levels of &quot;vary&quot; from the responses.</source>
+        <translation>Das Verfahren, das die Stufen von „vary“ aus den Antworten wählt.</translation>
+    </message>
+    <message>
+        <source>a selection, a matching or a recognition is guessed</source>
+        <translation>eine Auswahl, eine Zuordnung oder eine Wiedererkennung wird geraten</translation>
+    </message>
+    <message>
+        <source>the texture&apos;s true height field</source>
+        <translation>das wahre Höhenfeld der Textur</translation>
+    </message>
+    <message>
+        <source>the features that the texture states</source>
+        <translation>die Merkmale, die die Textur angibt</translation>
+    </message>
+    <message>
+        <source>the lateral force, relative to the mean normal force</source>
+        <translation>die Seitenkraft relativ zur mittleren Normalkraft</translation>
+    </message>
+    <message>
+        <source>the normal force, relative to the mean normal force</source>
+        <translation>die Normalkraft relativ zur mittleren Normalkraft</translation>
+    </message>
+    <message>
+        <source>the acceleration of a held tool</source>
+        <translation>die Beschleunigung eines gehaltenen Werkzeugs</translation>
+    </message>
+    <message>
+        <source>the depth to which the surface yields over the normal force</source>
+        <translation>die Tiefe, um die die Oberfläche nachgibt, je Normalkraft</translation>
+    </message>
+    <message>
+        <source>it increases with the parameter</source>
+        <translation>sie nimmt mit dem Parameter zu</translation>
+    </message>
+    <message>
+        <source>it decreases with the parameter</source>
+        <translation>sie nimmt mit dem Parameter ab</translation>
+    </message>
+    <message>
+        <source>Expectation</source>
+        <translation>Erwartung</translation>
+    </message>
+    <message>
+        <source>Expectation of a texture: none (a selection, a matching or a recognition is then guessed), its true height field (if it is felt on bodies only: these bodies), or the stated prior.</source>
+        <translation>Erwartung von einer Textur: none (eine Auswahl, eine Zuordnung oder eine Wiedererkennung wird dann geraten), ihr wahres Höhenfeld (wenn sie nur an Körpern gefühlt wird: diese Körper) oder die angegebenen erwarteten Merkmale.</translation>
+    </message>
+    <message>
+        <source>Cut-off wavelength</source>
+        <translation>Grenzwellenlänge</translation>
+    </message>
+    <message>
+        <source>With true_surface: cut-off wavelength of the Gaussian low-pass whose result is subtracted from the expected heights, as from heights of a photograph. Absent: nothing is subtracted.</source>
+        <translation>Mit true_surface: Grenzwellenlänge des Gauß-Tiefpasses, dessen Ergebnis von den erwarteten Höhen abgezogen wird, wie von Höhen aus einem Foto. Ohne Angabe: nichts wird abgezogen.</translation>
+    </message>
+    <message>
+        <source>Forces ignored</source>
+        <translation>Kräfte unbeachtet</translation>
+    </message>
+    <message>
+        <source>Whether the felt forces are ignored.</source>
+        <translation>Ob die gefühlten Kräfte unbeachtet bleiben.</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the noise added to every feature.</source>
+        <translation>Standardabweichung des Rauschens, das zu jedem Merkmal addiert wird.</translation>
+    </message>
+    <message>
+        <source>Position bias</source>
+        <translation>Positionstendenz</translation>
+    </message>
+    <message>
+        <source>Evidence added to the first position.</source>
+        <translation>Evidenz, die zur ersten Position addiert wird.</translation>
+    </message>
+    <message>
+        <source>Lapse rate</source>
+        <translation>Fehlerrate (lapse rate)</translation>
+    </message>
+    <message>
+        <source>Lapse rate: the probability of a guess.</source>
+        <translation>Fehlerrate (lapse rate): die Wahrscheinlichkeit, dass geraten wird.</translation>
+    </message>
+    <message>
+        <source>Judged quantity</source>
+        <translation>Beurteilte Größe</translation>
+    </message>
+    <message>
+        <source>Magnitude, paired comparison, discrimination and rating: the judged quantity, which is a felt force relative to the mean normal force, the acceleration of a held tool, or the depth to which the surface yields over the normal force.</source>
+        <translation>Größenschätzung, Paarvergleich, Unterscheidung und Beurteilung: die beurteilte Größe, nämlich eine gefühlte Kraft relativ zur mittleren Normalkraft, die Beschleunigung eines gehaltenen Werkzeugs oder die Tiefe, um die die Oberfläche nachgibt, je Normalkraft.</translation>
+    </message>
+    <message>
+        <source>Exponent</source>
+        <translation>Exponent</translation>
+    </message>
+    <message>
+        <source>Magnitude: exponent of the power function from the quantity in `magnitude_of` to the estimate.</source>
+        <translation>Größenschätzung: Exponent der Potenzfunktion von der Größe in `magnitude_of` zur Schätzung.</translation>
+    </message>
+    <message>
+        <source>Effect of the parameter</source>
+        <translation>Wirkung des Parameters</translation>
+    </message>
+    <message>
+        <source>Discrimination: whether the magnitude increases or decreases with the varied parameter.</source>
+        <translation>Unterscheidung: ob die Größe mit dem variierten Parameter zu- oder abnimmt.</translation>
+    </message>
+    <message>
+        <source>Criterion of yes</source>
+        <translation>Kriterium für Ja</translation>
+    </message>
+    <message>
+        <source>Discrimination with the design yes_no: the magnitude above which the response is yes, as a fraction of the mean normal force in m/s² or in mm/N (see `magnitude_of`); below which, where a signal has the smaller magnitude.</source>
+        <translation>Unterscheidung mit dem Design yes_no: die Größe, oberhalb derer die Antwort Ja ist, als Bruchteil der mittleren Normalkraft, in m/s² oder in mm/N (siehe `magnitude_of`); unterhalb derer, wo ein Signal die kleinere Größe hat.</translation>
+    </message>
+    <message>
+        <source>Criterion of different</source>
+        <translation>Kriterium für verschieden</translation>
+    </message>
+    <message>
+        <source>Discrimination with the design same_different: the relative difference of two magnitudes from which on the response is different; 0.1 is a difference of 10 %.</source>
+        <translation>Unterscheidung mit dem Design same_different: die relative Differenz zweier Größen, ab der die Antwort verschieden ist; 0,1 ist eine Differenz von 10 %.</translation>
+    </message>
+    <message>
+        <source>Criterion of uncertainty</source>
+        <translation>Kriterium für Unsicherheit</translation>
+    </message>
+    <message>
+        <source>Discrimination with the option &quot;I cannot tell&quot;: the relative difference of two magnitudes below which this is the response; 0.1 is a difference of 10 %.</source>
+        <translation>Unterscheidung mit der Antwort „kann es nicht sagen“: die relative Differenz zweier Größen, unterhalb derer dies die Antwort ist; 0,1 ist eine Differenz von 10 %.</translation>
+    </message>
+    <message>
+        <source>Model of a virtual participant&apos;s judgements.</source>
+        <translation>Modell der Urteile einer virtuellen Versuchsperson.</translation>
+    </message>
+    <message>
+        <source>Planned participants</source>
+        <translation>Geplante Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>Planned number of participants.</source>
+        <translation>Geplante Anzahl der Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sitzungen</translation>
+    </message>
+    <message>
+        <source>Sessions per participant.</source>
+        <translation>Sitzungen je Versuchsperson.</translation>
+    </message>
+    <message>
+        <source>Questions asked once, before the first session.</source>
+        <translation>Fragen, die einmal gestellt werden, vor der ersten Sitzung.</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>Version of the consent text.</source>
+        <translation>Version des Einwilligungstexts.</translation>
+    </message>
+    <message>
+        <source>Statement</source>
+        <translation>Erklärung</translation>
+    </message>
+    <message>
+        <source>The text that the participant agrees to.</source>
+        <translation>Der Text, dem die Versuchsperson zustimmt.</translation>
+    </message>
+    <message>
+        <source>to the group with the fewest participants</source>
+        <translation>in die Gruppe mit den wenigsten Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>by a random sequence in blocks, each of which contains every group equally often</source>
+        <translation>nach einer Zufallsfolge in Blöcken, von denen jeder jede Gruppe gleich oft enthält</translation>
+    </message>
+    <message>
+        <source>stated when the first session begins</source>
+        <translation>zu Beginn der ersten Sitzung angegeben</translation>
+    </message>
+    <message>
+        <source>The factor whose levels are the groups. Every trial has the level of the participant&apos;s group, so no block sets it.</source>
+        <translation>Der Faktor, dessen Stufen die Gruppen sind. Jeder Durchgang hat die Stufe der Gruppe der Versuchsperson; deshalb legt kein Block sie fest.</translation>
+    </message>
+    <message>
+        <source>Assignment</source>
+        <translation>Zuteilung</translation>
+    </message>
+    <message>
+        <source>The assignment of participants: balanced (to the group with the fewest participants), permuted_blocks (by a random sequence in blocks, each of which contains every group equally often) or by_experimenter (stated when the first session begins).</source>
+        <translation>Die Zuteilung der Versuchspersonen: balanced (in die Gruppe mit den wenigsten Versuchspersonen), permuted_blocks (nach einer Zufallsfolge in Blöcken, von denen jeder jede Gruppe gleich oft enthält) oder by_experimenter (zu Beginn der ersten Sitzung angegeben).</translation>
+    </message>
+    <message>
+        <source>Participants in a block.</source>
+        <translation>Versuchspersonen in einem Block.</translation>
+    </message>
+    <message>
+        <source>Sizes of blocks</source>
+        <translation>Blockgrößen</translation>
+    </message>
+    <message>
+        <source>Of permuted_blocks: the sizes from which that of each block is drawn, multiples of the number of groups. Absent: two and three times this number.</source>
+        <translation>Bei permuted_blocks: die Größen, aus denen die jedes Blocks gezogen wird, Vielfache der Anzahl der Gruppen. Ohne Angabe: das Zwei- und Dreifache dieser Anzahl.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Of permuted_blocks: the seed of the sequence.</source>
+        <translation>Bei permuted_blocks: der Startwert der Folge.</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>The texts that the participant reads. Default: the last text before the interruption.</source>
+        <translation>Die Texte, die die Versuchsperson liest. Vorgabe: der letzte Text vor der Unterbrechung.</translation>
+    </message>
+    <message>
+        <source>Maximum age without a reason</source>
+        <translation>Höchstalter ohne Begründung</translation>
+    </message>
+    <message>
+        <source>Time since the interruption after which a session is resumed only with a reason, which is stored.</source>
+        <translation>Zeit seit der Unterbrechung, nach der eine Sitzung nur mit einer Begründung fortgesetzt wird, die gespeichert wird.</translation>
+    </message>
+    <message>
+        <source>Repeated practice trials</source>
+        <translation>Wiederholte Übung</translation>
+    </message>
+    <message>
+        <source>Number of practice trials that the participant repeats before the session continues: the first trials of the latest practice block. They are stored as refreshers and never count.</source>
+        <translation>Anzahl der Übungsdurchgänge, die die Versuchsperson vor der Fortsetzung der Sitzung wiederholt: die ersten Durchgänge des letzten Übungsblocks. Sie werden als Auffrischung gespeichert und zählen nie.</translation>
+    </message>
+    <message>
+        <source>The participants.</source>
+        <translation>Die Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>Informed consent.</source>
+        <translation>Einwilligung nach Aufklärung.</translation>
+    </message>
+    <message>
+        <source>A between-participants factor: each participant belongs to one group, in all sessions of the protocol.</source>
+        <translation>Ein Faktor zwischen Versuchspersonen: Jede Versuchsperson gehört in allen Sitzungen des Protokolls zu einer Gruppe.</translation>
+    </message>
+    <message>
+        <source>Resumption of an interrupted session: the checks of the device are repeated, and the participant reads a text and then starts from a screen of the program.</source>
+        <translation>Fortsetzung einer unterbrochenen Sitzung: Die Prüfungen des Geräts werden wiederholt, und die Versuchsperson liest einen Text und beginnt dann von einer Seite des Programms aus.</translation>
+    </message>
+    <message>
+        <source>the order of the levels</source>
+        <translation>die Reihenfolge der Stufen</translation>
+    </message>
+    <message>
+        <source>a Latin square</source>
+        <translation>ein lateinisches Quadrat</translation>
+    </message>
+    <message>
+        <source>a Williams design</source>
+        <translation>ein Williams-Design</translation>
+    </message>
+    <message>
+        <source>this format</source>
+        <translation>dieses Format</translation>
+    </message>
+    <message>
+        <source>one response per participant and column of the published table</source>
+        <translation>eine Antwort je Versuchsperson und Spalte der veröffentlichten Tabelle</translation>
+    </message>
+    <message>
+        <source>balanced, with practice and repetitions</source>
+        <translation>ausbalanciert, mit Übung und Wiederholungen</translation>
+    </message>
+    <message>
+        <source>the texture&apos;s picture</source>
+        <translation>das Bild der Textur</translation>
+    </message>
+    <message>
+        <source>the coded sample</source>
+        <translation>die mit einem Code versehene Probe</translation>
+    </message>
+    <message>
+        <source>the participant&apos;s own idea of the material</source>
+        <translation>die eigene Vorstellung der Versuchsperson vom Material</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Name for citations.</source>
+        <translation>Name für Zitate.</translation>
+    </message>
+    <message>
+        <source>ORCID iD</source>
+        <translation>ORCID iD</translation>
+    </message>
+    <message>
+        <source>ORCID iD in four groups of four, such as 0000-0002-1825-0097.</source>
+        <translation>ORCID iD in vier Gruppen zu vier Zeichen, zum Beispiel 0000-0002-1825-0097.</translation>
+    </message>
+    <message>
+        <source>Affiliation</source>
+        <translation>Zugehörigkeit</translation>
+    </message>
+    <message>
+        <source>Institution of the author.</source>
+        <translation>Institution der Autorin oder des Autors.</translation>
+    </message>
+    <message>
+        <source>Schema</source>
+        <translation>Schema</translation>
+    </message>
+    <message>
+        <source>URI of this schema, for editors.</source>
+        <translation>URI dieses Schemas, für Editoren.</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>The version of this format.</source>
+        <translation>Die Version dieses Formats.</translation>
+    </message>
+    <message>
+        <source>selection: the most realistic of several renderings is chosen; matching: felt textures are assigned to the same number of pictures; recognition: one felt texture is recognised among pictures; magnitude: the roughness of one felt surface is estimated as a number; rating: one felt surface is rated on one or more scales; paired_comparison: one of two felt surfaces is chosen; discrimination: a standard and a comparison that differs from it in one parameter are felt, and one of the two is chosen; similarity: the dissimilarity of two felt surfaces is rated. A block can have another kind.</source>
+        <translation>selection: die realistischste von mehreren Wiedergaben wird gewählt; matching: gefühlte Texturen werden ebenso vielen Bildern zugeordnet; recognition: eine gefühlte Textur wird unter Bildern wiedererkannt; magnitude: die Rauheit einer gefühlten Oberfläche wird als Zahl geschätzt; rating: eine gefühlte Oberfläche wird auf einer oder mehreren Skalen beurteilt; paired_comparison: eine von zwei gefühlten Oberflächen wird gewählt; discrimination: ein Standardreiz und ein Vergleichsreiz, der sich in einem Parameter unterscheidet, werden gefühlt, und einer der beiden wird gewählt; similarity: die Unähnlichkeit zweier gefühlter Oberflächen wird beurteilt. Ein Block kann eine andere Art haben.</translation>
+    </message>
+    <message>
+        <source>chapter: one response per participant and column of the published table; improved: balanced, with practice and repetitions.</source>
+        <translation>chapter: eine Antwort je Versuchsperson und Spalte der veröffentlichten Tabelle; improved: ausbalanciert, mit Übung und Wiederholungen.</translation>
+    </message>
+    <message>
+        <source>Short name, used in file names and data: lower-case letters, digits and underscores, starting with a letter.</source>
+        <translation>Kurzer Name, in Dateinamen und Daten verwendet: Kleinbuchstaben, Ziffern und Unterstriche, mit einem Buchstaben beginnend.</translation>
+    </message>
+    <message>
+        <source>Version of the protocol as three numbers, such as 1.0.0.</source>
+        <translation>Version des Protokolls als drei Zahlen, zum Beispiel 1.0.0.</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Title shown to users.</source>
+        <translation>Titel für die Anzeige im Programm.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Language of the protocol&apos;s texts, and of the program&apos;s own texts to the participant, as a BCP 47 tag: &quot;en&quot;, &quot;de&quot;. The program has English and German; in any other language its own texts are English.</source>
+        <translation>Sprache der Texte des Protokolls und der programmeigenen Texte für die Versuchsperson, als BCP-47-Kennung: „en“, „de“. Das Programm kann Englisch und Deutsch; in jeder anderen Sprache sind seine eigenen Texte englisch.</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>Question and method of the study.</source>
+        <translation>Frage und Methode der Studie.</translation>
+    </message>
+    <message>
+        <source>Authors</source>
+        <translation>Autorinnen und Autoren</translation>
+    </message>
+    <message>
+        <source>Authors of this protocol.</source>
+        <translation>Autorinnen und Autoren dieses Protokolls.</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>Lizenz</translation>
+    </message>
+    <message>
+        <source>Licence of this protocol, such as CC-BY-4.0.</source>
+        <translation>Lizenz dieses Protokolls, zum Beispiel CC-BY-4.0.</translation>
+    </message>
+    <message>
+        <source>Instructions</source>
+        <translation>Instruktionen</translation>
+    </message>
+    <message>
+        <source>The instructions, for readers of the file; participants read the screens of `flow`.</source>
+        <translation>Die Instruktionen für alle, die die Datei lesen; Versuchspersonen lesen die Texte (screen) von `flow`.</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation>Einwilligung</translation>
+    </message>
+    <message>
+        <source>Standard of realism</source>
+        <translation>Maßstab des Realismus</translation>
+    </message>
+    <message>
+        <source>Selection, paired comparison: the standard with which realism is compared.</source>
+        <translation>Auswahl, Paarvergleich: der Maßstab, mit dem der Realismus verglichen wird.</translation>
+    </message>
+    <message>
+        <source>Estimation</source>
+        <translation>Größenschätzung</translation>
+    </message>
+    <message>
+        <source>Environment</source>
+        <translation>Umgebung</translation>
+    </message>
+    <message>
+        <source>Instability</source>
+        <translation>Instabilität</translation>
+    </message>
+    <message>
+        <source>Haptic device</source>
+        <translation>Haptisches Gerät</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Textures</source>
+        <translation>Texturen</translation>
+    </message>
+    <message>
+        <source>The textures by name.</source>
+        <translation>Die Texturen nach Namen.</translation>
+    </message>
+    <message>
+        <source>Bodies</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Solid bodies by name, for models in which a tool touches a surface.</source>
+        <translation>Feste Körper nach Namen, für Modelle, bei denen ein Werkzeug eine Oberfläche berührt.</translation>
+    </message>
+    <message>
+        <source>Stimuli</source>
+        <translation>Reize</translation>
+    </message>
+    <message>
+        <source>The stimuli by name.</source>
+        <translation>Die Reize nach Namen.</translation>
+    </message>
+    <message>
+        <source>Factors</source>
+        <translation>Faktoren</translation>
+    </message>
+    <message>
+        <source>The factors by name.</source>
+        <translation>Die Faktoren nach Namen.</translation>
+    </message>
+    <message>
+        <source>Explorations</source>
+        <translation>Explorationen</translation>
+    </message>
+    <message>
+        <source>Ways to explore a surface, by name.</source>
+        <translation>Arten, eine Oberfläche zu explorieren, nach Namen.</translation>
+    </message>
+    <message>
+        <source>Questions of the questionnaire and about the participant, by name.</source>
+        <translation>Fragen des Fragebogens und zur Versuchsperson, nach Namen.</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>Blöcke</translation>
+    </message>
+    <message>
+        <source>Blocks of trials, by name.</source>
+        <translation>Blöcke von Durchgängen, nach Namen.</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Ablauf</translation>
+    </message>
+    <message>
+        <source>The session, step by step.</source>
+        <translation>Die Sitzung, Schritt für Schritt.</translation>
+    </message>
+    <message>
+        <source>Resumption</source>
+        <translation>Fortsetzung</translation>
+    </message>
+    <message>
+        <source>Counterbalancing</source>
+        <translation>Ausbalancierung</translation>
+    </message>
+    <message>
+        <source>Order of the levels of for_each across participants.</source>
+        <translation>Reihenfolge der Stufen von for_each über die Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>Virtual observer</source>
+        <translation>Virtuelle Versuchsperson</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>Auswertung</translation>
+    </message>
+    <message>
+        <source>An author of this protocol.</source>
+        <translation>Eine Autorin oder ein Autor dieses Protokolls.</translation>
+    </message>
+    <message>
+        <source>A haptic texture experiment: its stimuli, their order, and its questions.</source>
+        <translation>Ein Experiment mit haptischen Texturen: seine Reize, ihre Reihenfolge und seine Fragen.</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>The value that is stored and exported: the same in all languages of a protocol.</source>
+        <translation>Der Wert, der gespeichert und exportiert wird: in allen Sprachen eines Protokolls derselbe.</translation>
+    </message>
+    <message>
+        <source>The text that is shown for this option.</source>
+        <translation>Der Text, der für diese Antwort gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>one of the options</source>
+        <translation>eine der Antworten</translation>
+    </message>
+    <message>
+        <source>one or more of the options</source>
+        <translation>eine oder mehrere der Antworten</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a point on a scale</source>
+        <translation>ein Punkt auf einer Skala</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>Text of the question.</source>
+        <translation>Text der Frage.</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Form of the response. choice: one of the options; multiple_choice: one or more of the options; number; scale: a point on a scale; text.</source>
+        <translation>Form der Antwort. choice: eine der Antworten; multiple_choice: eine oder mehrere der Antworten; number: eine Zahl; scale: ein Punkt auf einer Skala; text: ein Text.</translation>
+    </message>
+    <message>
+        <source>An option: the text that is shown and stored, or an object if another text is shown, for example in another language.</source>
+        <translation>Eine Antwortmöglichkeit: der Text, der gezeigt und gespeichert wird, oder ein Objekt, wenn ein anderer Text gezeigt wird, zum Beispiel in einer anderen Sprache.</translation>
+    </message>
+    <message>
+        <source>Options</source>
+        <translation>Antwortmöglichkeiten</translation>
+    </message>
+    <message>
+        <source>The options of a choice or a multiple choice.</source>
+        <translation>Die Antwortmöglichkeiten einer einfachen oder einer Mehrfachauswahl.</translation>
+    </message>
+    <message>
+        <source>At least</source>
+        <translation>Mindestens</translation>
+    </message>
+    <message>
+        <source>Smallest number accepted.</source>
+        <translation>Kleinste zulässige Zahl.</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Höchstens</translation>
+    </message>
+    <message>
+        <source>Largest number accepted.</source>
+        <translation>Größte zulässige Zahl.</translation>
+    </message>
+    <message>
+        <source>Unit of the number, shown next to it and exported.</source>
+        <translation>Einheit der Zahl, neben ihr gezeigt und exportiert.</translation>
+    </message>
+    <message>
+        <source>The scale of a question of the form `scale`.</source>
+        <translation>Die Skala einer Frage der Form `scale`.</translation>
+    </message>
+    <message>
+        <source>Only if</source>
+        <translation>Nur wenn</translation>
+    </message>
+    <message>
+        <source>The condition under which the question is asked.</source>
+        <translation>Die Bedingung, unter der die Frage gestellt wird.</translation>
+    </message>
+    <message>
+        <source>Optional</source>
+        <translation>Freiwillig</translation>
+    </message>
+    <message>
+        <source>Whether the question may be left unanswered.</source>
+        <translation>Ob die Frage unbeantwortet bleiben darf.</translation>
+    </message>
+    <message>
+        <source>Left end</source>
+        <translation>Linkes Ende</translation>
+    </message>
+    <message>
+        <source>The value at the left end.</source>
+        <translation>Der Wert am linken Ende.</translation>
+    </message>
+    <message>
+        <source>Right end</source>
+        <translation>Rechtes Ende</translation>
+    </message>
+    <message>
+        <source>The value at the right end.</source>
+        <translation>Der Wert am rechten Ende.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Number of equally spaced points, both ends included; absent: every position of the line is a response.</source>
+        <translation>Anzahl der Punkte in gleichen Abständen, einschließlich beider Enden; ohne Angabe: jede Stelle der Linie ist eine Antwort.</translation>
+    </message>
+    <message>
+        <source>One label.</source>
+        <translation>Eine Beschriftung.</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Beschriftungen</translation>
+    </message>
+    <message>
+        <source>Labels of the two ends, or one for every point; absent: none.</source>
+        <translation>Beschriftungen der beiden Enden oder eine für jeden Punkt; ohne Angabe: keine.</translation>
+    </message>
+    <message>
+        <source>The question, which the flow asks earlier.</source>
+        <translation>Die Frage, die der Ablauf früher stellt.</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>The answer: an option, or a number.</source>
+        <translation>Die Antwort: eine Antwortmöglichkeit oder eine Zahl.</translation>
+    </message>
+    <message>
+        <source>One possible answer: an option, or a number.</source>
+        <translation>Eine mögliche Antwort: eine Antwortmöglichkeit oder eine Zahl.</translation>
+    </message>
+    <message>
+        <source>One of</source>
+        <translation>Eine von</translation>
+    </message>
+    <message>
+        <source>Several possible answers.</source>
+        <translation>Mehrere mögliche Antworten.</translation>
+    </message>
+    <message>
+        <source>Includes</source>
+        <translation>Enthält</translation>
+    </message>
+    <message>
+        <source>An option that is among those chosen in a multiple choice.</source>
+        <translation>Eine Antwortmöglichkeit unter den bei einer Mehrfachauswahl gewählten.</translation>
+    </message>
+    <message>
+        <source>Smallest answer, of a number or a scale.</source>
+        <translation>Kleinste Antwort, bei einer Zahl oder einer Skala.</translation>
+    </message>
+    <message>
+        <source>Largest answer, of a number or a scale.</source>
+        <translation>Größte Antwort, bei einer Zahl oder einer Skala.</translation>
+    </message>
+    <message>
+        <source>A question of the questionnaire, or about the participant.</source>
+        <translation>Eine Frage des Fragebogens oder zur Versuchsperson.</translation>
+    </message>
+    <message>
+        <source>An option whose text differs from its stored value.</source>
+        <translation>Eine Antwortmöglichkeit, deren Text von ihrem gespeicherten Wert abweicht.</translation>
+    </message>
+    <message>
+        <source>A scale on which the response is a point: with labelled points (Likert), with labelled ends (semantic differential), or a line without points (visual analogue scale).</source>
+        <translation>Eine Skala, auf der die Antwort ein Punkt ist: mit beschrifteten Punkten (Likert), mit beschrifteten Enden (semantisches Differenzial) oder eine Linie ohne Punkte (visuelle Analogskala).</translation>
+    </message>
+    <message>
+        <source>The answer to an earlier question of the questionnaire on which a question or a screen depends. Exactly one of is, in, includes, or a range.</source>
+        <translation>Die Antwort auf eine frühere Frage des Fragebogens, von der eine Frage oder ein Text abhängt. Genau eines von is, in, includes oder einem Bereich.</translation>
+    </message>
+    <message>
+        <source>Record every tick</source>
+        <translation>Jeden Takt aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Whether all ticks of all attempts are recorded.</source>
+        <translation>Ob alle Takte aller Versuche aufgezeichnet werden.</translation>
+    </message>
+    <message>
+        <source>the attempt is flagged</source>
+        <translation>der Versuch wird markiert</translation>
+    </message>
+    <message>
+        <source>the attempt is repeated at once</source>
+        <translation>der Versuch wird sofort wiederholt</translation>
+    </message>
+    <message>
+        <source>Greatest vibration</source>
+        <translation>Stärkste Vibration</translation>
+    </message>
+    <message>
+        <source>Greatest vibration of a surface above 150 Hz, relative to its texture force.</source>
+        <translation>Stärkste Vibration einer Oberfläche über 150 Hz, relativ zu ihrer Texturkraft.</translation>
+    </message>
+    <message>
+        <source>Consequence</source>
+        <translation>Folge</translation>
+    </message>
+    <message>
+        <source>An attempt with more vibration is flagged, or repeated at once: twice at most, after which it is flagged.</source>
+        <translation>Ein Versuch mit mehr Vibration wird markiert oder sofort wiederholt: höchstens zweimal, danach wird er markiert.</translation>
+    </message>
+    <message>
+        <source>the height outside is that of the border</source>
+        <translation>außerhalb gilt die Höhe des Rands</translation>
+    </message>
+    <message>
+        <source>repeated</source>
+        <translation>wiederholt</translation>
+    </message>
+    <message>
+        <source>repeated, every other copy mirrored</source>
+        <translation>wiederholt, jede zweite Kopie gespiegelt</translation>
+    </message>
+    <message>
+        <source>a wall</source>
+        <translation>eine Wand</translation>
+    </message>
+    <message>
+        <source>a fading force</source>
+        <translation>eine abnehmende Kraft</translation>
+    </message>
+    <message>
+        <source>A coordinate.</source>
+        <translation>Eine Koordinate.</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Centre of the patch in the device&apos;s frame: x, y, z.</source>
+        <translation>Mitte des Felds im Koordinatensystem des Geräts: x, y, z.</translation>
+    </message>
+    <message>
+        <source>An extent.</source>
+        <translation>Eine Ausdehnung.</translation>
+    </message>
+    <message>
+        <source>Extent</source>
+        <translation>Ausdehnung</translation>
+    </message>
+    <message>
+        <source>Extent of the patch along x and y.</source>
+        <translation>Ausdehnung des Felds entlang x und y.</translation>
+    </message>
+    <message>
+        <source>Beyond the height field</source>
+        <translation>Jenseits des Höhenfelds</translation>
+    </message>
+    <message>
+        <source>Continuation of the height field beyond its border.</source>
+        <translation>Fortsetzung des Höhenfelds jenseits seines Rands.</translation>
+    </message>
+    <message>
+        <source>Border</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>The border of the patch: a wall, or a fading force. A wall acts in contact, from the place where contact began.</source>
+        <translation>Der Rand des Felds: eine Wand oder eine abnehmende Kraft. Eine Wand wirkt im Kontakt, von der Stelle aus, an der er begann.</translation>
+    </message>
+    <message>
+        <source>Width of the border</source>
+        <translation>Breite des Rands</translation>
+    </message>
+    <message>
+        <source>Width of the border over which the force fades.</source>
+        <translation>Breite des Rands, über die die Kraft abnimmt.</translation>
+    </message>
+    <message>
+        <source>Scale of motion</source>
+        <translation>Bewegungsmaßstab</translation>
+    </message>
+    <message>
+        <source>Ratio of motion on the surface to motion of the hand.</source>
+        <translation>Verhältnis der Bewegung auf der Oberfläche zur Bewegung der Hand.</translation>
+    </message>
+    <message>
+        <source>Stiffness normal to the surface.</source>
+        <translation>Steifigkeit senkrecht zur Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Coulomb friction coefficient.</source>
+        <translation>Coulomb-Reibungskoeffizient.</translation>
+    </message>
+    <message>
+        <source>The recorded data.</source>
+        <translation>Die aufgezeichneten Daten.</translation>
+    </message>
+    <message>
+        <source>Consequence of a vibration that the force model does not contain. The vibration of every surface is stored, with or without this key.</source>
+        <translation>Folge einer Vibration, die das Kraftmodell nicht enthält. Die Vibration jeder Oberfläche wird gespeichert, mit und ohne diese Angabe.</translation>
+    </message>
+    <message>
+        <source>The patch of the workspace in which textures are felt.</source>
+        <translation>Das Feld des Arbeitsraums, in dem Texturen gefühlt werden.</translation>
+    </message>
+    <message>
+        <source>Stiffness and friction of every surface, without its texture.</source>
+        <translation>Steifigkeit und Reibung jeder Oberfläche, ohne ihre Textur.</translation>
+    </message>
+    <message>
+        <source>A name: lower-case letters, digits and underscores, starting with a letter.</source>
+        <translation>Ein Name: Kleinbuchstaben, Ziffern und Unterstriche, mit einem Buchstaben beginnend.</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>Effektivwert</translation>
+    </message>
+    <message>
+        <source>Target RMS of the texture force.</source>
+        <translation>Angestrebter Effektivwert der Texturkraft.</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>The model whose texture force is the target.</source>
+        <translation>Das Modell, dessen Texturkraft angestrebt wird.</translation>
+    </message>
+    <message>
+        <source>Lower limit of the band</source>
+        <translation>Untere Bandgrenze</translation>
+    </message>
+    <message>
+        <source>Lower limit of the band in which the RMS is computed.</source>
+        <translation>Untere Grenze des Frequenzbands, in dem der Effektivwert berechnet wird.</translation>
+    </message>
+    <message>
+        <source>Upper limit of the band</source>
+        <translation>Obere Bandgrenze</translation>
+    </message>
+    <message>
+        <source>Upper limit of the band in which the RMS is computed.</source>
+        <translation>Obere Grenze des Frequenzbands, in dem der Effektivwert berechnet wird.</translation>
+    </message>
+    <message>
+        <source>Force model</source>
+        <translation>Kraftmodell</translation>
+    </message>
+    <message>
+        <source>A force model, or the factor whose level it is.</source>
+        <translation>Ein Kraftmodell oder der Faktor, dessen Stufe es ist.</translation>
+    </message>
+    <message>
+        <source>A texture, or the factor whose level it is.</source>
+        <translation>Eine Textur oder der Faktor, dessen Stufe sie ist.</translation>
+    </message>
+    <message>
+        <source>The body that is touched: by the tool of a model that requires bodies, or by the point of any other model, in place of the plane.</source>
+        <translation>Der Körper, der berührt wird: vom Werkzeug eines Modells, das Körper erfordert, oder vom Punkt jedes anderen Modells, anstelle der Ebene.</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>The body in the hand, for a model that requires bodies.</source>
+        <translation>Der Körper in der Hand, für ein Modell, das Körper erfordert.</translation>
+    </message>
+    <message>
+        <source>A value, or the factor whose level it is: {&quot;factor&quot;: &quot;name&quot;}.</source>
+        <translation>Ein Wert oder der Faktor, dessen Stufe er ist: {&quot;factor&quot;: &quot;Name&quot;}.</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Parameters of the force model by name (see `asperity models`); a missing parameter has the value that the height field of the texture suggests, and without a suggestion the model&apos;s default.</source>
+        <translation>Parameter des Kraftmodells nach Namen (siehe `asperity models`); ein fehlender Parameter hat den Wert, den das Höhenfeld der Textur nahelegt, und sonst die Vorgabe des Modells.</translation>
+    </message>
+    <message>
+        <source>Equal force</source>
+        <translation>Gleiche Kraft</translation>
+    </message>
+    <message>
+        <source>A force model with a texture and parameters, each of which can be bound to a factor.</source>
+        <translation>Ein Kraftmodell mit einer Textur und Parametern, die jeweils an einen Faktor gebunden werden können.</translation>
+    </message>
+    <message>
+        <source>Determines the model&apos;s amplitude parameter so that the RMS texture force equals a stated value (rms_N) or that of another model with the same texture (to_model).</source>
+        <translation>Bestimmt den Amplitudenparameter des Modells so, dass der Effektivwert der Texturkraft einem angegebenen Wert (rms_N) oder dem eines anderen Modells mit derselben Textur (to_model) gleicht.</translation>
+    </message>
+    <message>
+        <source>Stiffness and friction of this stimulus, in place of those of the protocol&apos;s material.</source>
+        <translation>Steifigkeit und Reibung dieses Reizes, anstelle derer des Materials des Protokolls.</translation>
+    </message>
+    <message>
+        <source>ln(band RMS / mean normal force).</source>
+        <translation>ln(Effektivwert im Band / mittlere Normalkraft).</translation>
+    </message>
+    <message>
+        <source>Ten numbers: ln(band RMS / mean normal force), longest wavelength first.</source>
+        <translation>Zehn Zahlen: ln(Effektivwert im Band / mittlere Normalkraft), die längste Wellenlänge zuerst.</translation>
+    </message>
+    <message>
+        <source>ln(RMS of the texture force / mean normal force).</source>
+        <translation>ln(Effektivwert der Texturkraft / mittlere Normalkraft).</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Rauheit</translation>
+    </message>
+    <message>
+        <source>ln(RMS of the lateral force in all bands together / mean normal force).</source>
+        <translation>ln(Effektivwert der Seitenkraft in allen Bändern zusammen / mittlere Normalkraft).</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Name of the texture for blinded experimenters, for example the label on a physical sample.</source>
+        <translation>Name der Textur für eine verblindete Versuchsleitung, zum Beispiel die Beschriftung einer physischen Probe.</translation>
+    </message>
+    <message>
+        <source>Height field</source>
+        <translation>Höhenfeld</translation>
+    </message>
+    <message>
+        <source>Height field that is rendered (a PNG with its sidecar); absent: no rendered counterpart.</source>
+        <translation>Höhenfeld, das wiedergegeben wird (ein PNG mit Begleitdatei); ohne Angabe: keine Wiedergabe.</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Picture that is shown.</source>
+        <translation>Bild, das gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>True height field</source>
+        <translation>Wahres Höhenfeld</translation>
+    </message>
+    <message>
+        <source>The true heights of a procedural texture, for virtual participants.</source>
+        <translation>Die wahren Höhen einer prozeduralen Textur, für virtuelle Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>Further files</source>
+        <translation>Weitere Dateien</translation>
+    </message>
+    <message>
+        <source>Further files that force models need: role → file, relative to the study. The models declare the roles (see `asperity models`): `recording` of the model `recorded`, `vibration_models` of `data_driven`.</source>
+        <translation>Weitere Dateien, die Kraftmodelle benötigen: Rolle → Datei, relativ zur Studie. Die Modelle legen die Rollen fest (siehe `asperity models`): `recording` beim Modell `recorded`, `vibration_models` bei `data_driven`.</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Spacing of the texture: the distance between its elements, for the analysis of estimates.</source>
+        <translation>Abstand der Elemente der Textur, für die Auswertung von Schätzungen.</translation>
+    </message>
+    <message>
+        <source>Expected features</source>
+        <translation>Erwartete Merkmale</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Further information for readers of the data, for example an assumed width.</source>
+        <translation>Weitere Angaben für alle, die die Daten lesen, zum Beispiel eine angenommene Breite.</translation>
+    </message>
+    <message>
+        <source>A texture of the experiment: felt (height_field), seen (picture), or both.</source>
+        <translation>Eine Textur des Experiments: gefühlt (height_field), gesehen (picture) oder beides.</translation>
+    </message>
+    <message>
+        <source>Expected force features of the texture, as natural logarithms (see &quot;Definitions of the features&quot; in docs/formats/protocol.md).</source>
+        <translation>Erwartete Kraftmerkmale der Textur, als natürliche Logarithmen (siehe „Definitions of the features“ in docs/formats/protocol.md).</translation>
+    </message>
+    <message>
+        <source>Longest line</source>
+        <translation>Längste Linie</translation>
+    </message>
+    <message>
+        <source>The longest line, as a proportion of the width of the screen.</source>
+        <translation>Die längste Linie, als Anteil der Breite des Bildschirms.</translation>
+    </message>
+    <message>
+        <source>the comparison is the correct response</source>
+        <translation>der Vergleichsreiz ist die richtige Antwort</translation>
+    </message>
+    <message>
+        <source>no response is correct, and the point of subjective equality is estimated</source>
+        <translation>keine Antwort ist richtig, und der Punkt der subjektiven Gleichheit wird geschätzt</translation>
+    </message>
+    <message>
+        <source>the higher value</source>
+        <translation>der höhere Wert</translation>
+    </message>
+    <message>
+        <source>the lower value</source>
+        <translation>der niedrigere Wert</translation>
+    </message>
+    <message>
+        <source>the dissimilarity of the two surfaces</source>
+        <translation>die Unähnlichkeit der beiden Oberflächen</translation>
+    </message>
+    <message>
+        <source>the similarity of the two surfaces</source>
+        <translation>die Ähnlichkeit der beiden Oberflächen</translation>
+    </message>
+    <message>
+        <source>Name of the response in the data.</source>
+        <translation>Name der Antwort in den Daten.</translation>
+    </message>
+    <message>
+        <source>The question as the participant reads it.</source>
+        <translation>Die Frage, wie die Versuchsperson sie liest.</translation>
+    </message>
+    <message>
+        <source>Textures whose pictures are the options; absent: the surfaces felt are the options.</source>
+        <translation>Texturen, deren Bilder die Antwortmöglichkeiten sind; ohne Angabe: die gefühlten Oberflächen.</translation>
+    </message>
+    <message>
+        <source>Draw positions in every trial</source>
+        <translation>Positionen neu auslosen</translation>
+    </message>
+    <message>
+        <source>Whether the positions of the pictures are drawn for every trial; otherwise they are drawn once per session.</source>
+        <translation>Ob die Positionen der Bilder für jeden Durchgang ausgelost werden; sonst einmal je Sitzung.</translation>
+    </message>
+    <message>
+        <source>&quot;I cannot tell&quot;</source>
+        <translation>„Kann es nicht sagen“</translation>
+    </message>
+    <message>
+        <source>Whether &quot;I cannot tell&quot; is one of the options. In a discrimination in which one of two surfaces is chosen, such a response counts as the mean of a guess.</source>
+        <translation>Ob „kann es nicht sagen“ eine der Antwortmöglichkeiten ist. Bei einer Unterscheidung, in der eine von zwei Oberflächen gewählt wird, zählt eine solche Antwort wie das Mittel des Ratens.</translation>
+    </message>
+    <message>
+        <source>Factor of the correct picture</source>
+        <translation>Faktor des richtigen Bildes</translation>
+    </message>
+    <message>
+        <source>Recognition: the factor whose level is the correct picture.</source>
+        <translation>Wiedererkennung: der Faktor, dessen Stufe das richtige Bild ist.</translation>
+    </message>
+    <message>
+        <source>Judgement</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Discrimination: performance: the comparison is the correct response; comparison: no response is correct, and the point of subjective equality is estimated.</source>
+        <translation>Unterscheidung: performance: der Vergleichsreiz ist die richtige Antwort; comparison: keine Antwort ist richtig, und der Punkt der subjektiven Gleichheit wird geschätzt.</translation>
+    </message>
+    <message>
+        <source>Asks for</source>
+        <translation>Gefragter Wert</translation>
+    </message>
+    <message>
+        <source>Discrimination with the judgement comparison: whether the question asks for the surface with the higher (more) or the lower (less) value of the varied parameter.</source>
+        <translation>Unterscheidung mit dem Urteil comparison: ob nach der Oberfläche mit dem höheren (more) oder dem niedrigeren (less) Wert des variierten Parameters gefragt wird.</translation>
+    </message>
+    <message>
+        <source>Confidence of</source>
+        <translation>Sicherheit bei</translation>
+    </message>
+    <message>
+        <source>Of a scale in a block of a discrimination: the earlier question whose response it rates the confidence of.</source>
+        <translation>Bei einer Skala in einem Block einer Unterscheidung: die frühere Frage, für deren Antwort sie die Sicherheit beurteilt.</translation>
+    </message>
+    <message>
+        <source>Rates</source>
+        <translation>Beurteilte Größe</translation>
+    </message>
+    <message>
+        <source>Similarity: whether the scale increases with the dissimilarity or with the similarity of the two surfaces.</source>
+        <translation>Ähnlichkeit: ob die Skala mit der Unähnlichkeit oder mit der Ähnlichkeit der beiden Oberflächen zunimmt.</translation>
+    </message>
+    <message>
+        <source>Tie</source>
+        <translation>Gleichstand</translation>
+    </message>
+    <message>
+        <source>Options in words, in the order in which they are shown; only for kinds of experiment that permit them.</source>
+        <translation>Antwortmöglichkeiten in Worten, in der Reihenfolge, in der sie gezeigt werden; nur bei Arten von Experimenten, die sie zulassen.</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>Text for the experimenter; {code} is replaced by the code of the trial&apos;s texture.</source>
+        <translation>Text für die Versuchsleitung; {code} wird durch den Code der Textur des Durchgangs ersetzt.</translation>
+    </message>
+    <message>
+        <source>Whether pictures stay hidden until every surface has been felt.</source>
+        <translation>Ob Bilder verborgen bleiben, bis jede Oberfläche gefühlt wurde.</translation>
+    </message>
+    <message>
+        <source>Whether the participant may switch between the surfaces before responding.</source>
+        <translation>Ob die Versuchsperson vor der Antwort zwischen den Oberflächen wechseln kann.</translation>
+    </message>
+    <message>
+        <source>One of several questions of a trial.</source>
+        <translation>Eine von mehreren Fragen eines Durchgangs.</translation>
+    </message>
+    <message>
+        <source>The question of every trial; &quot;questions&quot; lists several questions.</source>
+        <translation>Die Frage jedes Durchgangs; „questions“ führt mehrere Fragen auf.</translation>
+    </message>
+    <message>
+        <source>One option, as an object {&quot;value&quot;: &quot;yes&quot;, &quot;text&quot;: &quot;Yes&quot;}.</source>
+        <translation>Eine Antwortmöglichkeit, als Objekt {&quot;value&quot;: &quot;yes&quot;, &quot;text&quot;: &quot;Ja&quot;}.</translation>
+    </message>
+    <message>
+        <source>Paired comparison: an option after those for the surfaces, stored as &quot;tie&quot;; absent: one of the surfaces has to be chosen.</source>
+        <translation>Paarvergleich: eine Antwortmöglichkeit nach denen für die Oberflächen, als „tie“ gespeichert; ohne Angabe: eine der Oberflächen muss gewählt werden.</translation>
+    </message>
+    <message>
+        <source>Magnitude: the response is the length of a line that the participant draws, in place of a number. It is stored as a proportion of the width of the participant&apos;s screen.</source>
+        <translation>Größenschätzung: Die Antwort ist die Länge einer Linie, die die Versuchsperson zeichnet, anstelle einer Zahl. Sie wird als Anteil der Breite ihres Bildschirms gespeichert.</translation>
+    </message>
+    <message>
+        <source>Shortest interval</source>
+        <translation>Kürzestes Intervall</translation>
+    </message>
+    <message>
+        <source>Longest interval</source>
+        <translation>Längstes Intervall</translation>
+    </message>
+    <message>
+        <source>99th percentile of lateness</source>
+        <translation>99. Perzentil der Verspätung</translation>
+    </message>
+    <message>
+        <source>Maximum age of the profile</source>
+        <translation>Höchstalter des Profils</translation>
+    </message>
+    <message>
+        <source>Refuse unsuitable devices</source>
+        <translation>Ungeeignete Geräte ablehnen</translation>
+    </message>
+    <message>
+        <source>Request at reference point</source>
+        <translation>Aufforderung am Bezugspunkt</translation>
+    </message>
+    <message>
+        <source>Lowest value</source>
+        <translation>Niedrigster Wert</translation>
+    </message>
+    <message>
+        <source>Highest value</source>
+        <translation>Höchster Wert</translation>
+    </message>
+    <message>
+        <source>Presentation</source>
+        <translation>Darbietung</translation>
+    </message>
+    <message>
+        <source>Sound level</source>
+        <translation>Schallpegel</translation>
+    </message>
+    <message>
+        <source>Starting level</source>
+        <translation>Startstufe</translation>
+    </message>
+    <message>
+        <source>Target proportion</source>
+        <translation>Zielanteil</translation>
+    </message>
+</context>
+<context>
     <name>LabelNotice</name>
     <message>
         <source>on a simulated clock</source>

@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+"""Prints the texts of the keys of a protocol (labels, meanings, computed defaults) as lines that lupdate reads."""
+import pathlib
+import re
+import sys
+
+FOLDER = pathlib.Path(__file__).resolve().parent.parent / "protocols" / "keys"
+TOKEN = re.compile(r'//[^\n]*|R"\((?P<raw>.*?)\)"|"(?P<text>(?:[^"\\]|\\.)*)"|' r"'(?:[^'\\]|\\.)'|\w+|\S", re.DOTALL)
+BRACKETS = {"(": ")", "{": "}", "[": "]"}
+
+
+def tokens_of(source):
+    """Words and signs; of texts, with adjacent ones joined, the content between quotation marks, as a tuple."""
+    tokens = []
+    for match in TOKEN.finditer(source):
+        if match["raw"] is not None:
+            text = match["raw"].replace("\\", "\\\\").replace('"', '\\"')
+        else:
+            text = match["text"]
+        if text is None:
+            if not match[0].startswith("//"):
+                tokens.append(match[0])
+        elif tokens and isinstance(tokens[-1], tuple):
+            tokens[-1] = (tokens[-1][0] + text,)
+        else:
+            tokens.append((text,))
+    return tokens
+
+
+def name_before(tokens, at):
+    """The function that the bracket at `at` calls, without the arguments of its template."""
+    at -= 1
+    depth = 0
+    while at > 0 and (tokens[at] == ">" or depth > 0):
+        depth += {">": 1, "<": -1}.get(tokens[at], 0)
+        at -= 1
+    return tokens[at] if at >= 0 and isinstance(tokens[at], str) else ""
+
+
+def texts_among(opening, name, arguments):
+    """The texts in the argument positions of labels and meanings."""
+    texts = [argument[0][0] if len(argument) == 1 and isinstance(argument[0], tuple) else None for argument in arguments]
+    if opening == "{":  # a word: {name, value, meaning}
+        return texts[2:] if len(texts) == 3 and texts[1] is None else []
+    if name == "table_of":
+        return texts[:1]
+    if name.endswith("_key") or name == "with_computed_default":
+        return texts[1:]
+    return []
+
+
+def texts_in(source):
+    tokens = tokens_of(source)
+    open_brackets = []  # (bracket, name before it, arguments so far)
+    for at, token in enumerate(tokens):
+        if token in BRACKETS.values():
+            yield from texts_among(*open_brackets.pop())
+        if token == "," and open_brackets:
+            open_brackets[-1][2].append([])
+        elif open_brackets:
+            open_brackets[-1][2][-1].append(token)
+        if token in BRACKETS:
+            open_brackets.append((token, name_before(tokens, at), [[]]))
+        # .meaning = "…", and constants such as kNameMeaning
+        if isinstance(token, tuple) and tokens[at - 1] == "=" and str(tokens[at - 2]).lower().endswith("meaning"):
+            yield token[0]
+
+
+def main():
+    if len(sys.argv) > 1:
+        print("Usage: scripts/key_texts.py\n\nPrints a QT_TRANSLATE_NOOP line for each text, for scripts/translations.")
+        sys.exit(0 if sys.argv[1:] in (["-h"], ["--help"]) else 2)
+    texts = {}
+    for path in sorted(FOLDER.iterdir()):
+        texts |= dict.fromkeys(texts_in(path.read_text(encoding="utf-8")))
+    for text in filter(None, texts):
+        print(f'QT_TRANSLATE_NOOP("Keys", "{text}")')
+
+
+main()

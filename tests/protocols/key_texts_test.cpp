@@ -1,0 +1,98 @@
+// The texts of keys: which there are, and that the German texts of the windows have exactly these.
+
+#include <algorithm>
+#include <cstddef>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "protocols/keys/texts_of_keys.h"
+
+namespace asperity {
+namespace {
+
+using testing::IsEmpty;
+using testing::IsSupersetOf;
+
+TEST(KeyTexts, AreThoseOfEveryPlaceInATable) {
+  EXPECT_THAT(texts_of_keys(),
+              IsSupersetOf<std::string_view>({
+                  "The participants.",                  // an object
+                  "Planned participants",               // a label
+                  "Sessions per participant.",          // a key
+                  "one period",                         // a computed default
+                  "in greyscale",                       // a word
+                  "every participant chooses a scale",  // a word of one of several forms
+                  "after half of the trials",           // a word in a list
+                  "Trials in a row.",                   // an entry by name
+                  "A level: a number or a name.",       // an entry of a list
+                  "Levels of the anchor",               // a key of an entry by name
+              }));
+}
+
+/// As the file of translations writes it.
+std::string with_entities(std::string_view text) {
+  std::string written{};
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        written += "&amp;";
+        break;
+      case '<':
+        written += "&lt;";
+        break;
+      case '>':
+        written += "&gt;";
+        break;
+      case '"':
+        written += "&quot;";
+        break;
+      case '\'':
+        written += "&apos;";
+        break;
+      default:
+        written += c;
+    }
+  }
+  return written;
+}
+
+/// What the translation file has under the context "Keys"; translations_test.py checks that each is translated.
+std::set<std::string> texts_with_a_translation() {
+  std::ifstream stream(ASPERITY_SOURCE_DIR "/app/gui/translations/asperity_de.ts",
+                       std::ios::binary);
+  const std::string file{std::istreambuf_iterator<char>(stream), {}};
+  const std::string opening = "<source>";
+  std::set<std::string> sources{};
+  const std::size_t begin = file.find("<name>Keys</name>");
+  const std::size_t end = file.find("</context>", begin);
+  if (begin == std::string::npos) return sources;
+  for (std::size_t at = file.find(opening, begin); at < end; at = file.find(opening, at)) {
+    at += opening.size();
+    sources.insert(file.substr(at, file.find("</source>", at) - at));
+  }
+  return sources;
+}
+
+/// scripts/key_texts.py reads them from the sources, where it could miss a new way to write a table.
+TEST(KeyTexts, AreThoseThatAreTranslated) {
+  std::set<std::string> texts{};
+  for (const std::string_view text : texts_of_keys()) texts.insert(with_entities(text));
+  const std::set<std::string> translated = texts_with_a_translation();
+  std::vector<std::string> missing{};
+  std::set_difference(texts.begin(), texts.end(), translated.begin(), translated.end(),
+                      std::back_inserter(missing));
+  std::vector<std::string> superfluous{};
+  std::set_difference(translated.begin(), translated.end(), texts.begin(), texts.end(),
+                      std::back_inserter(superfluous));
+  EXPECT_THAT(missing, IsEmpty());
+  EXPECT_THAT(superfluous, IsEmpty());
+}
+
+}  // namespace
+}  // namespace asperity
