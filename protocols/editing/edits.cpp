@@ -3,7 +3,10 @@
 #include "protocols/editing/edits.h"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -122,17 +125,43 @@ TextChanges insert_entry(const JsonDocument& document, const std::string& array,
 }
 
 TextChanges remove_entry(const JsonDocument& document, const std::string& pointer) {
-  const auto [container, index] = entry_at(document, pointer);
-  const std::vector<TextEntry>& entries = container.entries();
-  std::size_t from = container.begin();
-  std::size_t to = entries[index].place.end;
-  if (index > 0) {
-    from = entries[index - 1].place.end;
-  } else if (entries.size() > 1) {
-    from = entries[0].place.key;
-    to = entries[1].place.key;
+  return remove_entries(document, {&pointer, 1});
+}
+
+TextChanges remove_entries(const JsonDocument& document, std::span<const std::string> pointers) {
+  std::map<std::string, std::set<std::size_t>> removed{};  // positions by container
+  for (const std::string& pointer : pointers) {
+    const bool is_inside = std::any_of(
+        pointers.begin(), pointers.end(),
+        [&pointer](const std::string& other) { return pointer.starts_with(other + "/"); });
+    if (is_inside) continue;
+    const auto [container, index] = entry_at(document, pointer);
+    removed[container.pointer()].insert(index);
   }
-  return {{from, to - from, {}}};
+  TextChanges changes{};
+  for (const auto& [pointer, positions] : removed) {
+    const TextContainer container(document, pointer);
+    const std::vector<TextEntry>& entries = container.entries();
+    for (auto first = positions.begin(); first != positions.end();) {
+      std::size_t last = *first;  // of a run of entries
+      auto next = std::next(first);
+      while (next != positions.end() && *next == last + 1) last = *next++;
+      std::size_t from = container.begin();
+      std::size_t to = entries[last].place.end;
+      if (*first > 0) {
+        from = entries[*first - 1].place.end;
+      } else if (last + 1 < entries.size()) {
+        from = entries[0].place.key;
+        to = entries[last + 1].place.key;
+      }
+      changes.push_back({from, to - from, {}});
+      first = next;
+    }
+  }
+  std::sort(changes.begin(), changes.end(), [](const TextChange& one, const TextChange& other) {
+    return one.offset < other.offset;
+  });
+  return changes;
 }
 
 TextChanges move_entry(const JsonDocument& document, const std::string& pointer,

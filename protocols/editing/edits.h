@@ -50,6 +50,8 @@ TextChanges insert_entry(const JsonDocument& document, const std::string& array,
 /// Removes a member or an entry with the comma before it, of the first one with the comma after it, and with its line.
 /// After an insertion this gives the same bytes as before.
 TextChanges remove_entry(const JsonDocument& document, const std::string& pointer);
+/// The same of several entries of any containers; of one in another, the outer one.
+TextChanges remove_entries(const JsonDocument& document, std::span<const std::string> pointers);
 
 /// Moves a member or an entry among its siblings, so that `index` of them precede it. Commas and white space between the
 /// siblings stay.

@@ -20,27 +20,6 @@ namespace {
 
 bool is_of_levels(const std::string& registry) { return registry.starts_with(levels_of("")); }
 
-bool has_name(const ProtocolNames& names, const std::string& registry, std::string_view name) {
-  return std::any_of(names.uses.begin(), names.uses.end(), [&](const NameUse& use) {
-    return use.registry == registry && use.name == name;
-  });
-}
-
-/// The registries in which the name is the same thing.
-std::set<std::string> registries_of(const ProtocolNames& names, const std::string& registry,
-                                    std::string_view name) {
-  std::set<std::string> found{registry};
-  for (std::size_t before = 0; before != found.size();) {
-    before = found.size();
-    for (const auto& [levels, other] : names.links) {
-      // A level is a name of the other registry; the reverse only if the factor has this level.
-      if (found.contains(levels)) found.insert(other);
-      if (found.contains(other) && has_name(names, levels, name)) found.insert(levels);
-    }
-  }
-  return found;
-}
-
 bool is_part_of_name(char c) { return is_name(std::string{'a', c}); }
 
 /// A formula with `after` in place of the name.

@@ -2,6 +2,8 @@
 
 #include "protocols/keys/names_in.h"
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "protocols/design/arithmetic.h"
@@ -126,6 +128,12 @@ class NameWalk final {
   ProtocolNames& names_;
 };
 
+bool has_name(const ProtocolNames& names, const std::string& registry, std::string_view name) {
+  return std::any_of(names.uses.begin(), names.uses.end(), [&](const NameUse& use) {
+    return use.registry == registry && use.name == name;
+  });
+}
+
 }  // namespace
 
 std::string levels_of(std::string_view factor) {
@@ -136,6 +144,30 @@ ProtocolNames names_in(const json& protocol) {
   ProtocolNames names{};
   NameWalk(names).protocol(protocol);
   return names;
+}
+
+std::set<std::string> registries_of(const ProtocolNames& names, const std::string& registry,
+                                    std::string_view name) {
+  std::set<std::string> found{registry};
+  for (std::size_t before = 0; before != found.size();) {
+    before = found.size();
+    for (const auto& [levels, other] : names.links) {
+      // A level is a name of the other registry; the reverse only if the factor has this level.
+      if (found.contains(levels)) found.insert(other);
+      if (found.contains(other) && has_name(names, levels, name)) found.insert(levels);
+    }
+  }
+  return found;
+}
+
+std::vector<NameUse> uses_of(const ProtocolNames& names, const std::string& registry,
+                             std::string_view name) {
+  const std::set<std::string> registries = registries_of(names, registry, name);
+  std::vector<NameUse> uses{};
+  for (const NameUse& use : names.uses) {
+    if (use.name == name && registries.contains(use.registry)) uses.push_back(use);
+  }
+  return uses;
 }
 
 }  // namespace asperity

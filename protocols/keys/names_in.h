@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -35,5 +36,13 @@ std::string levels_of(std::string_view factor);
 /// The names of a protocol, in one walk over its values. The protocol may be invalid: values without the form of their key
 /// contain no names.
 ProtocolNames names_in(const nlohmann::json& protocol);
+
+/// The places that contain the name of one thing: a level that is a texture also as a texture. The reverse holds only for a
+/// factor that has this level.
+std::vector<NameUse> uses_of(const ProtocolNames& names, const std::string& registry,
+                             std::string_view name);
+/// The registries in which the name is the same thing.
+std::set<std::string> registries_of(const ProtocolNames& names, const std::string& registry,
+                                    std::string_view name);
 
 }  // namespace asperity

@@ -1,0 +1,209 @@
+// Implements the edits of a form as edits of the text.
+
+#include "protocols/form/form_edits.h"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "protocols/design/json_pointer.h"
+#include "protocols/editing/edits.h"
+#include "protocols/editing/renaming.h"
+#include "protocols/editing/text_entries.h"
+#include "protocols/form/new_values.h"
+#include "protocols/keys/tables.h"
+
+namespace asperity {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kEdited = "the edited protocol";
+constexpr const char* kNotInForm = "a form cannot add an entry here; add it in the text";
+
+std::string parent_of(const std::string& pointer) {
+  return json::json_pointer(pointer).parent_pointer().to_string();
+}
+std::string key_of(const std::string& pointer) { return json::json_pointer(pointer).back(); }
+
+std::optional<ValueShape> container_shape(const JsonDocument& protocol,
+                                          const std::string& container) {
+  const auto shape = shape_at(kProtocolTable, protocol.root(), container);
+  if (!shape) return {};
+  const ValueShape* const found = shape_of(*shape, value_at(protocol, container));
+  return found == nullptr ? std::nullopt : std::optional(*found);
+}
+
+/// What the keys of a map refer to; at the top of a protocol they declare.
+NameShape names_of_keys(const MapShape& map, const std::string& pointer) {
+  const json::json_pointer path(pointer);
+  if (path.parent_pointer().empty() && !path.empty()) {
+    return {.registry = kProtocolTable.find(path.back())->name, .is_declared = true};
+  }
+  return map.key;
+}
+
+/// The registry in which the value, or the key of the member, declares a name, and that name.
+std::optional<NameUse> declaration_at(const JsonDocument& protocol, const std::string& pointer,
+                                      bool is_key) {
+  const ProtocolNames names = names_in(protocol.root());
+  const auto found = std::find_if(names.uses.begin(), names.uses.end(), [&](const NameUse& use) {
+    return use.pointer == pointer && use.is_key == is_key && use.is_declared;
+  });
+  return found == names.uses.end() ? std::nullopt : std::optional(*found);
+}
+
+std::vector<std::string> keys_of_object(const json& object) {
+  std::vector<std::string> keys{};
+  for (const auto& [key, value] : object.items()) keys.push_back(key);
+  return keys;
+}
+
+/// A key for a copy: the first one that is free, of the name or with a number behind it.
+std::string key_of_copy(const JsonDocument& protocol, const std::string& container,
+                        const NameShape& keys, const std::string& wish) {
+  std::vector<std::string> taken = keys_of_object(value_at(protocol, container));
+  const std::vector<std::string> known = declared_names(names_in(protocol.root()), keys.registry);
+  if (!keys.registry.empty() && !keys.is_declared) {
+    for (const std::string& name : known) {
+      if (std::find(taken.begin(), taken.end(), name) == taken.end()) return name;
+    }
+  }
+  taken.insert(taken.end(), known.begin(), known.end());
+  return free_name(taken, wish);
+}
+
+/// Names that the copy declares next to those of the entry that it was copied from are other ones.
+FormEdit with_own_names(FormEdit copied) {
+  const ProtocolNames names = names_in(JsonDocument(copied.text, kEdited).root());
+  for (const NameUse& use : names.uses) {
+    if (!use.is_declared || use.is_key || parent_of(use.pointer) != copied.pointer) continue;
+    const std::string name = free_name(declared_names(names, use.registry), use.name);
+    const JsonDocument protocol(copied.text, kEdited);
+    copied.text = changed(copied.text, set_value(protocol, use.pointer, json_string(name)));
+  }
+  return copied;
+}
+
+/// The first name that a list of references does not have; nullopt if there is none, or if it is no such list.
+std::optional<std::string> unused_name(const JsonDocument& protocol, const std::string& list,
+                                       const ValueShape& entry) {
+  const auto* const name = std::get_if<NameShape>(&entry);
+  if (name == nullptr || name->is_declared) return {};
+  const json& present = value_at(protocol, list);
+  for (const std::string& known : declared_names(names_in(protocol.root()), name->registry)) {
+    if (std::find(present.begin(), present.end(), json(known)) == present.end()) return known;
+  }
+  return {};
+}
+
+}  // namespace
+
+FormEdit with_value(const JsonDocument& protocol, const std::string& pointer,
+                    std::string_view value) {
+  const json::json_pointer path(pointer);
+  if (protocol.root().contains(path)) {
+    return {changed(protocol.text(), set_value(protocol, pointer, value)), pointer};
+  }
+  // The outermost object that is absent is written with the objects in it.
+  json::json_pointer container = path.parent_pointer();
+  std::string key = path.back();
+  std::string written(value);
+  while (!protocol.root().contains(container)) {
+    written = "{" + json_string(key) + ": " + written + "}";
+    key = container.back();
+    container = container.parent_pointer();
+  }
+  return {changed(protocol.text(), insert_member(protocol, container.to_string(), key, written)),
+          pointer};
+}
+
+FormEdit without(const JsonDocument& protocol, std::span<const std::string> pointers) {
+  return {changed(protocol.text(), remove_entries(protocol, pointers)),
+          pointers.empty() ? std::string() : parent_of(pointers.front())};
+}
+
+FormEdit with_entry(const JsonDocument& protocol, const std::string& container,
+                    std::string_view key) {
+  const TextContainer entries(protocol, container);
+  std::vector<std::string> keys{};  // of the members; empty ones of the entries of a list
+  for (const TextEntry& entry : entries.entries()) {
+    if (!is_comment(entry.key)) keys.push_back(entry.key);
+  }
+  const auto shape = container_shape(protocol, container);
+  const ProtocolNames names = names_in(protocol.root());
+  if (!entries.is_object()) {
+    const auto* const list = shape ? std::get_if<ListShape>(&*shape) : nullptr;
+    if (list == nullptr) refuse(protocol, container, kNotInForm);
+    const std::size_t count = keys.size();
+    nlohmann::ordered_json value{};
+    const auto* const object = std::get_if<ObjectShape>(list->entry);
+    const ProtocolKey* const kind =
+        object == nullptr || key.empty() ? nullptr : object->table->find(key);
+    if (kind != nullptr) {
+      value[std::string(key)] = new_value(kind->shape, names);
+    } else if (const auto name = unused_name(protocol, container, *list->entry)) {
+      value = *name;
+    } else if (count > 0) {
+      return with_copy(protocol, pointer_to(container, count - 1));
+    } else {
+      value = new_value(*list->entry, names);
+    }
+    return {changed(protocol.text(), insert_entry(protocol, container, count, value.dump())),
+            pointer_to(container, count)};
+  }
+  const auto* const map = shape ? std::get_if<MapShape>(&*shape) : nullptr;
+  if (map == nullptr) refuse(protocol, container, kNotInForm);
+  if (key.empty() && !keys.empty()) {
+    return with_copy(protocol, pointer_to(container, keys.back()));
+  }
+  const std::string name =
+      key.empty() ? key_of_copy(protocol, container, names_of_keys(*map, container), "new")
+                  : std::string(key);
+  return {changed(protocol.text(),
+                  insert_member(protocol, container, name, new_value(*map->entry, names).dump())),
+          pointer_to(container, name)};
+}
+
+FormEdit with_copy(const JsonDocument& protocol, const std::string& pointer) {
+  const std::string container = parent_of(pointer);
+  const auto [entries, index] = entry_at(protocol, pointer);
+  if (!entries.is_object()) {
+    return with_own_names({changed(protocol.text(), duplicate_entry(protocol, pointer)),
+                           pointer_to(container, index + 1)});
+  }
+  const auto shape = container_shape(protocol, container);
+  const auto* const map = shape ? std::get_if<MapShape>(&*shape) : nullptr;
+  const NameShape keys = map == nullptr ? NameShape{} : names_of_keys(*map, container);
+  const std::string name = key_of_copy(protocol, container, keys, key_of(pointer));
+  return {changed(protocol.text(), duplicate_entry(protocol, pointer, name)),
+          pointer_to(container, name)};
+}
+
+FormEdit with_moved(const JsonDocument& protocol, const std::string& pointer, std::size_t index) {
+  const std::string container = parent_of(pointer);
+  const bool is_object = TextContainer(protocol, container).is_object();
+  return {changed(protocol.text(), move_entry(protocol, pointer, index)),
+          is_object ? pointer : pointer_to(container, index)};
+}
+
+FormEdit with_name(const JsonDocument& protocol, const std::string& pointer, Named named,
+                   std::string_view after) {
+  const bool is_key = named == Named::by_key;
+  const std::string renamed = is_key ? pointer_to(parent_of(pointer), after) : pointer;
+  if (const auto declared = declaration_at(protocol, pointer, is_key)) {
+    return {changed(protocol.text(), rename(protocol, declared->registry, declared->name, after)),
+            renamed};
+  }
+  if (!is_key) return with_value(protocol, pointer, json_string(after));
+  // The key alone: a copy behind the member, without the member.
+  if (key_of(pointer) == after) return {std::string(protocol.text()), pointer};
+  const std::string copied = changed(protocol.text(), duplicate_entry(protocol, pointer, after));
+  return {changed(copied, remove_entry(JsonDocument(copied, kEdited), pointer)), renamed};
+}
+
+}  // namespace asperity

@@ -1,0 +1,172 @@
+// Implements the entries of an object and the names of places, by the tables of keys.
+
+#include "protocols/form/form_entries.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <variant>
+
+#include <nlohmann/json.hpp>
+
+#include "analysis/numbers/number_text.h"
+#include "protocols/design/json_pointer.h"
+#include "protocols/keys/common_shapes.h"
+#include "protocols/keys/tables.h"
+
+namespace asperity {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kPartsOfSummary = 3;
+constexpr std::size_t kLongestSummary = 120;
+constexpr std::array<std::string_view, 2> kNamesOfEntries{"name", "value"};
+
+/// A unit in which names of keys end, and how it is displayed.
+struct UnitOfName {
+  std::string_view ending{};
+  std::string_view unit{};
+  DisplayUnit display{};
+};
+constexpr std::array<UnitOfName, 4> kUnitsOfNames{
+    {{"_m_per_s", "m/s", {.unit = "mm/s", .power = -3}},
+     {"_m", "m", kMillimetres},
+     {"_N", "N"},
+     {"_s", "s"}}};
+
+bool is_deciding(const KeyTable& table, std::string_view key) {
+  return std::find(table.deciding.begin(), table.deciding.end(), key) != table.deciding.end();
+}
+
+std::string joined_text(std::string text, const std::string& more) {
+  return text.empty() ? more : std::move(text) + " · " + more;
+}
+
+}  // namespace
+
+std::vector<FormEntry> entries_of(const KeyTable& table, const json& object,
+                                  const std::string& pointer) {
+  const bool is_decided =
+      std::any_of(table.deciding.begin(), table.deciding.end(),
+                  [&object](std::string_view key) { return object.contains(key); });
+  std::vector<FormEntry> entries{};
+  for (const ProtocolKey& key : table.keys) {
+    const bool is_present = object.contains(key.name);
+    const bool is_excluded = (is_decided && is_deciding(table, key.name)) ||
+                             (!key.needs.empty() && !object.contains(key.needs));
+    if (!is_present && is_excluded) continue;
+    entries.push_back({pointer_to(pointer, key.name), &key, is_present});
+  }
+  return entries;
+}
+
+std::vector<std::string> unknown_keys(const KeyTable& table, const json& object) {
+  std::vector<std::string> keys{};
+  if (table.is_open) return keys;
+  for (const auto& [key, value] : object.items()) {
+    if (!is_comment(key) && table.find(key) == nullptr) keys.push_back(key);
+  }
+  return keys;
+}
+
+NumberShape displayed_shape(const NumberShape& shape, const std::string& pointer) {
+  if (!shape.unit.empty() || !shape.display.unit.empty()) return shape;
+  json::json_pointer path(pointer);
+  constexpr int kNamesToRead = 2;  // of the number and of the object around it
+  for (int i = 0; i < kNamesToRead && !path.empty(); ++i, path.pop_back()) {
+    for (const UnitOfName& known : kUnitsOfNames) {
+      if (!path.back().ends_with(known.ending)) continue;
+      NumberShape shown = shape;
+      shown.unit = known.unit;
+      shown.display = known.display;
+      return shown;
+    }
+  }
+  return shape;
+}
+
+std::optional<std::string> name_of_entry(const json& entry) {
+  if (!entry.is_object()) return {};
+  for (const std::string_view key : kNamesOfEntries) {
+    const auto found = entry.find(key);
+    if (found != entry.end() && found->is_string()) return found->get<std::string>();
+  }
+  return {};
+}
+
+std::vector<PathPart> path_of(const json& protocol, const std::string& pointer) {
+  std::vector<PathPart> parts{};
+  ValueShape shape = ObjectShape{&kProtocolTable};
+  const json* value = &protocol;
+  json::json_pointer rest(pointer);
+  std::vector<std::string> keys{};
+  for (; !rest.empty(); rest.pop_back()) keys.push_back(rest.back());
+  std::reverse(keys.begin(), keys.end());
+  for (const std::string& key : keys) {
+    const ValueShape* const found = value == nullptr ? nullptr : shape_of(shape, *value);
+    const json* next = nullptr;
+    if (value != nullptr && value->is_object() && value->contains(key)) next = &value->at(key);
+    if (value != nullptr && value->is_array()) {
+      const std::size_t index = std::stoul(key);
+      if (index < value->size()) next = &(*value)[index];
+      const auto name = next == nullptr ? std::nullopt : name_of_entry(*next);
+      parts.push_back({name.value_or(std::to_string(index + 1)), false});
+    } else {
+      parts.push_back({key, false});
+    }
+    value = next;
+    if (found == nullptr) {
+      value = nullptr;  // no shape is known from here on
+    } else if (const auto* const object = std::get_if<ObjectShape>(found)) {
+      const ProtocolKey* const declared = object->table->find(key);
+      if (declared == nullptr) {
+        value = nullptr;
+      } else {
+        parts.back() = {std::string(declared->label), true};
+        shape = declared->shape;
+      }
+    } else if (const auto* const map = std::get_if<MapShape>(found)) {
+      shape = *map->entry;
+    } else if (const auto* const list = std::get_if<ListShape>(found)) {
+      shape = *list->entry;
+    }
+  }
+  return parts;
+}
+
+std::string summary_of(const ValueShape& shape, const json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number()) return value.dump();
+  const ValueShape* const found = shape_of(shape, value);
+  if (found == nullptr) return {};
+  std::string summary{};
+  std::size_t parts = 0;
+  const auto add = [&](const ValueShape& of_part, const json& part) {
+    if (parts == kPartsOfSummary) return;
+    const std::string text = summary_of(of_part, part);
+    if (text.empty()) return;
+    summary = joined_text(std::move(summary), text);
+    ++parts;
+  };
+  if (const auto* const object = std::get_if<ObjectShape>(found)) {
+    for (const ProtocolKey& key : object->table->keys) {
+      const bool is_name = std::find(kNamesOfEntries.begin(), kNamesOfEntries.end(), key.name) !=
+                           kNamesOfEntries.end();
+      if (value.contains(key.name) && !is_name) add(key.shape, value.at(key.name));
+    }
+  } else if (const auto* const list = std::get_if<ListShape>(found)) {
+    for (const json& entry : value) add(*list->entry, entry);
+  } else if (const auto* const map = std::get_if<MapShape>(found)) {
+    for (const auto& [key, entry] : value.items()) {
+      if (!is_comment(key)) add(*map->entry, entry);
+    }
+  }
+  if (summary.size() <= kLongestSummary) return summary;
+  std::size_t end = kLongestSummary;  // not within a character
+  while ((static_cast<unsigned char>(summary[end]) & 0xC0U) == 0x80U) --end;
+  return summary.substr(0, end) + "…";
+}
+
+}  // namespace asperity

@@ -1,0 +1,51 @@
+// Declares the fields of a form: which values an object of a protocol has or can have, and how they are named.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "protocols/keys/key.h"
+
+namespace asperity {
+
+/// A key of an object, with or without a value.
+struct FormEntry {
+  std::string pointer{};             ///< of the value, or of the one that the key would have
+  const ProtocolKey* key = nullptr;  ///< never null
+  bool is_present = false;
+};
+
+/// The entries of an object, in the order of its table. Of a table whose objects have one of several keys, those that the
+/// present one excludes are left out, and everywhere the keys that need an absent one.
+std::vector<FormEntry> entries_of(const KeyTable& table, const nlohmann::json& object,
+                                  const std::string& pointer);
+
+/// The keys of an object that its table does not have, except for comments.
+std::vector<std::string> unknown_keys(const KeyTable& table, const nlohmann::json& object);
+
+/// The shape of a number as it is displayed at this place: without a unit of its own, the one in which the name of the
+/// key or of the object around it ends ("speed_m_per_s", of all three numbers of the band).
+NumberShape displayed_shape(const NumberShape& shape, const std::string& pointer);
+
+/// A part of the path to a value: a label of a key, in English, or a name of the author.
+struct PathPart {
+  std::string text{};
+  bool is_label = false;
+};
+/// The path to a value as a form writes it: "Blocks", "main", "Questions", "rough", "Question". Entries of lists have
+/// their name or value, or else their position from 1.
+std::vector<PathPart> path_of(const nlohmann::json& protocol, const std::string& pointer);
+
+/// The name of an entry of a list: of its key "name" or "value", if it has one.
+std::optional<std::string> name_of_entry(const nlohmann::json& entry);
+
+/// What a value of the shape contains, in a line: the first texts and numbers of an object in the order of its table, without
+/// its name.
+std::string summary_of(const ValueShape& shape, const nlohmann::json& value);
+
+}  // namespace asperity

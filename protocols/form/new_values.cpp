@@ -1,0 +1,117 @@
+// Implements the simplest values of shapes.
+
+#include "protocols/form/new_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "protocols/keys/key.h"
+
+namespace asperity {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json number_of(const NumberShape& shape) {
+  constexpr double kInside = 0.5;  // of a range without its ends
+  double number = 0.0;
+  if (!lies_within(shape, number)) {
+    if (shape.minimum) {
+      number = *shape.minimum;
+    } else if (shape.above) {
+      const double step = shape.below ? kInside * (*shape.below - *shape.above)
+                                      : std::min(1.0, shape.maximum.value_or(1.0) - *shape.above);
+      number = *shape.above + step;
+    } else {
+      number = shape.maximum.value_or(0.0);
+    }
+  }
+  if (shape.is_whole) return static_cast<std::int64_t>(std::ceil(number));
+  return number;
+}
+
+struct NewValue {
+  const ProtocolNames& names;
+
+  ordered_json operator()(const NumberShape& shape) const { return number_of(shape); }
+  ordered_json operator()(const TruthShape&) const { return true; }
+  ordered_json operator()(const WordShape& shape) const { return shape.words.front().name; }
+  ordered_json operator()(const TextShape& shape) const {
+    if (!shape.name.registry.empty()) return named(shape.name);
+    if (!shape.pattern.empty()) return "new";
+    return "";  // refused by the check where a text is required
+  }
+  ordered_json operator()(const NameShape& shape) const { return named(shape); }
+  ordered_json operator()(const ListShape& shape) const {
+    ordered_json list = ordered_json::array();
+    for (std::size_t i = 0; i < std::max<std::size_t>(shape.shortest, 1); ++i) {
+      list.push_back(std::visit(*this, *shape.entry));
+    }
+    return list;
+  }
+  ordered_json operator()(const MapShape& shape) const {
+    ordered_json map = ordered_json::object();
+    if (shape.shortest > 0) {
+      map[named(shape.key).get<std::string>()] = std::visit(*this, *shape.entry);
+    }
+    return map;
+  }
+  ordered_json operator()(const ObjectShape& shape) const {
+    const KeyTable& table = *shape.table;
+    ordered_json object = ordered_json::object();
+    for (const ProtocolKey& key : table.keys) {
+      const bool decides = !table.deciding.empty() && key.name == table.deciding.front();
+      if (key.is_required || decides) object[std::string(key.name)] = std::visit(*this, key.shape);
+    }
+    if (object.empty() && !table.may_be_empty) {
+      object[std::string(table.keys.front().name)] = std::visit(*this, table.keys.front().shape);
+    }
+    return object;
+  }
+  ordered_json operator()(const BoundShape& shape) const { return std::visit(*this, *shape.value); }
+  ordered_json operator()(const FormsShape& shape) const {
+    return std::visit(*this, shape.forms.front());
+  }
+
+  /// The first name of the registry; of a declaration, a name that is free.
+  ordered_json named(const NameShape& shape) const {
+    const std::vector<std::string> known = declared_names(names, shape.registry);
+    if (!shape.is_declared && !known.empty()) return known.front();
+    return free_name(known, "new");
+  }
+};
+
+}  // namespace
+
+std::string free_name(const std::vector<std::string>& names, std::string_view wish) {
+  const auto is_taken = [&names](const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  std::string name(wish);
+  for (int number = 2; is_taken(name); ++number) {
+    name = std::string(wish) + "_" + std::to_string(number);
+  }
+  return name;
+}
+
+std::vector<std::string> declared_names(const ProtocolNames& names, std::string_view registry) {
+  std::vector<std::string> declared{};
+  for (const NameUse& use : names.uses) {
+    if (!use.is_declared || use.registry != registry) continue;
+    if (std::find(declared.begin(), declared.end(), use.name) == declared.end()) {
+      declared.push_back(use.name);
+    }
+  }
+  return declared;
+}
+
+ordered_json new_value(const ValueShape& shape, const ProtocolNames& names) {
+  return std::visit(NewValue{names}, shape);
+}
+
+}  // namespace asperity

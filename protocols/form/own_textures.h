@@ -1,0 +1,28 @@
+// Declares the replacement of the textures of a template by those of a study.
+
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "protocols/file/json_document.h"
+
+namespace asperity {
+
+/// A relief of a study.
+struct OwnTexture {
+  std::string name{};          ///< in the protocol, [a-z][a-z0-9_]*
+  std::string height_field{};  ///< relative to the study
+  std::string picture{};       ///< empty: none
+};
+
+/// The protocol's text with these textures in place of its own, in their order and with all references: levels of factors, listed
+/// trials, pictures. Of a protocol with more textures, the others are removed with what refers to them; of one with fewer, the
+/// last one is copied with the entries of lists that name it. Files that belong to the template's textures (their true
+/// relief, recordings, measured features) are left out.
+///
+/// The result can have problems, such as a list that is too short: the check states them. Errors: ProtocolError if a name cannot be
+/// one, or if a texture has the name of a level that is none.
+std::string with_textures(const JsonDocument& protocol, std::span<const OwnTexture> textures);
+
+}  // namespace asperity

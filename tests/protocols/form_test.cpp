@@ -1,0 +1,228 @@
+// The form of a protocol: its pages, its fields, and the texts after its edits.
+
+#include <array>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "protocols/form/form_edits.h"
+#include "protocols/form/form_entries.h"
+#include "protocols/form/form_pages.h"
+#include "protocols/form/new_values.h"
+#include "protocols/keys/tables.h"
+#include "tests/protocols/form_values.h"
+#include "tests/protocols/protocol_files.h"
+#include "tests/support/refusal.h"
+#include "tests/support/replaced.h"
+
+namespace asperity {
+namespace {
+
+using nlohmann::json;
+
+/// On how many pages each key is.
+std::map<std::string, int> pages_of_keys(std::string_view of) {
+  std::map<std::string, int> counts{};
+  for (const FormPage& page : form_pages()) {
+    for (const PagePart& part : page.parts) {
+      if (of.empty()) {
+        if (!part.of_entries.empty() && !part.are_left_out) continue;  // an excerpt of the objects
+        ++counts[std::string(part.key)];
+      } else if (part.key == of) {
+        for (const ProtocolKey& key : kBlockTable.keys) {
+          counts[std::string(key.name)] += has_key(part, key.name) ? 1 : 0;
+        }
+      }
+    }
+  }
+  return counts;
+}
+
+TEST(FormPages, HaveEveryKeyOfAProtocolOnce) {
+  std::map<std::string, int> counts = pages_of_keys({});
+  for (const std::string_view key : keys_of_files()) ++counts[std::string(key)];
+  for (const ProtocolKey& key : kProtocolTable.keys) {
+    EXPECT_EQ(counts[std::string(key.name)], 1) << key.name;
+  }
+  EXPECT_EQ(counts.size(), kProtocolTable.keys.size());
+}
+
+TEST(FormPages, HaveEveryKeyOfABlockOnce) {
+  const std::map<std::string, int> counts = pages_of_keys("blocks");
+  for (const auto& [key, count] : counts) EXPECT_EQ(count, 1) << key;
+  EXPECT_EQ(counts.size(), kBlockTable.keys.size());
+}
+
+TEST(FormPages, AreFoundByThePlaceOfAValue) {
+  EXPECT_EQ(form_page_of("/title").id, "question");
+  EXPECT_EQ(form_page_of("/textures/brick/code").id, "surfaces");
+  EXPECT_EQ(form_page_of("/blocks/main/question/prompt").id, "task");
+  EXPECT_EQ(form_page_of("/blocks/main/order").id, "order");
+  EXPECT_EQ(form_page_of("/blocks/main").id, "task");
+  EXPECT_EQ(form_page_of("").id, "question");
+  EXPECT_EQ(form_page_of("/nothing").id, "question");
+}
+
+TEST(FormEntries, LeaveOutWhatAnotherKeyExcludes) {
+  const auto names = [](const json& object) {
+    std::string all{};
+    for (const FormEntry& entry : entries_of(kStepTable, object, "/flow/0")) {
+      all += std::string(entry.key->name) + (entry.is_present ? "+ " : "- ");
+    }
+    return all;
+  };
+  EXPECT_EQ(names({{"screen", "Welcome"}}), "screen+ if- ");
+  EXPECT_EQ(names({{"run", "main"}, {"for_each", "x"}}),
+            "run+ for_each+ break_every_trials- break_every_contact_minutes- pause- ");
+  EXPECT_EQ(names(json::object()), "screen- check- break- run- ask- ");
+}
+
+TEST(FormEntries, HaveTheUnitInWhichTheNameOfAKeyEnds) {
+  const NumberShape length = displayed_shape({}, "/explorations/stroking/stroke_length_m/target");
+  EXPECT_EQ(length.display.unit, "mm");
+  EXPECT_EQ(displayed_number(length, "0.06"), "60");
+  EXPECT_EQ(number_in_file(length, "2.3"), "0.0023");
+  EXPECT_EQ(displayed_shape({}, "/explorations/stroking/speed_m_per_s/target").display.unit,
+            "mm/s");
+  EXPECT_EQ(displayed_shape({}, "/explorations/stroking/normal_force_N/target").unit, "N");
+  EXPECT_EQ(displayed_shape({}, "/explorations/stroking/strokes/target").unit, "");
+}
+
+TEST(FormEntries, AreNamedByLabelsAndNames) {
+  const json protocol = test::library_file("semantic_differential");
+  const auto path = [&](const std::string& pointer) {
+    std::string text{};
+    for (const PathPart& part : path_of(protocol, pointer)) {
+      text += (text.empty() ? "" : " › ") + part.text;
+    }
+    return text;
+  };
+  EXPECT_EQ(path("/blocks/ratings/questions/0/prompt"),
+            "Blocks › ratings › Questions › rough › Question");
+  EXPECT_EQ(path("/flow/0/screen"), "Flow › 1 › Text");
+  EXPECT_EQ(path("/nothing/x"), "nothing › x");
+}
+
+TEST(FormEntries, AreSummarisedInTheOrderOfTheirTable) {
+  const json scale = json::parse(
+      R"({"name": "rough", "prompt": "How rough?", "scale": {"minimum": 1, "maximum": 7}})");
+  EXPECT_EQ(summary_of(ObjectShape{&kListedQuestionTable}, scale), "How rough? · 1 · 7");
+  const std::string summary =
+      summary_of(ObjectShape{&kListedQuestionTable}, {{"prompt", std::string(300, 'x') + "ä"}});
+  EXPECT_EQ(summary, std::string(120, 'x') + "…");
+}
+
+TEST(FormEdits, WriteTheObjectsAroundANewValue) {
+  const std::string text = "{\n  \"title\": \"T\"\n}";
+  const FormEdit edit = with_value(JsonDocument(text, ""), "/device/limits/latency_s", "0.01");
+  EXPECT_EQ(json::parse(edit.text),
+            json::parse(R"({"title": "T", "device": {"limits": {"latency_s": 0.01}}})"));
+}
+
+TEST(FormEdits, AddAnEntryLikeTheOneBefore) {
+  const std::string text = test::library_text("semantic_differential");
+  const JsonDocument protocol(text, "");
+  const FormEdit scale = with_entry(protocol, "/blocks/ratings/questions");
+  EXPECT_EQ(scale.pointer, "/blocks/ratings/questions/8");
+  json expected = protocol.root().at("/blocks/ratings/questions/7"_json_pointer);
+  expected["name"] = "wet_2";
+  EXPECT_EQ(json::parse(scale.text).at(json::json_pointer(scale.pointer)), expected);
+  const FormEdit texture = with_entry(protocol, "/textures");
+  EXPECT_EQ(texture.pointer, "/textures/cones_35_2");
+  const FormEdit step = with_entry(protocol, "/flow", "break");
+  EXPECT_EQ(json::parse(step.text).at(json::json_pointer(step.pointer)),
+            json::parse(R"({"break": {"minimum_s": 0.0}})"));
+}
+
+TEST(FormEdits, RenameWithAllReferences) {
+  const std::string text = test::library_text("semantic_differential");
+  const std::string renamed =
+      with_name(JsonDocument(text, ""), "/textures/cones_05", Named::by_key, "fine_cones").text;
+  EXPECT_EQ(renamed.find("\"cones_05\""), std::string::npos);
+  EXPECT_EQ(
+      with_name(JsonDocument(renamed, ""), "/textures/fine_cones", Named::by_key, "cones_05").text,
+      text);
+  EXPECT_NE(refusal_of([&] {
+              with_name(JsonDocument(text, ""), "/textures/cones_05", Named::by_key, "metal");
+            }).find("choose another name"),
+            std::string::npos);
+}
+
+TEST(FormEdits, AddASurfaceWithAnItemOfItsOwn) {
+  const std::string text =
+      R"({"stimuli": {"s": {}}, "blocks": {"a": {"presented": [{"stimulus": "s", "item": "one"}]}}})";
+  const FormEdit surface = with_entry(JsonDocument(text, ""), "/blocks/a/presented");
+  EXPECT_EQ(json::parse(surface.text)["blocks"]["a"]["presented"][1],
+            json::parse(R"({"stimulus": "s", "item": "one_2"})"));
+}
+
+TEST(FormEdits, AddAValueForAKeyThatWasChosen) {
+  const std::string text =
+      R"({"factors": {"f": {"levels": [1]}, "g": {"levels": [2]}}, "blocks": {"a": {"maximum_in_a_row": {"f": 3}}}})";
+  const FormEdit edit = with_entry(JsonDocument(text, ""), "/blocks/a/maximum_in_a_row", "g");
+  EXPECT_EQ(json::parse(edit.text)["blocks"]["a"]["maximum_in_a_row"],
+            json::parse(R"({"f": 3, "g": 1})"));
+  // Without one, the copy is under the first free name that the keys can have.
+  EXPECT_EQ(with_entry(JsonDocument(text, ""), "/blocks/a/maximum_in_a_row").text,
+            replaced(edit.text, "\"g\": 1", "\"g\": 3"));
+}
+
+TEST(FormEdits, TakeNoCommentForAnEntry) {
+  const std::string text =
+      R"({"textures": {"brick": {"code": "T1"}, "$comment": "mine", "x-note": 1}})";
+  const FormEdit edit = with_entry(JsonDocument(text, ""), "/textures");
+  EXPECT_EQ(edit.pointer, "/textures/brick_2");
+  EXPECT_EQ(json::parse(edit.text)["textures"]["brick_2"], json::parse(R"({"code": "T1"})"));
+}
+
+TEST(FormEdits, StateANameThatIsAbsent) {
+  const std::string text = R"({"blocks": {"a": {"vary": {"parameter": "amplitude_m"}}}})";
+  const FormEdit edit =
+      with_name(JsonDocument(text, ""), "/blocks/a/vary/factor", Named::by_value, "amplitude");
+  EXPECT_EQ(edit.text,
+            R"({"blocks": {"a": {"vary": {"parameter": "amplitude_m", "factor": "amplitude"}}}})");
+}
+
+TEST(FormEdits, AddTheFirstReferenceThatIsMissing) {
+  const std::string text = R"({"questions": {"age": {}, "sex": {}}, "flow": [{"ask": ["sex"]}]})";
+  EXPECT_EQ(json::parse(with_entry(JsonDocument(text, ""), "/flow/0/ask").text)["flow"][0]["ask"],
+            json::parse(R"(["sex", "age"])"));
+}
+
+TEST(FormEdits, RemoveSeveralEntriesAtOnce) {
+  const std::string text = R"({"flow": [{"a": 1}, {"b": 2}, {"c": 3}], "x": 1})";
+  const std::array<std::string, 3> pointers{"/flow/0", "/x", "/flow/2"};
+  EXPECT_EQ(without(JsonDocument(text, ""), pointers).text, R"({"flow": [{"b": 2}]})");
+  const std::array<std::string, 3> nested{"/flow/1", "/flow/1/b", "/flow/2"};
+  EXPECT_EQ(without(JsonDocument(text, ""), nested).text, R"({"flow": [{"a": 1}], "x": 1})");
+  const std::array<std::string, 3> all{"/flow/0", "/flow/1", "/flow/2"};
+  EXPECT_EQ(without(JsonDocument(text, ""), all).text, R"({"flow": [], "x": 1})");
+}
+
+// What a form writes for a new key has the form of the key.
+TEST(NewValues, HaveTheFormOfTheirShape) {
+  const json protocol = test::library_file("semantic_differential");
+  const ProtocolNames names = names_in(protocol);
+  for (const test::ShownValue& shown : test::values_of_form(protocol)) {
+    const auto* const typed = std::get_if<TextShape>(&shown.shape);
+    if (shown.is_present || (typed != nullptr && !typed->pattern.empty())) continue;
+    const json value = json::parse(new_value(shown.shape, names).dump());
+    const ValidPart part = valid_part(value, shown.shape, "", shown.pointer);
+    for (const FormProblem& problem : part.problems) {
+      if (problem.message.find("empty") != std::string::npos)
+        continue;  // a text that the author has to write
+      ADD_FAILURE() << shown.pointer << ": " << problem.message << " " << value.dump();
+    }
+  }
+}
+
+TEST(NewValues, AreNamedWithoutClashes) {
+  EXPECT_EQ(free_name({}, "brick"), "brick");
+  EXPECT_EQ(free_name({"brick", "brick_2"}, "brick"), "brick_3");
+}
+
+}  // namespace
+}  // namespace asperity
