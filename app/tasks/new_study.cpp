@@ -1,4 +1,4 @@
-// Generates the textures, reliefs and protocols of the demonstration, so that an unfinished study is known.
+// Makes studies so that an unfinished one is known, and fills the demo study.
 
 #include "app/tasks/new_study.h"
 
@@ -10,153 +10,18 @@
 #include <system_error>
 #include <vector>
 
-#include "app/study_files/height_field_files.h"
 #include "app/study_files/program.h"
+#include "app/tasks/demo_stimuli.h"
 #include "app/tasks/protocol_templates.h"
 #include "protocols/file/library_protocols.h"
-#include "renderers/recordings/relief_recording.h"
 #include "results_schema/files/folder_entries.h"
 #include "results_schema/files/part_folder.h"
 #include "results_schema/study.h"
 #include "results_schema/study_sharing.h"
-#include "stimuli/heights/synthetic_surface.h"
-#include "stimuli/photographs/synthetic_photograph.h"
-#include "stimuli/photographs/texture_from_photograph.h"
 
 namespace asperity {
 
 namespace {
-
-/// A texture of the demonstration. A distractor, which is only seen, has no rendered counterpart.
-struct DemoTexture {
-  std::string_view name{};
-  std::string_view kind{};
-  bool is_rendered = true;
-  std::uint64_t seed = 0;
-  ParameterValues parameters{};
-  bool has_recording = false;  ///< of the strokes over it, for the force model `recorded`
-};
-
-/// Pebbles are made like grains, close together, but 4 mm in size: a stroke along any line meets
-/// them.
-std::vector<DemoTexture> demo_textures() {
-  return {
-      {"metal", "metal", true, 11, {}},
-      {"stone", "stone", true, 12, {}, true},
-      {"wood", "wood", true, 13, {}},
-      {"brick", "brick", true, 14, {}},
-      {"sandpaper", "sandpaper", false, 15, {}},
-      {"pebbles", "sandpaper", false, 16, {{"grain_spacing_m", 0.004}, {"grain_height_m", 6e-4}}}};
-}
-
-/// A relief of `tools_matching` or of the roughness protocols: felt unchanged, on a tool or the
-/// plate, and seen where it has a picture.
-struct BodyRelief {
-  std::string_view name{};
-  std::string_view kind{};
-  bool has_picture = true;
-  std::size_t pixels = 256;
-  ParameterValues parameters{};
-  double width_m = 0.024;
-};
-
-/// Of `tools_matching`: all 24 mm wide, which is a whole number of ridges of each and fits once
-/// around a tool.
-std::vector<BodyRelief> body_reliefs() {
-  const auto ridges = [](double spacing_m) {
-    return ParameterValues{{"spacing_m", spacing_m},
-                           {"height_m", 2e-4},
-                           {"ridge_width_m", 0.3 * spacing_m},
-                           {"flank_width_m", 0.2 * spacing_m}};
-  };
-  return {{"file_fine", "grating", true, 256, ridges(0.0010)},
-          {"file_medium", "grating", true, 256, ridges(0.0016)},
-          {"file_coarse", "grating", true, 256, ridges(0.0024)},
-          {"file_plate",
-           "cones",
-           false,
-           128,  // for coarse features on a large plate
-           {{"spacing_m", 0.003},
-            {"height_m", 2e-4},
-            {"top_diameter_m", 6e-4},
-            {"base_diameter_m", 0.0018}}}};
-}
-
-/// Of the roughness protocols. The rows are turned by arctan(3/4), so that a stroke along x passes
-/// over one row after the other: along the rows, most lines between them would meet no cone.
-/// 70 mm is a whole multiple of five times each distance, as these rows require. The base of a cone is seven pixels
-/// wide. A higher resolution would only be slower: a body has four texels per pixel.
-std::vector<BodyRelief> cone_fields() {
-  const auto cones = [](std::string_view name, double spacing_m) {
-    return BodyRelief{name,
-                      "cones",
-                      false,
-                      1120,
-                      {{"spacing_m", spacing_m},
-                       {"height_m", 2e-4},
-                       {"top_diameter_m", 1e-4},
-                       {"base_diameter_m", 4.5e-4},
-                       {"jitter", 0.15},
-                       {"angle_rad", 0.643501}},
-                      0.07};
-  };
-  return {cones("cones_05", 0.0005), cones("cones_07", 0.0007), cones("cones_10", 0.0010),
-          cones("cones_14", 0.0014), cones("cones_20", 0.0020), cones("cones_28", 0.0028),
-          cones("cones_35", 0.0035)};
-}
-
-constexpr double kWidth_m = 0.10;
-constexpr std::size_t kPixels = 1024;
-
-void make_body_relief(const BodyRelief& relief, const std::filesystem::path& folder) {
-  const SurfaceCanvas canvas{relief.width_m, relief.pixels, 17};
-  const std::string name(relief.name);
-  const HeightField surface = make_surface(relief.kind, relief.parameters, canvas);
-  HeightFieldProvenance made{};
-  made.kind = relief.kind;
-  made.parameters = relief.parameters;
-  made.seed = canvas.seed;
-  save_height_field(folder / (name + ".png"), surface, made, Overwrite::refuse);
-  if (!relief.has_picture) return;
-  save_picture(folder / (name + "_photo.png"), synthetic_photograph(surface, {}),
-               Overwrite::refuse);
-}
-
-void make_texture(const DemoTexture& texture, const std::filesystem::path& folder) {
-  const std::string name(texture.name);
-  const HeightField surface = make_surface(texture.kind, texture.parameters,
-                                           SurfaceCanvas{kWidth_m, kPixels, texture.seed});
-  HeightFieldProvenance made{};
-  made.kind = texture.kind;
-  made.parameters = texture.parameters;
-  made.seed = texture.seed;
-  save_height_field(folder / (name + "_true.png"), surface, made, Overwrite::refuse);
-
-  PhotographSettings settings{};
-  settings.seed = texture.seed;
-  settings.noise_rms = 0.01;
-  const std::filesystem::path photograph_file = folder / (name + "_photo.png");
-  save_picture(photograph_file, synthetic_photograph(surface, settings), Overwrite::refuse);
-  if (!texture.is_rendered) return;
-
-  // From here on only the picture is used, except for its width and the amplitude of the relief,
-  // which cannot be determined from a photograph.
-  const LoadedPhotograph loaded = load_photograph(photograph_file);
-  TextureRecipe recipe{};
-  recipe.width_m = kWidth_m;
-  recipe.rms_m = without_long_wavelengths(surface, recipe.gaussian_wavelength_m).rms_m();
-  const PhotographTexture recovered =
-      texture_from_photograph(loaded.photograph.grey, recipe, photograph_file.filename().string());
-  HeightFieldProvenance provenance{};
-  provenance.kind = "photograph";
-  provenance.parameters = parameter_values(recipe);
-  provenance.source_name = photograph_file.filename().string();
-  provenance.source_sha256 = loaded.sha256;
-  save_height_field(folder / (name + ".png"), recovered.field, provenance, Overwrite::refuse);
-  if (!texture.has_recording) return;
-  write_file(folder / (name + "_recording.tsv"), tsv_of(recording_of_relief(recovered.field)),
-             Overwrite::refuse);
-}
 
 void fill_demo_study(const std::filesystem::path& folder,
                      const std::function<void(double)>& progress) {
@@ -171,13 +36,10 @@ void fill_demo_study(const std::filesystem::path& folder,
     }
     write_library_protocol(folder, protocol, std::string(protocol.name));
   }
-  // First: the last files made indicate whether the study is complete.
-  for (const BodyRelief& relief : body_reliefs()) make_body_relief(relief, folder / "stimuli");
-  for (const BodyRelief& relief : cone_fields()) make_body_relief(relief, folder / "stimuli");
-  const std::vector<DemoTexture> textures = demo_textures();
-  for (std::size_t i = 0; i < textures.size(); ++i) {
-    progress(static_cast<double>(i) / static_cast<double>(textures.size()));
-    make_texture(textures[i], folder / "stimuli");
+  const std::vector<std::string> names = demo_stimuli();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    progress(static_cast<double>(i) / static_cast<double>(names.size()));
+    make_demo_stimulus(names[i], folder / "stimuli");
   }
   progress(1.0);
 }
@@ -294,21 +156,6 @@ Phrase one_version_per_study() {
       .with(program_version());
 }
 
-bool is_of_demonstration(const std::string& study_path) {
-  const auto is_of = [&study_path](std::string_view name) {
-    const std::string stem = "stimuli/" + std::string(name);
-    for (const char* end :
-         {".png", ".png.json", "_photo.png", "_true.png", "_true.png.json", "_recording.tsv"}) {
-      if (study_path == stem + end) return true;
-    }
-    return false;
-  };
-  const auto is_any = [&is_of](const auto& all) {
-    return std::any_of(all.begin(), all.end(), [&](const auto& one) { return is_of(one.name); });
-  };
-  return is_any(body_reliefs()) || is_any(cone_fields()) || is_any(demo_textures());
-}
-
 bool holds_demo_study(const std::filesystem::path& folder) {
   std::error_code ignored{};
   if (!std::filesystem::is_regular_file(folder / "study.sqlite", ignored)) return false;
@@ -319,11 +166,15 @@ bool holds_demo_study(const std::filesystem::path& folder) {
       return false;
     }
   }
-  for (const DemoTexture& texture : demo_textures()) {
-    const std::string last = std::string(texture.name) + (texture.is_rendered ? "" : "_photo");
-    if (!std::filesystem::is_regular_file(folder / "stimuli" / (last + ".png"), ignored)) {
-      return false;
-    }
+  // The textures are made last; the last file of each is its relief, or the photograph of one that is only seen.
+  for (const std::string& name : demo_stimuli()) {
+    const std::vector<std::string> files = files_of_demo_stimulus(name);
+    const auto has = [&files](const std::string& file) {
+      return std::find(files.begin(), files.end(), file) != files.end();
+    };
+    if (!has(name + "_true.png")) continue;
+    const std::string last = has(name + ".png") ? name + ".png" : name + "_photo.png";
+    if (!std::filesystem::is_regular_file(folder / "stimuli" / last, ignored)) return false;
   }
   // Of another schema it cannot be opened.
   try {

@@ -43,9 +43,6 @@ NewStudy new_demo_study(const std::filesystem::path& folder,
 /// contains its second sentence.
 Phrase one_version_per_study();
 
-/// Whether a study-relative file is one of the demo study's files in `stimuli/`.
-bool is_of_demonstration(const std::string& study_path);
-
 /// Whether the folder contains the complete demo study: false for one whose making was
 /// interrupted. Later additions and changes do not matter.
 bool holds_demo_study(const std::filesystem::path& folder);

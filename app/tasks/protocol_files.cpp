@@ -24,7 +24,7 @@
 #include "app/session/trial_attempt.h"
 #include "app/study_files/parameter_json.h"
 #include "app/study_files/protocol_languages.h"
-#include "app/tasks/new_study.h"
+#include "app/tasks/demo_stimuli.h"
 #include "app/tasks/warnings/level_problems.h"
 #include "app/tasks/warnings/plugin_stimuli.h"
 #include "app/tasks/warnings/plugin_warnings.h"
@@ -76,7 +76,7 @@ std::optional<std::string> complaint_about_file(const NamedFile& named,
     if (std::filesystem::status(study / path, unknown).type() ==
         std::filesystem::file_type::not_found) {
       const char* const from =
-          is_of_demonstration(path)
+          !demo_stimulus_of(path).empty()
               ? "; the demo study has one of this name (asperity new DIR --demo creates "
                 "it): copy it from there, together with its .json if there is one"
               : "; copy the file into the study";

@@ -1,13 +1,24 @@
-// Finds the first free name, and changes the name in the protocol accordingly.
+// Finds the first free names of a protocol and of its textures, and changes them in the protocol accordingly.
 
 #include "app/tasks/protocol_templates.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
+
+#include <nlohmann/json.hpp>
 
 #include "app/study_files/study_protocols.h"
+#include "app/tasks/demo_stimuli.h"
+#include "protocols/design/json_pointer.h"
+#include "protocols/form/form_edits.h"
+#include "protocols/keys/key.h"
+#include "protocols/texts/translatable_texts.h"
 #include "results_schema/files/atomic_file.h"
+#include "results_schema/files/part_folder.h"
 
 namespace asperity {
 
@@ -23,10 +34,110 @@ const LibraryProtocol& library_protocol(std::string_view name) {
                               "\"; choose one of: " + names);
 }
 
+/// The files in `stimuli/` that a value names, at any depth.
+void collect_files(const nlohmann::json& value, std::set<std::string>& files) {
+  if (value.is_string()) {
+    const auto& text = value.get_ref<const std::string&>();
+    if (text.starts_with("stimuli/")) files.insert(text);
+  } else if (value.is_structured()) {
+    for (const nlohmann::json& part : value) collect_files(part, files);
+  }
+}
+
+std::set<std::string> files_of(std::string_view text) {
+  std::set<std::string> files{};
+  collect_files(nlohmann::json::parse(text), files);
+  return files;
+}
+
+/// The file of another name of the stimulus: "brick_2_photo.png" of "brick_photo.png".
+std::string renamed_file(const std::string& file, const std::string& stimulus,
+                         const std::string& name) {
+  return name + file.substr(stimulus.size());
+}
+
+/// Writes the files of a stimulus of the demonstration and returns its name in the study: files that the study has already are
+/// used if they are the same.
+std::string write_demo_stimulus(const std::string& stimulus, const std::filesystem::path& made,
+                                const std::filesystem::path& stimuli) {
+  const std::vector<std::string> files = files_of_demo_stimulus(stimulus);
+  const auto is_usable = [&](const std::string& name) {
+    return std::all_of(files.begin(), files.end(), [&](const std::string& file) {
+      const std::filesystem::path there = stimuli / renamed_file(file, stimulus, name);
+      // A sidecar states the version of the program, so that the pictures are compared.
+      const bool is_sidecar = file.ends_with(".json");
+      return !std::filesystem::exists(there) || is_sidecar ||
+             read_file(there) == read_file(made / file);
+    });
+  };
+  std::string name = stimulus;
+  for (int number = 2; !is_usable(name); ++number) name = stimulus + '_' + std::to_string(number);
+  for (const std::string& file : files) {
+    const std::filesystem::path there = stimuli / renamed_file(file, stimulus, name);
+    if (!std::filesystem::exists(there)) {
+      write_file(there, read_file(made / file), Overwrite::refuse);
+    }
+  }
+  return name;
+}
+
+/// The protocol's text with the names that its textures of the demonstration have in the study, where they are written.
+std::string with_demo_stimuli(std::string text, const std::filesystem::path& study) {
+  std::map<std::string, std::string> names{};
+  for (const std::string& file : files_of(text)) {
+    const std::string stimulus = demo_stimulus_of(file);
+    if (stimulus.empty() || names.contains(stimulus)) continue;
+    const PartFolder part(study / "stimuli" / ("computed_" + stimulus), kOwnersFolder);
+    make_demo_stimulus(stimulus, part.content());
+    names[stimulus] = write_demo_stimulus(stimulus, part.content(), study / "stimuli");
+  }
+  for (const std::string& file : files_of(text)) {
+    const std::string stimulus = demo_stimulus_of(file);
+    if (stimulus.empty() || names.at(stimulus) == stimulus) continue;
+    const std::string prefix = "stimuli/";
+    const std::string renamed =
+        prefix + renamed_file(file.substr(prefix.size()), stimulus, names.at(stimulus));
+    const std::string before = nlohmann::json(file).dump();
+    for (std::size_t at = 0; (at = text.find(before, at)) != std::string::npos;) {
+      text.replace(at, before.size(), nlohmann::json(renamed).dump());
+    }
+  }
+  return text;
+}
+
+/// The translation without the texts that the protocol does not have: those of textures that are not in the study.
+std::string translation_of(const std::string& protocol, const LibraryTranslation& translation) {
+  std::set<std::string> addresses{};
+  for (const TranslatableText& text : translatable_texts(nlohmann::json::parse(protocol))) {
+    addresses.insert(text.address);
+  }
+  const JsonDocument present(translation.text, "the translation of the template");
+  std::vector<std::string> removed{};
+  for (const auto& [address, texts] : present.root().at("texts").items()) {
+    if (!addresses.contains(address)) removed.push_back(pointer_to("/texts", address));
+  }
+  return without(present, removed).text;
+}
+
+std::filesystem::path write_protocol(const std::filesystem::path& study,
+                                     const LibraryProtocol& protocol, const std::string& name,
+                                     const std::string& text) {
+  const std::filesystem::path folder = study / "protocols";
+  const std::filesystem::path file = folder / (name + ".json");
+  write_file(file, name == protocol.name ? text : with_protocol_name(text, name),
+             Overwrite::refuse);
+  for (const LibraryTranslation& each : protocol.translations) {
+    write_file(folder / (name + '.' + std::string(each.language) + ".json"),
+               translation_of(text, each), Overwrite::refuse);
+  }
+  return file;
+}
+
 }  // namespace
 
 std::filesystem::path protocol_from_template(const std::filesystem::path& study,
-                                             std::string_view name) {
+                                             std::string_view name,
+                                             const TemplateTextures& textures) {
   const LibraryProtocol& protocol = library_protocol(name);
   const std::string first(name);
   std::string free_name = first;
@@ -43,22 +154,34 @@ std::filesystem::path protocol_from_template(const std::filesystem::path& study,
   for (int number = 2; is_taken(); ++number) {
     free_name = first + '_' + std::to_string(number);
   }
-  return write_library_protocol(study, protocol, free_name);
+  std::string text(protocol.text);
+  if (textures.from == TemplateTextures::From::study) {
+    text = with_textures(JsonDocument(protocol.text, first), textures.own);
+  } else if (textures.from == TemplateTextures::From::demonstration) {
+    text = with_demo_stimuli(std::move(text), study);
+  }
+  return write_protocol(study, protocol, free_name, text);
 }
 
 std::filesystem::path write_library_protocol(const std::filesystem::path& study,
                                              const LibraryProtocol& protocol,
                                              const std::string& name) {
-  const std::filesystem::path folder = study / "protocols";
-  const std::filesystem::path file = folder / (name + ".json");
-  const std::string text(protocol.text);
-  write_file(file, name == protocol.name ? text : with_protocol_name(text, name),
-             Overwrite::refuse);
-  for (const LibraryTranslation& each : protocol.translations) {
-    write_file(folder / (name + '.' + std::string(each.language) + ".json"), each.text,
-               Overwrite::refuse);
+  return write_protocol(study, protocol, name, std::string(protocol.text));
+}
+
+TexturesOfTemplate textures_of(const LibraryProtocol& protocol) {
+  TexturesOfTemplate textures{};
+  const nlohmann::json parsed = nlohmann::json::parse(protocol.text);
+  const nlohmann::json declared = parsed.value("textures", nlohmann::json::object());
+  for (const auto& [name, texture] : declared.items()) {
+    if (!is_comment(name)) textures.names.push_back(name);
   }
-  return file;
+  const std::set<std::string> files = files_of(protocol.text);
+  textures.are_of_demonstration =
+      !files.empty() && std::all_of(files.begin(), files.end(), [](const std::string& file) {
+        return !demo_stimulus_of(file).empty();
+      });
+  return textures;
 }
 
 }  // namespace asperity

@@ -5,22 +5,46 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "protocols/file/library_protocols.h"
+#include "protocols/form/own_textures.h"
 
 namespace asperity {
 
+/// The textures that a protocol from the library has in a study.
+struct TemplateTextures {
+  enum class From {
+    files_of_its_names,  ///< of the study, if it has them
+    study,               ///< `own`
+    demonstration,       ///< its own, which are computed and written into the study
+  };
+  From from = From::files_of_its_names;
+  std::vector<OwnTexture> own{};
+};
+
 /// Writes the library's protocol and its translations into the study's `protocols/` and returns the protocol's file. Where
 /// the study has a file of that name, the new one, and the protocol in it, is named NAME_2, NAME_3, …, so that sessions of
-/// the two are not mixed up.
+/// the two are not mixed up. A texture of the demonstration, of whose files the study has others under the same names, is
+/// written as NAME_2, NAME_3, …: no file of the study is used because of its name.
 ///
-/// Errors: std::invalid_argument for a name that is not in the library; ResultsError when a file cannot be written.
+/// Errors: std::invalid_argument for a name that is not in the library; ProtocolError for own textures without a permitted name;
+/// ResultsError when a file cannot be written.
 std::filesystem::path protocol_from_template(const std::filesystem::path& study,
-                                             std::string_view name);
+                                             std::string_view name,
+                                             const TemplateTextures& textures = {});
 
-/// The same under a name that the study does not have. Errors: ResultsError when a file cannot be written.
+/// The same under a name that the study does not have, with the textures of its names. Errors: ResultsError when a file cannot
+/// be written.
 std::filesystem::path write_library_protocol(const std::filesystem::path& study,
                                              const LibraryProtocol& protocol,
                                              const std::string& name);
+
+/// The textures of a protocol of the library, and whether all of their files are of the demonstration.
+struct TexturesOfTemplate {
+  std::vector<std::string> names{};
+  bool are_of_demonstration = false;
+};
+TexturesOfTemplate textures_of(const LibraryProtocol& protocol);
 
 }  // namespace asperity

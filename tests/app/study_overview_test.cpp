@@ -5,8 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/study_files/protocol_languages.h"
-#include "app/tasks/protocol_templates.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
 #include "tests/app/made_up_study.h"
@@ -151,26 +149,6 @@ TEST(StimulusOverviews, SayWhatAReliefIsAndWhatIsWrongWithAFile) {
   EXPECT_EQ(stimuli[1].kind, StimulusOverview::Kind::picture);
   EXPECT_EQ(stimuli[1].columns, 2U);
   EXPECT_THAT(stimuli[2].problem, HasSubstr("torn.png"));
-}
-
-TEST(ProtocolFromTemplate, GetsANameOfItsOwnWhereTheStudyHasOneOfThatName) {
-  const TemporaryFolder folder{};
-  make_small_study(folder.path() / "study");
-  const auto first = protocol_from_template(folder.path() / "study", "chapter_matching");
-  const auto second = protocol_from_template(folder.path() / "study", "chapter_matching");
-  EXPECT_EQ(first.filename(), "chapter_matching.json");
-  EXPECT_EQ(second.filename(), "chapter_matching_2.json");
-  const ModelRegistry models = built_in_models();
-  EXPECT_EQ(load_protocol(first, models, std::nullopt).name, "chapter_matching");
-  EXPECT_EQ(load_protocol(second, models, std::nullopt).name, "chapter_matching_2");
-  EXPECT_THROW(protocol_from_template(folder.path() / "study", "nothing"), std::invalid_argument);
-  for (const std::filesystem::path& file : {first, second}) {
-    const std::filesystem::path german = protocol_in_language(file, "de");
-    EXPECT_EQ(german.filename(), file.stem().string() + ".de.json");
-    const Protocol read = load_protocol(german, models, std::nullopt);
-    EXPECT_EQ(read.language, "de");
-    EXPECT_EQ(read.name, file.stem().string());
-  }
 }
 
 }  // namespace

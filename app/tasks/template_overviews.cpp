@@ -1,0 +1,102 @@
+// Implements the lists for the choice of a template.
+
+#include "app/tasks/template_overviews.h"
+
+#include <algorithm>
+#include <cctype>
+#include <exception>
+
+#include "app/study_files/height_field_files.h"
+#include "app/tasks/protocol_files.h"
+#include "protocols/file/translation.h"
+#include "protocols/form/new_values.h"
+#include "results_schema/files/folder_entries.h"
+
+namespace asperity {
+
+namespace {
+
+/// The protocol's text in the language, if the library has it.
+std::string text_in(const LibraryProtocol& protocol, const std::string& language) {
+  for (const LibraryTranslation& each : protocol.translations) {
+    if (each.language != language) continue;
+    const std::string name(protocol.name);
+    TranslatedProtocol made =
+        translated(protocol.text, name, {each.text, name, std::string(each.language)});
+    if (made.problems.empty()) return std::move(made.text);
+  }
+  return std::string(protocol.text);
+}
+
+/// "Brick wall-2" → "brick_wall_2"
+std::string as_name(const std::string& stem) {
+  std::string name{};
+  for (const char c : stem) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain = byte < 0x80U && std::isalnum(byte) != 0;
+    name += is_plain ? static_cast<char>(std::tolower(byte)) : '_';
+  }
+  if (name.empty() || std::isalpha(static_cast<unsigned char>(name.front())) == 0) {
+    name.insert(0, "texture_");
+  }
+  constexpr std::size_t kForANumber = 4;  // that distinguishes equal names
+  return name.substr(0, kMaximumNameLength - kForANumber);
+}
+
+/// The study-relative file of the photograph that the relief was made from; empty if the study has none.
+std::string photograph_of(const std::filesystem::path& stimuli, const std::filesystem::path& png) {
+  std::vector<std::string> names{png.stem().string() + "_photo.png"};
+  try {
+    names.insert(names.begin(), provenance_of(png).source_name);
+  } catch (const std::exception&) {  // the check of the protocol states what is wrong with the file
+  }
+  for (const std::string& name : names) {
+    std::error_code unknown{};
+    const std::filesystem::path file = stimuli / std::filesystem::path(name).filename();
+    if (!name.empty() && std::filesystem::is_regular_file(file, unknown)) {
+      return "stimuli/" + file.filename().string();
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<TemplateOverview> template_overviews(const ModelRegistry& models,
+                                                 const std::string& language,
+                                                 const std::stop_token& stop) {
+  std::vector<TemplateOverview> overviews{};
+  for (const LibraryProtocol& protocol : library_protocols()) {
+    if (stop.stop_requested()) break;
+    const std::string name(protocol.name);
+    ProtocolCheck check =
+        check_protocol_text(text_in(protocol, language), name, models, std::nullopt, std::nullopt);
+    if (!check.protocol) continue;
+    overviews.push_back({name, std::move(*check.protocol), check.cost, textures_of(protocol)});
+  }
+  return overviews;
+}
+
+std::vector<OwnTexture> reliefs_of_study(const std::filesystem::path& study) {
+  const std::filesystem::path stimuli = study / "stimuli";
+  std::vector<OwnTexture> reliefs{};
+  if (!std::filesystem::is_directory(stimuli)) return reliefs;
+  std::vector<std::filesystem::path> files{};
+  for (const auto& entry : entries_in(stimuli)) {
+    const std::filesystem::path& file = entry.path();
+    if (file.extension() == ".png" && std::filesystem::exists(sidecar_of(file)) &&
+        !file.stem().string().ends_with("_true")) {
+      files.push_back(file);
+    }
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<std::string> names{};
+  for (const std::filesystem::path& file : files) {
+    names.push_back(free_name(names, as_name(file.stem().string())));
+    reliefs.push_back(
+        {names.back(), "stimuli/" + file.filename().string(), photograph_of(stimuli, file)});
+  }
+  return reliefs;
+}
+
+}  // namespace asperity

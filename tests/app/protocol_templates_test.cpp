@@ -1,0 +1,143 @@
+// Protocols of the library in a study, with its own textures and with those of the demonstration.
+
+#include "app/tasks/protocol_templates.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/study_files/height_field_files.h"
+#include "app/study_files/protocol_languages.h"
+#include "app/tasks/protocol_files.h"
+#include "app/tasks/template_overviews.h"
+#include "renderers/built_in_models.h"
+#include "results_schema/files/atomic_file.h"
+#include "stimuli/heights/synthetic_surface.h"
+#include "tests/app/small_study.h"
+#include "tests/support/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using testing::ElementsAre;
+
+class ProtocolFromTemplate : public testing::Test {
+ protected:
+  ProtocolFromTemplate() { make_small_study(study_); }
+
+  /// A relief of the study, with a photograph.
+  void add_relief(const std::string& name) const {
+    constexpr std::size_t kPixels = 128;
+    const SurfaceCanvas canvas{0.02, kPixels, 3};
+    const HeightField field = make_surface("noise", {}, canvas);
+    HeightFieldProvenance made{};
+    made.kind = "noise";
+    save_height_field(study_ / "stimuli" / (name + ".png"), field, made, Overwrite::refuse);
+    write_file(study_ / "stimuli" / (name + "_photo.png"),
+               read_file(study_ / "stimuli" / (name + ".png")), Overwrite::refuse);
+  }
+  static std::vector<OwnTexture> named(const std::vector<OwnTexture>& all,
+                                       std::initializer_list<std::string_view> names) {
+    std::vector<OwnTexture> chosen{};
+    for (const std::string_view name : names) {
+      for (const OwnTexture& one : all) {
+        if (one.name == name) chosen.push_back(one);
+      }
+    }
+    return chosen;
+  }
+  /// What `asperity check` says of the file in the study.
+  std::string problems_of(const std::filesystem::path& file) const {
+    std::string problems{};
+    for (const Diagnostic& problem :
+         check_protocol(file, models_, study_, std::nullopt).diagnostics) {
+      problems += problem.pointer + ": " + problem.message + "\n";
+    }
+    return problems;
+  }
+
+  TemporaryFolder folder_{};
+  std::filesystem::path study_ = folder_.path() / "study";
+  ModelRegistry models_ = built_in_models();
+};
+
+TEST_F(ProtocolFromTemplate, GetsANameOfItsOwnWhereTheStudyHasOneOfThatName) {
+  const auto first = protocol_from_template(study_, "chapter_matching");
+  const auto second = protocol_from_template(study_, "chapter_matching");
+  EXPECT_EQ(first.filename(), "chapter_matching.json");
+  EXPECT_EQ(second.filename(), "chapter_matching_2.json");
+  EXPECT_EQ(load_protocol(first, models_, std::nullopt).name, "chapter_matching");
+  EXPECT_EQ(load_protocol(second, models_, std::nullopt).name, "chapter_matching_2");
+  EXPECT_THROW(protocol_from_template(study_, "nothing"), std::invalid_argument);
+  for (const std::filesystem::path& file : {first, second}) {
+    const std::filesystem::path german = protocol_in_language(file, "de");
+    EXPECT_EQ(german.filename(), file.stem().string() + ".de.json");
+    const Protocol read = load_protocol(german, models_, std::nullopt);
+    EXPECT_EQ(read.language, "de");
+    EXPECT_EQ(read.name, file.stem().string());
+  }
+}
+
+TEST_F(ProtocolFromTemplate, ComparesTheTexturesOfTheStudy) {
+  for (const char* const name : {"brick", "grass", "gravel"}) add_relief(name);
+  const std::vector<OwnTexture> own = named(reliefs_of_study(study_), {"grass", "brick", "gravel"});
+  ASSERT_EQ(own.size(), 3U);
+  EXPECT_EQ(own[0].picture, "stimuli/grass_photo.png");
+  const auto file = protocol_from_template(study_, "semantic_differential",
+                                           {.from = TemplateTextures::From::study, .own = own});
+  EXPECT_EQ(problems_of(file), "");
+  const nlohmann::json protocol = nlohmann::json::parse(read_file(file));
+  EXPECT_EQ(protocol["factors"]["texture"]["levels"], nlohmann::json({"grass", "brick", "gravel"}));
+  EXPECT_EQ(protocol["textures"]["brick"], nlohmann::json::parse(R"({
+    "code": "T2", "height_field": "stimuli/brick.png", "picture": "stimuli/brick_photo.png",
+    "true_height_field": "stimuli/brick.png"})"));
+  // Trials that present textures of the template are gone.
+  EXPECT_EQ(protocol["blocks"]["range"]["listed"].size(), 1U);
+}
+
+TEST_F(ProtocolFromTemplate, HasAsManyTexturesAsTheStudy) {
+  for (const char* const name : {"a", "b", "c", "d", "e", "f"}) add_relief(name);
+  const std::vector<OwnTexture> own =
+      named(reliefs_of_study(study_), {"a", "b", "c", "d", "e", "f"});
+  for (const char* const name : {"photo_recognition", "attributes_of_textures"}) {
+    const auto file =
+        protocol_from_template(study_, name, {.from = TemplateTextures::From::study, .own = own});
+    EXPECT_EQ(problems_of(file), "") << name;
+    EXPECT_EQ(nlohmann::json::parse(read_file(file))["textures"].size(), 6U);
+    const std::filesystem::path german = protocol_in_language(file, "de");
+    EXPECT_EQ(problems_of(german), "") << name;
+  }
+}
+
+TEST_F(ProtocolFromTemplate, WritesTheTexturesOfTheDemonstration) {
+  using From = TemplateTextures::From;
+  add_relief("file_fine");  // another texture of this name
+  const std::string own = read_file(study_ / "stimuli" / "file_fine.png");
+  const auto file = protocol_from_template(study_, "tools_matching", {.from = From::demonstration});
+  EXPECT_EQ(problems_of(file), "");
+  EXPECT_EQ(read_file(study_ / "stimuli" / "file_fine.png"), own);
+  const nlohmann::json protocol = nlohmann::json::parse(read_file(file));
+  EXPECT_EQ(protocol["textures"]["fine"]["height_field"], "stimuli/file_fine_2.png");
+  EXPECT_EQ(protocol["textures"]["medium"]["height_field"], "stimuli/file_medium.png");
+  // The same files are used again.
+  protocol_from_template(study_, "tools_matching", {.from = From::demonstration});
+  EXPECT_FALSE(std::filesystem::exists(study_ / "stimuli" / "file_medium_2.png"));
+  EXPECT_FALSE(std::filesystem::exists(study_ / "stimuli" / "file_fine_3.png"));
+}
+
+TEST(TemplateOverviews, HaveTitlesInTheLanguageOfTheReader) {
+  const ModelRegistry models = built_in_models();
+  const auto english = template_overviews(models, "en", {});
+  const auto german = template_overviews(models, "de", {});
+  ASSERT_EQ(english.size(), library_protocols().size());
+  ASSERT_EQ(german.size(), english.size());
+  for (std::size_t i = 0; i < english.size(); ++i) {
+    EXPECT_FALSE(english[i].protocol.title.empty());
+    EXPECT_NE(english[i].protocol.title, german[i].protocol.title) << english[i].name;
+    EXPECT_GT(english[i].cost.trials, 0);
+  }
+  EXPECT_TRUE(english.front().textures.names.empty());  // amplitude_jnd
+}
+
+}  // namespace
+}  // namespace asperity
