@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Prints the texts of the keys of a protocol (labels, meanings, computed defaults) as lines that lupdate reads."""
+"""Prints the texts of the keys of a protocol (labels, meanings, computed defaults) and of the pages of its form as lines
+that lupdate reads."""
 import pathlib
 import re
 import sys
 
-FOLDER = pathlib.Path(__file__).resolve().parent.parent / "protocols" / "keys"
+PROTOCOLS = pathlib.Path(__file__).resolve().parent.parent / "protocols"
 TOKEN = re.compile(r'//[^\n]*|R"\((?P<raw>.*?)\)"|"(?P<text>(?:[^"\\]|\\.)*)"|' r"'(?:[^'\\]|\\.)'|\w+|\S", re.DOTALL)
 BRACKETS = {"(": ")", "{": "}", "[": "]"}
 
@@ -41,6 +42,8 @@ def texts_among(opening, name, arguments):
     """The texts in the argument positions of labels and meanings."""
     texts = [argument[0][0] if len(argument) == 1 and isinstance(argument[0], tuple) else None for argument in arguments]
     if opening == "{":  # a word: {name, value, meaning}
+        if len(texts) > 3 and all(texts[:3]) and texts[3] is None:  # a page: {id, label, meaning, parts}
+            return texts[1:3]
         return texts[2:] if len(texts) == 3 and texts[1] is None else []
     if name == "table_of":
         return texts[:1]
@@ -71,7 +74,7 @@ def main():
         print("Usage: scripts/key_texts.py\n\nPrints a QT_TRANSLATE_NOOP line for each text, for scripts/translations.")
         sys.exit(0 if sys.argv[1:] in (["-h"], ["--help"]) else 2)
     texts = {}
-    for path in sorted(FOLDER.iterdir()):
+    for path in sorted((PROTOCOLS / "keys").iterdir()) + [PROTOCOLS / "form" / "form_pages.cpp"]:
         texts |= dict.fromkeys(texts_in(path.read_text(encoding="utf-8")))
     for text in filter(None, texts):
         print(f'QT_TRANSLATE_NOOP("Keys", "{text}")')

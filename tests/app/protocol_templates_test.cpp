@@ -46,7 +46,7 @@ class ProtocolFromTemplate : public testing::Test {
     }
     return chosen;
   }
-  /// What `asperity check` says of the file in the study.
+  /// The problems that `asperity check` finds in the file in the study.
   std::string problems_of(const std::filesystem::path& file) const {
     std::string problems{};
     for (const Diagnostic& problem :

@@ -11,6 +11,7 @@
 
 #include <gmock/gmock.h>
 
+#include "protocols/form/form_pages.h"
 #include "protocols/keys/texts_of_keys.h"
 
 namespace asperity {
@@ -83,6 +84,9 @@ std::set<std::string> texts_with_a_translation() {
 TEST(KeyTexts, AreThoseThatAreTranslated) {
   std::set<std::string> texts{};
   for (const std::string_view text : texts_of_keys()) texts.insert(with_entities(text));
+  for (const FormPage& page : form_pages()) {
+    texts.insert({with_entities(page.label), with_entities(page.meaning)});
+  }
   const std::set<std::string> translated = texts_with_a_translation();
   std::vector<std::string> missing{};
   std::set_difference(texts.begin(), texts.end(), translated.begin(), translated.end(),

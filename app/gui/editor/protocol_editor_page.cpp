@@ -1,4 +1,4 @@
-// Joins text field, live check and plan preview, and saves the text after a comparison with the file on disk.
+// Joins the views of a protocol, live check and plan preview, and saves the text after a comparison with the file on disk.
 
 #include "app/gui/editor/protocol_editor_page.h"
 
@@ -6,6 +6,7 @@
 
 #include <QtCore/QFileSystemWatcher>
 #include <QtGui/QShortcut>
+#include <QtWidgets/QButtonGroup>
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QSplitter>
 #include <QtWidgets/QStackedWidget>
@@ -13,10 +14,11 @@
 #include "analysis/numbers/look_alikes.h"
 #include "app/gui/base/documents.h"
 #include "app/gui/base/study_table.h"
-#include "app/gui/editor/find_bar.h"
 #include "app/gui/editor/live_examination.h"
 #include "app/gui/editor/protocol_text_edit.h"
+#include "app/gui/editor/protocol_views.h"
 #include "app/gui/editor/question_bar.h"
+#include "app/gui/editor/screen_preview.h"
 #include "app/gui/look/words.h"
 #include "app/gui/plan/plan_preview.h"
 #include "app/study_files/study_protocols.h"
@@ -70,13 +72,15 @@ struct ProtocolEditorPage::Saving {
 };
 
 ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
-    : StudyPage(study, tr("Protocol"), parent), help_(declarations_of(study.models())) {
+    : StudyPage(study, tr("Protocol"), parent) {
   setObjectName("editor_page");
   make_head();
+  views_ = new ProtocolViews(declarations_of(study.models()), this);
+  edit_ = &views_->text();
   question_ = new QuestionBar(this);
   body().addWidget(question_);
   QSplitter* sides = make_splitter(Qt::Horizontal, this);
-  sides->addWidget(make_text_side());
+  sides->addWidget(make_edit_side());
   sides->addWidget(make_plan_side());
   sides->setStretchFactor(0, 5);
   sides->setStretchFactor(1, 3);
@@ -111,7 +115,8 @@ ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
     state_->set_state(State::unknown, tr("checking…"));
     check_->want();
   });
-  connect(edit_, &QPlainTextEdit::cursorPositionChanged, this, &ProtocolEditorPage::show_help);
+  connect(views_, &ProtocolViews::refused, this,
+          [this](const QString& why) { banner().show_news(State::look, why); });
   connect(edit_->document(), &QTextDocument::modificationChanged, this,
           &ProtocolEditorPage::show_whether_saved);
   const auto add_key = [this](QKeySequence::StandardKey key, auto act) {
@@ -120,7 +125,7 @@ ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
     connect(shortcut, &QShortcut::activated, this, act);
   };
   add_key(QKeySequence::Save, [this] { save_->click(); });
-  add_key(QKeySequence::Find, [this] { find_->begin(); });
+  add_key(QKeySequence::Find, [this] { views_->find(); });
 }
 
 void ProtocolEditorPage::make_head() {
@@ -142,7 +147,7 @@ void ProtocolEditorPage::make_head() {
   head().addWidget(find);
   head().addWidget(save_);
   head().addWidget(back);
-  connect(find, &QPushButton::clicked, this, [this] { find_->begin(); });
+  connect(find, &QPushButton::clicked, this, [this] { views_->find(); });
   connect(methods, &QPushButton::clicked, this,
           [this] { (new DocumentDialog("methods.md", this))->show(); });
   connect(save_, &QPushButton::clicked, this, [this] { save(Agreed::nothing); });
@@ -151,30 +156,11 @@ void ProtocolEditorPage::make_head() {
   });
 }
 
-QWidget* ProtocolEditorPage::make_text_side() {
+QWidget* ProtocolEditorPage::make_edit_side() {
   QSplitter* side = make_splitter(Qt::Vertical, this);
-  auto* above = new QWidget(side);
-  auto* layout = new QVBoxLayout(above);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(kGrid);
-  edit_ = new ProtocolTextEdit(above);
-  edit_->setObjectName("editor_text");
-  edit_->setAccessibleName(tr("Text of the protocol"));
-  find_ = new FindBar(*edit_, above);
-  find_->setObjectName("editor_find_bar");
-  key_help_ = make_text({}, above);
-  key_help_->setObjectName("editor_help");
-  key_help_->setFont(text_font(TextSize::small));
-  key_help_->setTextFormat(Qt::RichText);
-  key_help_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  key_help_->setFixedHeight(3 * QFontMetrics(key_help_->font()).lineSpacing());
-  layout->addWidget(find_);
-  layout->addWidget(edit_, 1);
-  layout->addWidget(key_help_);
-  side->addWidget(above);
-
+  side->addWidget(views_);
   auto* below = new QWidget(side);
-  layout = new QVBoxLayout(below);
+  auto* layout = new QVBoxLayout(below);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(kGrid);
   state_ = new StateLabel(below);
@@ -204,24 +190,53 @@ QWidget* ProtocolEditorPage::make_text_side() {
 QWidget* ProtocolEditorPage::make_plan_side() {
   QVBoxLayout* layout = nullptr;
   QFrame* card = make_card(this, layout);
-  layout->addWidget(make_heading(tr("Generated trial list"), card));
+  auto* tabs = new QHBoxLayout();
+  tabs->setSpacing(0);
+  auto* group = new QButtonGroup(card);
+  const auto add_tab = [&](const QString& name, const char* object) {
+    QPushButton* tab = make_button(name, ButtonRole::selector, card);
+    tab->setObjectName(object);
+    group->addButton(tab);
+    tabs->addWidget(tab);
+    return tab;
+  };
+  QPushButton* plan = add_tab(tr("Plan"), "editor_show_plan");
+  QPushButton* screen = add_tab(tr("Screen"), "editor_show_screen");
+  plan->setChecked(true);
+  tabs->addStretch();
+  layout->addLayout(tabs);
   plan_side_ = new QStackedWidget(card);
   plan_side_->setObjectName("editor_plan_side");
   plan_ = new PlanPreview(PlanPreview::Shape::tall, plan_side_);
+  screen_ = new ScreenPreview(study().folder(), plan_side_);
   why_no_plan_ = make_text({}, plan_side_, true);
   why_no_plan_->setObjectName("editor_why_no_plan");
   why_no_plan_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  plan_side_->addWidget(plan_);
-  plan_side_->addWidget(why_no_plan_);
+  for (QWidget* const side : std::initializer_list<QWidget*>{plan_, screen_, why_no_plan_}) {
+    plan_side_->addWidget(side);
+  }
+  chosen_side_ = plan_;
   plan_side_->setCurrentWidget(why_no_plan_);
   layout->addWidget(plan_side_, 1);
+  connect(plan, &QPushButton::clicked, this, [this] { choose_side(plan_); });
+  connect(screen, &QPushButton::clicked, this, [this] { choose_side(screen_); });
+  connect(plan_, &PlanPreview::step_shown, this,
+          [this](const std::shared_ptr<const Protocol>& protocol,
+                 const std::shared_ptr<const Plan>& made,
+                 int step) { screen_->show_step(protocol, made, static_cast<std::size_t>(step)); });
+  connect(screen_, &ScreenPreview::step_wanted, plan_, &PlanPreview::select_step);
   return card;
+}
+
+void ProtocolEditorPage::choose_side(QWidget* side) {
+  chosen_side_ = side;
+  if (plan_side_->currentWidget() != why_no_plan_) plan_side_->setCurrentWidget(side);
 }
 
 void ProtocolEditorPage::open(const std::filesystem::path& protocol) {
   if (protocol == file_) {
     look_at_disk();
-    edit_->setFocus();
+    views_->give_focus();
     return;
   }
   if (!may_leave([this, protocol] { open(protocol); })) return;
@@ -240,8 +255,9 @@ void ProtocolEditorPage::open(const std::filesystem::path& protocol) {
   title().setText(text(protocol.filename().string()));
   show_empty(false);
   show_content(bytes);
+  views_->show_form_if_possible();
   watch_file();
-  edit_->setFocus();
+  views_->give_focus();
 }
 
 bool ProtocolEditorPage::has_unsaved_changes() const {
@@ -269,10 +285,11 @@ QString ProtocolEditorPage::decoded(const std::string& bytes) {
 
 void ProtocolEditorPage::show_content(const std::string& bytes) {
   as_it_is_ = false;
+  views_->forget();
   edit_->setPlainText(decoded(bytes));  // forgets the undo of another file
   on_disk_ = bytes;
   as_it_is_ = !gives_back(bytes);
-  edit_->setReadOnly(as_it_is_);
+  views_->set_read_only(as_it_is_);
   // Saving is of use then: it leaves the mark out, which no protocol may have.
   edit_->document()->setModified(byte_order_mark_ && !as_it_is_);
   if (as_it_is_) {
@@ -288,7 +305,7 @@ void ProtocolEditorPage::show_content(const std::string& bytes) {
 /// The same in place of what is in the field, which stays a step of the undo.
 void ProtocolEditorPage::take_content(const std::string& bytes) {
   const QString shown = decoded(bytes);
-  edit_->setReadOnly(false);
+  views_->set_read_only(false);
   edit_->replace_text(shown);
   if (!gives_back(bytes)) {
     show_content(bytes);
@@ -341,7 +358,7 @@ void ProtocolEditorPage::show_checked() {
   // Of a text with problems, what it may not mean is not known.
   const std::vector<Diagnostic> warnings =
       problems.empty() ? shown.warnings : std::vector<Diagnostic>{};
-  edit_->show_problems(problems, warnings);
+  views_->show_problems(problems, warnings);
   std::vector<StudyTable::Row> rows{};
   const auto add = [&rows](const Diagnostic& place, const QString& sentence) {
     rows.push_back(
@@ -372,7 +389,7 @@ void ProtocolEditorPage::show_checked() {
 
 void ProtocolEditorPage::show_plan_or_why_not(const ProtocolCheck& shown) {
   if (shown.is_valid()) {
-    plan_side_->setCurrentWidget(plan_);
+    plan_side_->setCurrentWidget(chosen_side_);
     return;
   }
   why_no_plan_->setText(tr("The plan appears here once the text is valid. At present it has %1; "
@@ -382,26 +399,12 @@ void ProtocolEditorPage::show_plan_or_why_not(const ProtocolCheck& shown) {
   plan_side_->setCurrentWidget(why_no_plan_);
 }
 
-void ProtocolEditorPage::show_help() {
-  const auto help = help_.of(json_place(edit_->text(), edit_->textCursor().position()));
-  if (!help) {
-    key_help_->setText(QString("<span style='color:%1'>%2</span>")
-                           .arg(theme().muted.name(), tr("Help for the key at the cursor.")));
-    return;
-  }
-  key_help_->setText(QString("<b>%1</b>&nbsp; %2<br><span style='color:%3'>%4</span>")
-                         .arg(help->key.toHtmlEscaped(), help->meaning.toHtmlEscaped(),
-                              theme().muted.name(), help->form.toHtmlEscaped()));
-}
-
 void ProtocolEditorPage::go_to_problem(const QString& key) {
-  const auto& places = edit_->underlined();
-  const int problem = key.toInt();
-  if (key.isEmpty() || problem >= places.size()) return;
-  edit_->go_to(places[problem].cursor.selectionStart());
+  if (!key.isEmpty()) views_->go_to_problem(key.toUInt());
 }
 
 bool ProtocolEditorPage::may_leave(std::function<void()> then) {
+  views_->commit();
   if (!has_unsaved_changes()) return true;
   then_ = std::move(then);
   question_->ask(tr("%1 has unsaved changes.").arg(text(file_.filename().string())),
@@ -414,7 +417,7 @@ bool ProtocolEditorPage::may_leave(std::function<void()> then) {
                    }},
                   {"editor_leave_stay", tr("Keep editing"), [this] {
                      then_ = {};
-                     edit_->setFocus();
+                     views_->give_focus();
                    }}});
   return false;
 }
@@ -428,6 +431,7 @@ void ProtocolEditorPage::leave() {
 
 void ProtocolEditorPage::save(Agreed agreed) {
   if (file_.empty() || as_it_is_ || save_task_.is_running()) return;
+  views_->commit();
   question_->hide();
   save_task_.run<Saving>(
       [file = file_, folder = study().folder(), written = content(), before = on_disk_, agreed,
@@ -519,7 +523,7 @@ void ProtocolEditorPage::ask_about_theirs(const std::string& theirs, Then then) 
                    then == Then::save ? tr("Keep my version and save") : tr("Keep my version"),
                    [this, theirs, then] {
                      on_disk_ = theirs;  // known now: no reason to ask again
-                     edit_->setFocus();
+                     views_->give_focus();
                      if (then == Then::save) save(Agreed::nothing);
                    }}});
 }
@@ -538,7 +542,7 @@ void ProtocolEditorPage::ask_about_version(const VersionUse& use, bool only_simu
       {"editor_save_anyway", tr("Save under the same version"), [this] { save(Agreed::version); }});
   answers.push_back({"editor_do_not_save", tr("Do not save yet"), [this] {
                        then_ = {};
-                       edit_->setFocus();
+                       views_->give_focus();
                      }});
   if (only_simulated) {
     question_->ask(

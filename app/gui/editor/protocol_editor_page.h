@@ -1,4 +1,4 @@
-// A protocol as text: checked while it is typed, beside the plan that it expands to.
+// Declares the page on which a protocol is edited, as a form or as text, next to the plan that it expands to.
 
 #pragma once
 
@@ -10,7 +10,6 @@
 
 #include "app/gui/base/study_page.h"
 #include "app/gui/editor/live_check.h"
-#include "app/gui/editor/schema_help.h"
 #include "app/gui/look/background_task.h"
 
 class QFileSystemWatcher;
@@ -18,11 +17,12 @@ class QStackedWidget;
 
 namespace asperity {
 
-class FindBar;
 class LiveExamination;
 class PlanPreview;
 class ProtocolTextEdit;
+class ProtocolViews;
 class QuestionBar;
+class ScreenPreview;
 class StudyTable;
 
 /// The text is checked at every pause in the typing, and the stimuli of a valid one are examined once it has been
@@ -66,8 +66,9 @@ class ProtocolEditorPage final : public StudyPage {
   struct Saving;
 
   void make_head();
-  QWidget* make_text_side();
+  QWidget* make_edit_side();
   QWidget* make_plan_side();
+  void choose_side(QWidget* side);
   void show_content(const std::string& bytes);
   void take_content(const std::string& bytes);
   QString decoded(const std::string& bytes);
@@ -77,7 +78,6 @@ class ProtocolEditorPage final : public StudyPage {
   void take_checked(const LiveCheck::Result& result);
   void show_checked();
   void show_plan_or_why_not(const ProtocolCheck& shown);
-  void show_help();
   void go_to_problem(const QString& key);
   void save(Agreed agreed);
   void end_saving(const Saving& saving);
@@ -95,18 +95,18 @@ class ProtocolEditorPage final : public StudyPage {
   bool as_it_is_ = false;         ///< the field cannot hold the file: not to be changed
   std::function<void()> then_{};  ///< what waits for the changes to be saved or discarded
   LiveCheck::Result result_{};
-  SchemaHelp help_;
   QFileSystemWatcher* watcher_ = nullptr;
   QuestionBar* question_ = nullptr;
   QLabel* note_ = nullptr;
   QPushButton* save_ = nullptr;
-  ProtocolTextEdit* edit_ = nullptr;
-  FindBar* find_ = nullptr;
-  QLabel* key_help_ = nullptr;
+  ProtocolViews* views_ = nullptr;
+  ProtocolTextEdit* edit_ = nullptr;  ///< of the views
   StateLabel* state_ = nullptr;
   StudyTable* problems_ = nullptr;
-  QStackedWidget* plan_side_ = nullptr;
+  QStackedWidget* plan_side_ = nullptr;  ///< the screen, the plan, or why there is none
+  QWidget* chosen_side_ = nullptr;       ///< the one that is shown of a valid text
   PlanPreview* plan_ = nullptr;
+  ScreenPreview* screen_ = nullptr;
   QLabel* why_no_plan_ = nullptr;
   LiveCheck* check_ = nullptr;
   LiveExamination* examination_ = nullptr;

@@ -13,6 +13,7 @@
 #include "app/gui/editor/json_colors.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
+#include "app/gui/look/words.h"
 
 namespace asperity {
 
@@ -66,21 +67,23 @@ ProtocolTextEdit::ProtocolTextEdit(QWidget* parent)
   show_marks();
 }
 
-QString ProtocolTextEdit::text() const {
-  QString text = document()->toRawText();
-  text.replace(QChar::ParagraphSeparator, '\n');
-  return text;
-}
+QString ProtocolTextEdit::text() const { return text_of(*document()); }
 
 void ProtocolTextEdit::replace_text(const QString& text) {
   replace({0, document()->characterCount() - 1}, text);
 }
 
-void ProtocolTextEdit::replace(TextRange range, const QString& text) {
+void ProtocolTextEdit::replace(TextRange range, const QString& text, Step step) {
   QTextCursor cursor(document());
+  if (step == Step::same) {
+    cursor.joinPreviousEditBlock();
+  } else {
+    cursor.beginEditBlock();
+  }
   cursor.setPosition(static_cast<int>(range.start));
   cursor.setPosition(static_cast<int>(range.start + range.length), QTextCursor::KeepAnchor);
   cursor.insertText(text);
+  cursor.endEditBlock();
 }
 
 void ProtocolTextEdit::show_problems(const std::vector<Diagnostic>& problems,

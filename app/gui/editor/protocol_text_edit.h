@@ -24,7 +24,9 @@ class ProtocolTextEdit final : public QPlainTextEdit {
   QString text() const;
   /// In place of everything, as one step that can be undone.
   void replace_text(const QString& text);
-  void replace(TextRange range, const QString& text);
+  /// Whether undo takes a change back by itself, or together with the one before it.
+  enum class Step { another, same };
+  void replace(TextRange range, const QString& text, Step step = Step::another);
 
   /// Underlines every problem and every warning and marks its line. The marks move with the text.
   void show_problems(const std::vector<Diagnostic>& problems,

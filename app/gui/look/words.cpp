@@ -10,6 +10,7 @@
 #include <QtCore/QLocale>
 #include <QtCore/QRegularExpression>
 #include <QtCore/QTranslator>
+#include <QtGui/QTextDocument>
 
 namespace asperity {
 
@@ -29,6 +30,12 @@ std::string with_point_of_locale(const QLocale& locale, const char* words) {
 }
 
 }  // namespace
+
+QString text_of(const QTextDocument& document) {
+  QString text = document.toRawText();
+  text.replace(QChar::ParagraphSeparator, '\n');
+  return text;
+}
 
 Phrase::LookUp language_of_windows() {
   return [](const char* context, const char* words) {

@@ -11,6 +11,8 @@
 
 #include "app/words/phrase.h"
 
+class QTextDocument;
+
 namespace asperity {
 
 /// What finds the words of the windows' language. Any thread.
@@ -33,6 +35,10 @@ QString with_remark(const QString& said, const std::optional<Phrase>& remark);
 
 /// What a study or a protocol says, as it is written there. Any thread.
 inline QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+/// Every character of a document as it stands there, lines ended by '\n' (`toPlainText` makes plain spaces of no-break
+/// spaces).
+QString text_of(const QTextDocument& document);
 
 /// A path as the system writes it.
 inline QString path_text(const std::filesystem::path& path) { return text(path.string()); }

@@ -327,6 +327,7 @@ void PlanPreview::make_plan_anew() {
         }
         return [this, protocol, plan, cost] {
           if (protocol != protocol_) return;
+          planned_ = protocol;
           plan_ = plan;
           words_->setText(cost_in_words(cost, *plan));
           show_plan();
@@ -338,7 +339,7 @@ void PlanPreview::make_plan_anew() {
 void PlanPreview::show_plan() {
   std::vector<StudyTable::Row> rows{};
   for (std::size_t i = 0; i < plan_->steps.size(); ++i) {
-    const Line line = line_of(plan_->steps[i], *plan_, *protocol_);
+    const Line line = line_of(plan_->steps[i], *plan_, *planned_);
     QStandardItem* trial = line.trial.isEmpty() ? number_cell({}, -1.0)
                                                 : number_cell(line.trial, line.trial.toDouble());
     QList<QStandardItem*> cells{number_cell(static_cast<int>(i) + 1), trial, text_cell(line.block),
@@ -347,17 +348,21 @@ void PlanPreview::show_plan() {
     rows.push_back({QString::number(i), cells});
   }
   table_->fill(rows);
-  if (detail_ != nullptr && table_->selected_key().isEmpty()) {
+  if (detail_ == nullptr) return;
+  if (table_->selected_key().isEmpty()) {
     const auto first =
         std::find_if(plan_->steps.begin(), plan_->steps.end(),
                      [](const PlanStep& step) { return std::holds_alternative<TrialStep>(step); });
-    table_->select(QString::number(first - plan_->steps.begin()));
+    select_step(static_cast<int>(first - plan_->steps.begin()));
   }
 }
 
+void PlanPreview::select_step(int step) { table_->select(QString::number(step)); }
+
 void PlanPreview::show_step(int step) {
   if (detail_ == nullptr || static_cast<std::size_t>(step) >= plan_->steps.size()) return;
-  detail_->setText(in_full(plan_->steps[static_cast<std::size_t>(step)], *plan_, *protocol_));
+  detail_->setText(in_full(plan_->steps[static_cast<std::size_t>(step)], *plan_, *planned_));
+  emit step_shown(planned_, plan_, step);
 }
 
 }  // namespace asperity

@@ -30,6 +30,13 @@ class PlanPreview final : public QWidget {
   void show_protocol(const Protocol& protocol);
   /// Of the seed, row and group that are set.
   Allocation allocation() const;
+  /// Selects a step of a plan in the tall shape.
+  void select_step(int step);
+
+ signals:
+  /// A step of the tall shape is selected, or is another after a change of the plan. Its texts are as participants read them.
+  void step_shown(const std::shared_ptr<const asperity::Protocol>& protocol,
+                  const std::shared_ptr<const asperity::Plan>& plan, int step);
 
  private:
   void add_choice(QHBoxLayout& row);
@@ -38,6 +45,8 @@ class PlanPreview final : public QWidget {
   void show_step(int step);
 
   std::shared_ptr<const Protocol> protocol_{};
+  std::shared_ptr<const Protocol>
+      planned_{};  ///< the protocol of `plan_`, which can be an earlier one
   std::shared_ptr<const Plan> plan_{};
   QSpinBox* seed_ = nullptr;
   QSpinBox* row_ = nullptr;

@@ -8,7 +8,6 @@
 #include <QtCore/QFileSystemWatcher>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QHeaderView>
-#include <QtWidgets/QMenu>
 #include <QtWidgets/QScrollArea>
 #include <QtWidgets/QSplitter>
 #include <QtWidgets/QStackedWidget>
@@ -23,8 +22,7 @@
 #include "app/gui/study/interrupted_news.h"
 #include "app/gui/study/protocol_file_actions.h"
 #include "app/gui/study/sessions_page.h"
-#include "app/tasks/protocol_templates.h"
-#include "protocols/file/library_protocols.h"
+#include "app/gui/study/template_dialog.h"
 
 namespace asperity {
 
@@ -130,9 +128,9 @@ QString description_of(const ProtocolOverview& overview) {
 ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
     : StudyPage(study, tr("Protocols"), parent) {
   setObjectName("protocols_page");
-  QPushButton* add = make_button(tr("Create from template"), ButtonRole::plain, this);
+  QPushButton* add = make_button(tr("Create from template…"), ButtonRole::plain, this);
   add->setObjectName("protocols_new");
-  add_templates(add);
+  connect(add, &QPushButton::clicked, this, &ProtocolsPage::choose_template);
   examining_ = make_text({}, this, true);
   examining_->setObjectName("protocols_examining");
   examining_->setWordWrap(false);
@@ -144,8 +142,8 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
       tr("A protocol defines stimuli, tasks and trial order. Begin with one from the library, or "
          "copy a protocol file into the study's folder “protocols”: it appears here at once."),
       this);
-  auto* first = empty->add_action(tr("Create from template"), ButtonRole::primary, [] {});
-  add_templates(first);
+  auto* first = empty->add_action(tr("Create from template…"), ButtonRole::primary,
+                                  [this] { choose_template(); });
   set_empty_state(empty);
   for (QPushButton* button : {add, first}) button->setEnabled(study.can_be_written());
 
@@ -312,19 +310,17 @@ QWidget* ProtocolsPage::make_detail() {
   return card;
 }
 
-void ProtocolsPage::add_templates(QPushButton* button) {
-  auto* menu = new QMenu(button);
-  for (const LibraryProtocol& protocol : library_protocols()) {
-    menu->addAction(QString::fromUtf8(protocol.name.data(), qsizetype(protocol.name.size())), this,
-                    [this, name = std::string(protocol.name)] { add_from_template(name); });
-  }
-  button->setMenu(menu);
+void ProtocolsPage::choose_template() {
+  auto* dialog = new TemplateDialog(study().folder(), study().models(), this);
+  connect(dialog, &TemplateDialog::wanted, this, &ProtocolsPage::add_from_template);
+  dialog->open();
 }
 
-void ProtocolsPage::add_from_template(const std::string& name) {
+void ProtocolsPage::add_from_template(const std::string& name, const TemplateTextures& textures) {
   write_task_.run<std::filesystem::path>(
-      [name, folder = study().folder()](const std::stop_token&, const BackgroundTask::Progress&) {
-        return protocol_from_template(folder, name);
+      [name, textures, folder = study().folder()](const std::stop_token&,
+                                                  const BackgroundTask::Progress&) {
+        return protocol_from_template(folder, name, textures);
       },
       [this](const std::filesystem::path& file) {
         select_next_ = QString::fromStdString(file.string());

@@ -12,6 +12,7 @@
 #include "app/gui/base/session_wish.h"
 #include "app/gui/base/study_page.h"
 #include "app/tasks/interrupted_sessions.h"
+#include "app/tasks/protocol_templates.h"
 #include "app/tasks/study_overview.h"
 
 class QFileSystemWatcher;
@@ -44,8 +45,8 @@ class ProtocolsPage final : public StudyPage {
 
   QWidget* make_detail();
   void share_height();
-  void add_templates(QPushButton* button);
-  void add_from_template(const std::string& name);
+  void choose_template();
+  void add_from_template(const std::string& name, const TemplateTextures& textures);
   void show_protocols(const std::vector<ProtocolOverview>& protocols);
   void show_interrupted(const std::vector<InterruptedSession>& sessions);
   void examine_stimuli();

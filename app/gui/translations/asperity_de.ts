@@ -9824,6 +9824,62 @@
         <source>Target proportion</source>
         <translation>Zielanteil</translation>
     </message>
+    <message>
+        <source>What the experiment asks, and how the protocol is cited.</source>
+        <translation>Was das Experiment fragt, und wie das Protokoll zitiert wird.</translation>
+    </message>
+    <message>
+        <source>What is felt, and in what the surfaces differ.</source>
+        <translation>Was gefühlt wird, und worin sich die Oberflächen unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>What participants do in a trial, and how they explore a surface.</source>
+        <translation>Was Versuchspersonen in einem Durchgang tun, und wie sie eine Oberfläche erkunden.</translation>
+    </message>
+    <message>
+        <source>Order and groups</source>
+        <translation>Reihenfolge und Gruppen</translation>
+    </message>
+    <message>
+        <source>The course of a session, the trials of its blocks, and the groups of participants.</source>
+        <translation>Der Ablauf einer Sitzung, die Durchgänge ihrer Blöcke und die Gruppen der Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation>Versuchsperson</translation>
+    </message>
+    <message>
+        <source>Who takes part, what is asked of a participant, and what can be seen and heard.</source>
+        <translation>Wer teilnimmt, was eine Versuchsperson gefragt wird, und was zu sehen und zu hören ist.</translation>
+    </message>
+    <message>
+        <source>The texts that participants read, in the order of the file.</source>
+        <translation>Die Texte, die Versuchspersonen lesen, in der Reihenfolge der Datei.</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>The device, its limits, and what is recorded.</source>
+        <translation>Das Gerät, seine Grenzen und was aufgezeichnet wird.</translation>
+    </message>
+    <message>
+        <source>Virtual participants</source>
+        <translation>Virtuelle Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>How simulated participants respond.</source>
+        <translation>Wie simulierte Versuchspersonen antworten.</translation>
+    </message>
+    <message>
+        <source>The tests and measures that were decided before the data exist.</source>
+        <translation>Die Tests und Maße, die festgelegt wurden, bevor Daten vorliegen.</translation>
+    </message>
 </context>
 <context>
     <name>LabelNotice</name>
@@ -12637,6 +12693,21 @@
     </message>
 </context>
 <context>
+    <name>asperity::BoundField</name>
+    <message>
+        <source>Same in all trials</source>
+        <translation>In allen Durchgängen gleich</translation>
+    </message>
+    <message>
+        <source>Level of %1</source>
+        <translation>Stufe von %1</translation>
+    </message>
+    <message>
+        <source>%1: same in all trials, or the level of a factor</source>
+        <translation>%1: in allen Durchgängen gleich, oder die Stufe eines Faktors</translation>
+    </message>
+</context>
+<context>
     <name>asperity::CheckList</name>
     <message>
         <source>Checklist</source>
@@ -12687,6 +12758,13 @@
     <message>
         <source>The checks were cancelled. Press “Check again”: the session can start once they have been completed.</source>
         <translation>Die Prüfungen wurden abgebrochen. „Erneut prüfen“ drücken: Die Sitzung kann beginnen, sobald sie abgeschlossen sind.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ChoiceField</name>
+    <message>
+        <source>– not stated –</source>
+        <translation>– nicht angegeben –</translation>
     </message>
 </context>
 <context>
@@ -13509,6 +13587,53 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Attempts: %1 (%2 flagged, %3 invalid, %4 skipped).</source>
         <translation>Versuche: %1 (%2 markiert, %3 ungültig, %4 übersprungen).</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::EntryList</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Fold “%1”</source>
+        <translation>„%1“ zuklappen</translation>
+    </message>
+    <message>
+        <source>Unfold “%1”</source>
+        <translation>„%1“ aufklappen</translation>
+    </message>
+    <message>
+        <source>Ticked entries are moved, duplicated and removed together.</source>
+        <translation>Angekreuzte Einträge werden gemeinsam verschoben, dupliziert und entfernt.</translation>
+    </message>
+    <message>
+        <source>Choose “%1”</source>
+        <translation>„%1“ auswählen</translation>
+    </message>
+    <message>
+        <source>Move “%1” up</source>
+        <translation>„%1“ nach oben</translation>
+    </message>
+    <message>
+        <source>Move “%1” down</source>
+        <translation>„%1“ nach unten</translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation>„%1“ duplizieren</translation>
+    </message>
+    <message>
+        <source>Remove “%1”</source>
+        <translation>„%1“ entfernen</translation>
+    </message>
+    <message>
+        <source>+ Add</source>
+        <translation>+ Hinzufügen</translation>
+    </message>
+    <message>
+        <source>All names occur already</source>
+        <translation>Alle Namen kommen schon vor</translation>
     </message>
 </context>
 <context>
@@ -14540,6 +14665,44 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
 </context>
 <context>
+    <name>asperity::NumbersField</name>
+    <message>
+        <source>This is not a number.</source>
+        <translation>Das ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>These are not numbers with semicolons between them.</source>
+        <translation>Das sind keine Zahlen mit Semikolons dazwischen.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ObjectRows</name>
+    <message>
+        <source>Remove: the default applies</source>
+        <translation>Entfernen: Die Vorgabe gilt</translation>
+    </message>
+    <message>
+        <source>Remove “%1”</source>
+        <translation>„%1“ entfernen</translation>
+    </message>
+    <message>
+        <source>+ %1</source>
+        <translation>+ %1</translation>
+    </message>
+    <message>
+        <source>Hide the settings that are not stated</source>
+        <translation>Nicht angegebene Einstellungen ausblenden</translation>
+    </message>
+    <message>
+        <source>Further settings (%1)</source>
+        <translation>Weitere Einstellungen (%1)</translation>
+    </message>
+    <message>
+        <source>default</source>
+        <translation>Vorgabe</translation>
+    </message>
+</context>
+<context>
     <name>asperity::ParameterForm</name>
     <message>
         <source>default</source>
@@ -15216,10 +15379,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>← Alle Protokolle</translation>
     </message>
     <message>
-        <source>Text of the protocol</source>
-        <translation>Text des Protokolls</translation>
-    </message>
-    <message>
         <source>Line</source>
         <translation>Zeile</translation>
     </message>
@@ -15348,14 +15507,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Probleme</translation>
     </message>
     <message>
-        <source>Generated trial list</source>
-        <translation>Erzeugte Durchgangsliste</translation>
-    </message>
-    <message>
-        <source>Help for the key at the cursor.</source>
-        <translation>Hilfe zum Schlüssel an der Einfügemarke.</translation>
-    </message>
-    <message>
         <source>Warning: %1</source>
         <translation>Warnung: %1</translation>
     </message>
@@ -15378,6 +15529,14 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>%1 (the stimuli are being examined…)</source>
         <translation>%1 (die Reize werden untersucht…)</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>Bildschirm</translation>
     </message>
 </context>
 <context>
@@ -15435,6 +15594,44 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
 </context>
 <context>
+    <name>asperity::ProtocolForm</name>
+    <message>
+        <source>Pages of the form</source>
+        <translation>Seiten des Formulars</translation>
+    </message>
+    <message>
+        <source>the text is not an object {…}</source>
+        <translation>der Text ist kein Objekt {…}</translation>
+    </message>
+    <message>
+        <source>The text is not valid JSON. The form shows the last valid text and cannot be edited. Correct it in the text: %1</source>
+        <translation>Der Text ist kein gültiges JSON. Das Formular zeigt den letzten gültigen Text und kann nicht bearbeitet werden. Im Text korrigieren: %1</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Felder</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ProtocolViews</name>
+    <message>
+        <source>Form</source>
+        <translation>Formular</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Text of the protocol</source>
+        <translation>Text des Protokolls</translation>
+    </message>
+    <message>
+        <source>Help for the key at the cursor.</source>
+        <translation>Hilfe zum Schlüssel an der Schreibmarke.</translation>
+    </message>
+</context>
+<context>
     <name>asperity::ProtocolsPage</name>
     <message>
         <source>1 trial</source>
@@ -15487,10 +15684,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Protocols</source>
         <translation>Protokolle</translation>
-    </message>
-    <message>
-        <source>Create from template</source>
-        <translation>Aus Vorlage anlegen</translation>
     </message>
     <message>
         <source>No protocols yet</source>
@@ -15615,6 +15808,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Examining stimuli: %1 of %2</source>
         <translation>Untersuchung der Reize: %1 von %2</translation>
+    </message>
+    <message>
+        <source>Create from template…</source>
+        <translation>Aus Vorlage erstellen…</translation>
     </message>
 </context>
 <context>
@@ -15870,6 +16067,41 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
 </context>
 <context>
+    <name>asperity::RowTable</name>
+    <message>
+        <source>Trials</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>+ Add</source>
+        <translation>+ Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>+ Factor</source>
+        <translation>+ Faktor</translation>
+    </message>
+    <message>
+        <source>All factors occur already</source>
+        <translation>Alle Faktoren kommen schon vor</translation>
+    </message>
+</context>
+<context>
     <name>asperity::SavePanel</name>
     <message>
         <source>The photograph does not fit into the memory of this computer as a whole; scale it down and open it again</source>
@@ -16025,6 +16257,33 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>%1 · parameter of %2</source>
         <translation>%1 · Parameter von %2</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ScreenPreview</name>
+    <message>
+        <source>← Back</source>
+        <translation>← Zurück</translation>
+    </message>
+    <message>
+        <source>Next →</source>
+        <translation>Weiter →</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s screen</source>
+        <translation>Der Bildschirm der Versuchsperson</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1: the participant sees nothing new</source>
+        <translation>%1: Die Versuchsperson sieht nichts Neues</translation>
+    </message>
+    <message>
+        <source>%1, screen %2 of %3</source>
+        <translation>%1, Bild %2 von %3</translation>
     </message>
 </context>
 <context>
@@ -17330,6 +17589,114 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Cancelling…</source>
         <translation>Wird abgebrochen…</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::TemplateDialog</name>
+    <message>
+        <source>New protocol from a template</source>
+        <translation>Neues Protokoll aus einer Vorlage</translation>
+    </message>
+    <message>
+        <source>Experiment</source>
+        <translation>Experiment</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>Minutes</source>
+        <translation>Minuten</translation>
+    </message>
+    <message>
+        <source>Templates</source>
+        <translation>Vorlagen</translation>
+    </message>
+    <message>
+        <source>The templates are being read.</source>
+        <translation>Die Vorlagen werden gelesen.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Create protocol</source>
+        <translation>Protokoll erstellen</translation>
+    </message>
+    <message>
+        <source>The templates could not be read: %1</source>
+        <translation>Die Vorlagen konnten nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>Textures of this study, in this order:</source>
+        <translation>Texturen dieser Studie, in dieser Reihenfolge:</translation>
+    </message>
+    <message>
+        <source>Textures of this study</source>
+        <translation>Texturen dieser Studie</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s)</source>
+        <translation>
+            <numerusform>%n Durchgang</numerusform>
+            <numerusform>%n Durchgänge</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>etwa %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>This template compares %n texture(s).</source>
+        <translation>
+            <numerusform>Diese Vorlage vergleicht %n Textur.</numerusform>
+            <numerusform>Diese Vorlage vergleicht %n Texturen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>These textures are photographs that are not part of Asperity.</source>
+        <translation>Diese Texturen sind Fotos, die nicht zu Asperity gehören.</translation>
+    </message>
+    <message>
+        <source>Choose a template.</source>
+        <translation>Eine Vorlage wählen.</translation>
+    </message>
+    <message>
+        <source>Choose at least one texture.</source>
+        <translation>Mindestens eine Textur wählen.</translation>
+    </message>
+    <message>
+        <source>The protocol can be changed afterwards, also its textures.</source>
+        <translation>Das Protokoll kann danach geändert werden, auch seine Texturen.</translation>
+    </message>
+    <message>
+        <source>Textures of the template (written into the study)</source>
+        <translation>Texturen der Vorlage (sie werden in die Studie geschrieben)</translation>
+    </message>
+    <message>
+        <source>Make textures in the workbench first: this template needs photographs or reliefs of the study.</source>
+        <translation>Zuerst in der Werkstatt Texturen herstellen: Diese Vorlage braucht Fotos oder Reliefs der Studie.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::TextCard</name>
+    <message>
+        <source>Show in the text</source>
+        <translation>Im Text zeigen</translation>
+    </message>
+    <message>
+        <source>%1: defined in the text (line %2)</source>
+        <translation>%1: im Text definiert (Zeile %2)</translation>
     </message>
 </context>
 <context>

@@ -111,6 +111,23 @@
     </message>
 </context>
 <context>
+    <name>asperity::TemplateDialog</name>
+    <message numerus="yes">
+        <source>%n trial(s)</source>
+        <translation>
+            <numerusform>%n trial</numerusform>
+            <numerusform>%n trials</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>This template compares %n texture(s).</source>
+        <translation>
+            <numerusform>This template compares %n texture.</numerusform>
+            <numerusform>This template compares %n textures.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>asperity::WithdrawDialog</name>
     <message numerus="yes">
         <source>%n session(s)</source>

@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -20,6 +19,7 @@
 #include <QtWidgets/QStyleOptionSlider>
 
 #include "analysis/numbers/number_text.h"
+#include "app/gui/base/parameter_unit.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/decimal_field.h"
 
@@ -43,29 +43,25 @@ double decimal_shifted(double value, int exponent) {
   return shifted;
 }
 
-/// A unit on the screen: shown = SI · 10^exponent, or in degrees.
+/// A unit on the screen: shown = SI · 10^exponent, or SI / factor.
 struct ShownUnit {
   QString name{};
   int exponent = 0;
-  bool degrees = false;
+  double factor = 1.0;
 
   double shown(double si) const {
-    return degrees ? si * 180.0 / std::numbers::pi : decimal_shifted(si, exponent);
+    return factor == 1.0 ? decimal_shifted(si, exponent) : si / factor;
   }
   double si(double shown) const {
-    return degrees ? shown * std::numbers::pi / 180.0 : decimal_shifted(shown, -exponent);
+    return factor == 1.0 ? decimal_shifted(shown, -exponent) : shown * factor;
   }
 };
 
 ShownUnit shown_unit(const Parameter& parameter) {
-  constexpr double kSmallLength_m = 0.01;  // what reaches no further is told in micrometres
-  if (parameter.unit == "m" && parameter.maximum < kSmallLength_m)
-    return {.name = "µm", .exponent = 6};
-  if (parameter.unit == "m") return {.name = "mm", .exponent = 3};
-  if (parameter.unit == "m/s") return {.name = "mm/s", .exponent = 3};
-  if (parameter.unit == "rad") return {.name = "°", .degrees = true};
-  if (parameter.unit == "1") return {};
-  return {.name = QString::fromStdString(parameter.unit)};
+  const DisplayUnit display = display_unit_of(parameter);
+  const std::string_view own = parameter.unit == "1" ? std::string_view() : parameter.unit;
+  const std::string name(display.unit.empty() ? own : display.unit);
+  return {QString::fromStdString(name), -display.power, display.factor};
 }
 
 /// Four significant digits without exponent or trailing zeros, with a point.

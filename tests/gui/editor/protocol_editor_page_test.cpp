@@ -19,13 +19,16 @@
 
 #include "app/gui/base/study_table.h"
 #include "app/gui/editor/find_bar.h"
+#include "app/gui/editor/form/protocol_form.h"
 #include "app/gui/editor/json_colors.h"
 #include "app/gui/editor/protocol_text_edit.h"
 #include "app/gui/editor/question_bar.h"
+#include "app/gui/participant/participant_view.h"
 #include "app/gui/plan/plan_preview.h"
 #include "protocols/file/library_protocols.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"
+#include "tests/gui/editor/library_text.h"
 #include "tests/gui/study/lively_study.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/gated_examination.h"
@@ -33,13 +36,6 @@
 
 namespace asperity {
 namespace {
-
-std::string library_text(std::string_view name) {
-  for (const LibraryProtocol& protocol : library_protocols()) {
-    if (protocol.name == name) return std::string(protocol.text);
-  }
-  throw std::runtime_error("no such protocol");
-}
 
 class ProtocolEditor : public QuietHome {
  protected:
@@ -56,6 +52,7 @@ class ProtocolEditor : public QuietHome {
     page_->resize(1366, 768);
     page_->show();
     page_->open(file_);
+    click("editor_to_text");
     ASSERT_TRUE(checked());
   }
   bool checked() {
@@ -420,6 +417,30 @@ TEST_F(ProtocolEditor, LaysOutTheChosenRowOfTheCounterbalancing) {
   }
 }
 
+TEST_F(ProtocolEditor, ShowsTheScreenOfTheParticipantAtEveryStep) {
+  open();
+  ASSERT_TRUE(
+      eventually([&] { return child<StudyTable>(*page_, "plan_table").shown_rows() > 10; }));
+  click("editor_show_screen");
+  auto& table = child<StudyTable>(*page_, "plan_table");
+  const int steps = table.shown_rows();
+  auto& next = child<QPushButton>(*page_, "screen_next");
+  auto& back = child<QPushButton>(*page_, "screen_back");
+  table.select("0");
+  ASSERT_TRUE(
+      eventually([&] { return label("screen_words") == QString("Step 1 of %1").arg(steps); }));
+  const auto& view = child<ParticipantView>(*page_, "screen_view");
+  EXPECT_TRUE(eventually([&] { return view.drawn_texts().join(" ").contains("Welcome"); }));
+  EXPECT_FALSE(back.isEnabled());
+  int screens = 1;
+  for (; next.isEnabled(); ++screens) next.click();
+  EXPECT_TRUE(label("screen_words").startsWith(QString("Step %1 of %1").arg(steps)));
+  EXPECT_GT(screens, steps);  // a trial has several
+  int back_again = 1;
+  for (; back.isEnabled(); ++back_again) back.click();
+  EXPECT_EQ(back_again, screens);
+}
+
 TEST_F(ProtocolEditor, SaysWhyThereIsNoPlan) {
   open();
   auto& side = child<QStackedWidget>(*page_, "editor_plan_side");
@@ -427,7 +448,7 @@ TEST_F(ProtocolEditor, SaysWhyThereIsNoPlan) {
   go_behind("\"rate_Hz\": ");
   type("9");
   ASSERT_TRUE(checked());
-  EXPECT_EQ(side.currentIndex(), 1);
+  EXPECT_EQ(side.currentWidget(), page_->findChild<QLabel*>("editor_why_no_plan"));
   EXPECT_EQ(label("editor_why_no_plan"),
             "The plan appears here once the text is valid. At present it has 1 problem; the first "
             "is on line 22.");
@@ -712,6 +733,16 @@ TEST_F(ProtocolEditor, Pictures) {
         eventually([&] { return child<StudyTable>(*page_, "plan_table").shown_rows() > 10; }));
     go_behind("\"level_d");
     take_screenshot(*page_, "editor-valid" + end);
+    click("editor_to_form");
+    click("editor_show_screen");
+    child<QPushButton>(*page_, "screen_next").click();
+    auto& form = child<ProtocolForm>(*page_, "editor_form");
+    form.go_to("/blocks/main/question/prompt");
+    ASSERT_TRUE(eventually([&] { return !label("screen_words").isEmpty(); }));
+    take_screenshot(*page_, "editor-form" + end);
+    take_screenshot(*page_, "editor-form-small" + end, {910, 512});
+    click("editor_show_plan");
+    click("editor_to_text");
     go_behind("hand_oc");
     type("x");
     go_behind("\"level_dBA\": 6");

@@ -396,13 +396,21 @@ TEST_F(PagesToRead, SayWhyAProtocolThatWasRunIsNeitherRenamedNorDeleted) {
 TEST_F(StudyPages, PutATemplateIntoTheStudyUnderAFreeName) {
   open_demo();
   const StudyTable& table = table_of("protocols", "protocols_table", 3);
-  auto& add = child<QPushButton>(window_, "protocols_new");
-  const QList<QAction*> templates = add.menu()->actions();
-  const auto chapter = std::find_if(templates.begin(), templates.end(), [](const QAction* action) {
-    return action->text() == "chapter_selection";
-  });
-  ASSERT_NE(chapter, templates.end());
-  (*chapter)->trigger();
+  child<QPushButton>(window_, "protocols_new").click();
+  auto& dialog = child<QDialog>(window_, "template_dialog");
+  auto& templates = child<StudyTable>(dialog, "template_table");
+  ASSERT_TRUE(eventually([&] { return templates.shown_rows() == 25; }));
+  EXPECT_FALSE(child<QPushButton>(dialog, "template_create").isEnabled());
+  templates.select("chapter_selection");
+  EXPECT_EQ(child<QLabel>(dialog, "template_needs").text(), "This template compares 4 textures.");
+  take_screenshot(dialog, "template-dialog", {1040, 620});
+  auto& reliefs = child<QListWidget>(dialog, "template_reliefs");
+  for (int i = 0; i < reliefs.count(); ++i) {
+    const bool is_rendered =
+        QStringList{"brick", "metal", "stone", "wood"}.contains(reliefs.item(i)->text());
+    reliefs.item(i)->setCheckState(is_rendered ? Qt::Checked : Qt::Unchecked);
+  }
+  child<QPushButton>(dialog, "template_create").click();
   ASSERT_TRUE(eventually([&] { return table.shown_rows() == 4; }));
   EXPECT_TRUE(table.selected_key().endsWith("chapter_selection_2.json"));
   EXPECT_EQ(column(table, 5).filter("valid").size(), 4);

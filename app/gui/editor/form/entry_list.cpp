@@ -1,0 +1,413 @@
+// Implements the entries of a list or of an object whose keys are names.
+
+#include "app/gui/editor/form/entry_list.h"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <variant>
+
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QToolButton>
+#include <nlohmann/json.hpp>
+
+#include "app/gui/editor/form/form_fields.h"
+#include "app/gui/editor/form/object_rows.h"
+#include "app/gui/editor/form/text_card.h"
+#include "app/gui/look/controls.h"
+#include "app/gui/look/theme.h"
+#include "app/gui/look/words.h"
+#include "protocols/design/json_pointer.h"
+#include "protocols/editing/text_entries.h"
+#include "protocols/form/form_entries.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kNameWidth = 144;
+constexpr std::string_view kParameters = "/parameters";
+std::string_view first_deciding(const KeyTable& table, const nlohmann::json& object) {
+  for (const std::string_view key : table.deciding) {
+    if (object.contains(key)) return key;
+  }
+  return {};
+}
+
+}  // namespace
+
+EntryList::EntryList(FormContext& context, const ValueShape& shape, const std::string& pointer,
+                     const PagePart* part, QWidget* parent)
+    : FormPart(context, pointer, parent), shape_(shape), part_(part) {
+  layout_ = new QVBoxLayout(this);
+  layout_->setContentsMargins(0, 0, 0, 0);
+  layout_->setSpacing(kGrid);
+}
+
+const ValueShape& EntryList::entry_shape() const {
+  const auto* const list = std::get_if<ListShape>(&shape_);
+  return list != nullptr ? *list->entry : *std::get<MapShape>(shape_).entry;
+}
+
+std::vector<EntryList::Entry> EntryList::present_entries() const {
+  std::vector<Entry> entries{};
+  if (value() == nullptr || !value()->is_structured()) return entries;
+  const TextContainer container(source().document(), pointer());
+  for (std::size_t i = 0; i < container.entries().size(); ++i) {
+    const std::string& key = container.entries()[i].key;
+    Entry entry{};
+    if (container.is_object()) {
+      if (is_comment(key)) continue;
+      entry.pointer = pointer_to(pointer(), key);
+      entry.name = key;
+    } else {
+      entry.pointer = pointer_to(pointer(), i);
+      entry.name = name_of_entry(*source().find(entry.pointer)).value_or("");
+    }
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+std::string EntryList::structure(const std::vector<Entry>& entries) const {
+  std::string structure = "·";
+  if (pointer().ends_with(kParameters)) {  // the model decides which there are, and their units
+    structure += source().characters(stimulus() + "/model");
+  }
+  for (const Entry& entry : entries) {
+    const nlohmann::json& present = *source().find(entry.pointer);
+    const bool is_field = has_field(entry_shape(), &present);
+    const bool is_known = shape_of(entry_shape(), present) != nullptr;
+    structure += is_field ? "f" : is_known ? "c" : "t";
+    structure +=
+        (context().opened.contains(entry.pointer) ? "+" : "-") + std::string(present.type_name());
+    if (std::holds_alternative<MapShape>(shape_)) structure += entry.name + "/";
+  }
+  return structure;
+}
+
+void EntryList::refresh() {
+  std::vector<Entry> present = present_entries();
+  const std::string now = structure(present);
+  if (now != made_) {
+    made_ = now;
+    make_entries(std::move(present));
+  } else {
+    for (std::size_t i = 0; i < present.size(); ++i) entries_[i].name = present[i].name;
+  }
+  for (std::size_t i = 0; i < entries_.size(); ++i) show_entry(entries_[i], i);
+}
+
+void EntryList::show_entry(const Entry& entry, std::size_t index) const {
+  const QString title = title_of(entry, index);
+  for (const auto& [tool, sentence] : entry.tools) {
+    tool->setToolTip(sentence.arg(title));
+    tool->setAccessibleName(sentence.arg(title));
+  }
+  if (entry.chosen != nullptr) {
+    entry.chosen->setAccessibleName(tr("Choose “%1”").arg(title));
+    entry.chosen->setChecked(ticked_.contains(entry.pointer));
+  }
+  if (entry.content != nullptr) entry.content->refresh();
+  if (entry.key != nullptr) entry.key->refresh();
+  if (entry.summary != nullptr) {
+    const QString summary = text(summary_of(entry_shape(), *source().find(entry.pointer)));
+    entry.summary->setText(
+        QString("<b>%1</b>&nbsp;&nbsp;%2")
+            .arg(title.toHtmlEscaped(), summary.left(summary.indexOf('\n')).toHtmlEscaped()));
+  }
+  // A folded card states what is wrong in it.
+  const bool is_folded = entry.content == nullptr;
+  const QString sentences =
+      problems_at(context(), entry.pointer,
+                  is_folded || entry.summary == nullptr ? Problems::within : Problems::of_value);
+  show_problem(*entry.problem, sentences);
+}
+
+QString EntryList::title_of(const Entry& entry, std::size_t index) const {
+  const auto* const object = std::get_if<ObjectShape>(&entry_shape());
+  const nlohmann::json& present = *source().find(entry.pointer);
+  if (object != nullptr && !object->table->deciding.empty() && present.is_object()) {
+    const ProtocolKey* const kind = object->table->find(first_deciding(*object->table, present));
+    if (kind != nullptr) return QString("%1. %2").arg(index + 1).arg(text_of_keys(kind->label));
+  }
+  return entry.name.empty() ? QString::number(index + 1) : text(entry.name);
+}
+
+void EntryList::make_entries(std::vector<Entry> entries) {
+  context().has_new_parts = true;
+  clear_layout(*layout_);
+  entries_ = std::move(entries);
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const nlohmann::json& present = *source().find(entries_[i].pointer);
+    if (has_field(entry_shape(), &present)) {
+      add_line(entries_[i], i);
+    } else {
+      add_card(entries_[i], i);
+    }
+  }
+  if (!is_excerpt()) add_adding();
+}
+
+void EntryList::add_line(Entry& entry, std::size_t index) {
+  auto* row = new QHBoxLayout();
+  if (source().parameter_at(entry.pointer) != nullptr) {
+    QLabel* label = make_text(text(entry.name), this);
+    label->setFixedWidth(kNameWidth);
+    row->addWidget(label);
+  } else if (std::holds_alternative<MapShape>(shape_)) {
+    entry.key = make_key_field(context(), entry.pointer, this);
+    entry.key->setFixedWidth(kNameWidth);
+    entry.key->set_name(tr("Name"));
+    row->addWidget(entry.key);
+  }
+  entry.content = make_field(context(), entry_shape(), {}, entry.pointer, this);
+  entry.content->set_name(title_of(entry, index));
+  row->addWidget(entry.content, 1);
+  add_tools(*row, entry, index);
+  layout_->addLayout(row);
+  entry.problem = make_problem_label(this);
+  layout_->addWidget(entry.problem);
+}
+
+void EntryList::add_card(Entry& entry, std::size_t index) {
+  auto* card = new QFrame(this);
+  card->setObjectName("card:" + text(entry.pointer));
+  card->setFrameShape(QFrame::StyledPanel);
+  card->setAutoFillBackground(true);
+  card->setBackgroundRole(QPalette::Base);
+  auto* layout = new QVBoxLayout(card);
+  layout->setContentsMargins(kGrid, kGrid / 2, kGrid, kGrid / 2);
+  auto* head = new QHBoxLayout();
+  layout->addLayout(head);
+  const nlohmann::json& present = *source().find(entry.pointer);
+  const bool is_open = context().opened.contains(entry.pointer);
+  auto* fold = new QToolButton(card);
+  fold->setObjectName("open:" + text(entry.pointer));
+  fold->setArrowType(is_open ? Qt::DownArrow : Qt::RightArrow);
+  fold->setAutoRaise(true);
+  entry.tools.emplace_back(fold, is_open ? tr("Fold “%1”") : tr("Unfold “%1”"));
+  connect(fold, &QToolButton::clicked, this, [this, pointer = entry.pointer] { toggle(pointer); });
+  head->addWidget(fold);
+  entry.summary = make_text({}, card);
+  entry.summary->setTextFormat(Qt::RichText);
+  entry.summary->setWordWrap(false);
+  entry.summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  head->addWidget(entry.summary, 1);
+  add_tools(*head, entry, index);
+  entry.problem = make_problem_label(card);
+  layout->addWidget(entry.problem);
+  if (is_open) {
+    if (std::holds_alternative<MapShape>(shape_) && !is_excerpt()) {
+      auto* row = new QHBoxLayout();
+      QLabel* label = make_text(tr("Name"), card);
+      label->setFixedWidth(kNameWidth);
+      entry.key = make_key_field(context(), entry.pointer, card);
+      entry.key->set_name(tr("Name"));
+      row->addWidget(label);
+      row->addWidget(entry.key, 1);
+      layout->addLayout(row);
+    }
+    entry.content = make_part(context(), entry_shape(), nullptr, entry.pointer, part_, card);
+    layout->addWidget(entry.content);
+  } else if (shape_of(entry_shape(), present) == nullptr) {
+    entry.content = new TextCard(context(), entry.pointer, card);
+    layout->addWidget(entry.content);
+  }
+  layout_->addWidget(card);
+}
+
+void EntryList::add_tools(QHBoxLayout& row, Entry& entry, std::size_t index) {
+  if (is_excerpt()) return;
+  entry.chosen = new QCheckBox(this);
+  entry.chosen->setToolTip(tr("Ticked entries are moved, duplicated and removed together."));
+  connect(entry.chosen, &QCheckBox::clicked, this, [this, pointer = entry.pointer](bool is_ticked) {
+    if (is_ticked) {
+      ticked_.insert(pointer);
+    } else {
+      ticked_.erase(pointer);
+    }
+  });
+  row.addWidget(entry.chosen);
+  const auto add = [&](const QString& sign, const QString& sentence, auto act) {
+    QToolButton* tool = make_tool(sign, {}, this);
+    row.addWidget(tool);
+    entry.tools.emplace_back(tool, sentence);
+    connect(tool, &QToolButton::clicked, this, act);
+    return tool;
+  };
+  add("↑", tr("Move “%1” up"), [this, index] { move(index, -1); })->setEnabled(index > 0);
+  add("↓", tr("Move “%1” down"), [this, index] {
+    move(index, 1);
+  })->setEnabled(index + 1 < entries_.size());
+  add("+", tr("Duplicate “%1”"), [this, index] { duplicate(index); });
+  add("×", tr("Remove “%1”"), [this, index] { remove(index); });
+}
+
+QStringList EntryList::keys_to_add(QStringList& labels) const {
+  const auto* const object = std::get_if<ObjectShape>(&entry_shape());
+  const auto* const map = std::get_if<MapShape>(&shape_);
+  QStringList keys{};
+  if (map == nullptr) {
+    for (const std::string_view kind :
+         object == nullptr ? std::span<const std::string_view>{} : object->table->deciding) {
+      keys.append(text(std::string(kind)));
+      labels.append(text_of_keys(object->table->find(kind)->label));
+    }
+    return keys;
+  }
+  if (pointer().ends_with(kParameters)) {
+    for (const Parameter* const parameter : source().parameters_of(stimulus())) {
+      keys.append(text(parameter->name));
+    }
+  } else if (!map->key.registry.empty() && !map->key.is_declared) {
+    keys = source().names_for(map->key, pointer());
+  }
+  keys.removeIf([this](const QString& key) {
+    return source().find(pointer_to(pointer(), key.toStdString())) != nullptr;
+  });
+  labels = keys;
+  return keys;
+}
+
+void EntryList::add_adding() {
+  QPushButton* add_one = make_button(tr("+ Add"), ButtonRole::link, this);
+  add_one->setObjectName("add:" + text(pointer()));
+  layout_->addWidget(add_one, 0, Qt::AlignLeft);
+  const auto* const object = std::get_if<ObjectShape>(&entry_shape());
+  const auto* const map = std::get_if<MapShape>(&shape_);
+  const bool has_kinds = object != nullptr && !object->table->deciding.empty() && map == nullptr;
+  const bool has_names = map != nullptr && (pointer().ends_with(kParameters) ||
+                                            (!map->key.registry.empty() && !map->key.is_declared));
+  if (!has_kinds && !has_names) {
+    connect(add_one, &QPushButton::clicked, this, [this] { add({}); });
+    return;
+  }
+  auto* menu = new QMenu(add_one);
+  connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+    menu->clear();
+    QStringList labels{};
+    const QStringList keys = keys_to_add(labels);
+    for (qsizetype i = 0; i < keys.size(); ++i) {
+      menu->addAction(labels[i], this, [this, key = keys[i].toStdString()] { add(key); });
+    }
+    if (keys.isEmpty()) menu->addAction(tr("All names occur already"))->setEnabled(false);
+  });
+  add_one->setMenu(menu);
+}
+
+void EntryList::toggle(const std::string& pointer) {
+  if (context().opened.erase(pointer) == 0) context().opened.insert(pointer);
+  context().refresh();
+}
+
+std::vector<std::size_t> EntryList::together(std::size_t index) const {
+  std::vector<std::size_t> ticked{};
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (ticked_.contains(entries_[i].pointer)) ticked.push_back(i);
+  }
+  return ticked_.contains(entries_[index].pointer) ? ticked : std::vector{index};
+}
+
+void EntryList::rearrange(const FormContext::Edit& edit,
+                          const std::function<std::optional<std::size_t>(std::size_t)>& position) {
+  if (std::holds_alternative<ListShape>(shape_)) {
+    const auto moved = [&](const std::set<std::string>& pointers) {
+      std::set<std::string> there{};
+      for (const std::string& one : pointers) {
+        const std::size_t begin = pointer().size() + 1;
+        if (!one.starts_with(pointer() + "/")) {
+          there.insert(one);
+          continue;
+        }
+        const std::size_t end = std::min(one.find('/', begin), one.size());
+        const auto at = position(std::stoul(one.substr(begin, end - begin)));
+        if (at) there.insert(pointer_to(pointer(), *at) + one.substr(end));
+      }
+      return there;
+    };
+    ticked_ = moved(ticked_);
+    context().opened.erase(pointer() + "/");
+    context().opened = moved(context().opened);
+  }
+  context().edit(edit, {});
+}
+
+void EntryList::move(std::size_t index, int by) {
+  std::vector<std::size_t> moved = together(index);
+  if (by > 0) std::reverse(moved.begin(), moved.end());
+  if (moved.front() == (by > 0 ? entries_.size() - 1 : 0)) return;
+  std::vector<std::size_t> order(entries_.size());  // the entries before, by their position
+  std::iota(order.begin(), order.end(), 0);
+  // An entry, and the one whose place it takes: positions in the text also count comments.
+  std::vector<std::pair<std::string, std::string>> steps{};
+  for (const std::size_t i : moved) {
+    const std::size_t other = by > 0 ? i + 1 : i - 1;
+    steps.emplace_back(entries_[i].pointer, entries_[other].pointer);
+    std::swap(order[i], order[other]);
+  }
+  rearrange(
+      [&](const JsonDocument& document) {
+        FormEdit edit{std::string(document.text()), {}};
+        for (const auto& [one, other] : steps) {
+          const JsonDocument present(edit.text, {});
+          edit = with_moved(present, one, entry_at(present, other).index);
+        }
+        return edit;
+      },
+      [&](std::size_t before) {
+        return static_cast<std::size_t>(std::find(order.begin(), order.end(), before) -
+                                        order.begin());
+      });
+}
+
+void EntryList::duplicate(std::size_t index) {
+  std::vector<std::size_t> copied = together(index);
+  rearrange(
+      [&](const JsonDocument& document) {
+        FormEdit edit{std::string(document.text()), {}};
+        for (auto i = copied.rbegin(); i != copied.rend(); ++i) {  // pointers before a copy stay
+          edit = with_copy(JsonDocument(edit.text, {}), entries_[*i].pointer);
+        }
+        return edit;
+      },
+      [&](std::size_t before) {
+        const auto before_it = std::lower_bound(copied.begin(), copied.end(), before);
+        return before + static_cast<std::size_t>(before_it - copied.begin());
+      });
+}
+
+void EntryList::remove(std::size_t index) {
+  const std::vector<std::size_t> gone = together(index);
+  std::vector<std::string> pointers{};
+  for (const std::size_t i : gone) {
+    pointers.push_back(entries_[i].pointer);
+    ticked_.erase(entries_[i].pointer);
+  }
+  rearrange([&](const JsonDocument& text) { return without(text, pointers); },
+            [&](std::size_t before) -> std::optional<std::size_t> {
+              const auto after = std::lower_bound(gone.begin(), gone.end(), before);
+              if (after != gone.end() && *after == before) return {};
+              return before - static_cast<std::size_t>(after - gone.begin());
+            });
+}
+
+void EntryList::add(const std::string& key) {
+  context().edit(
+      [&](const JsonDocument& text) {
+        const Parameter* const parameter = source().parameter_at(pointer_to(pointer(), key));
+        FormEdit edit = parameter == nullptr ? with_entry(text, pointer(), key)
+                                             : with_value(text, pointer_to(pointer(), key),
+                                                          json_of(parameter->default_value));
+        context().opened.insert(edit.pointer);
+        return edit;
+      },
+      {});
+}
+
+}  // namespace asperity
+
+#include "moc_entry_list.cpp"

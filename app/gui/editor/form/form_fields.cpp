@@ -1,0 +1,151 @@
+// Chooses the field for a shape.
+
+#include "app/gui/editor/form/form_fields.h"
+
+#include <variant>
+
+#include <nlohmann/json.hpp>
+
+#include "app/gui/base/parameter_unit.h"
+#include "app/gui/editor/form/choice_fields.h"
+#include "app/gui/editor/form/typed_fields.h"
+#include "app/gui/look/words.h"
+#include "protocols/form/form_entries.h"
+
+namespace asperity {
+
+namespace {
+
+bool is_level(const FormsShape& shape) {
+  for (const ValueShape& form : shape.forms) {
+    const bool is_text = std::holds_alternative<TextShape>(form);
+    if (!is_text && !std::holds_alternative<NumberShape>(form)) return false;
+  }
+  return true;
+}
+
+NumberShape number_shape(const Parameter& parameter) {
+  return {.minimum = parameter.minimum,
+          .maximum = parameter.maximum,
+          .is_whole = parameter.kind == ParameterKind::integer,
+          .unit = parameter.unit,
+          .display = display_unit_of(parameter)};
+}
+
+class FieldMaker final {
+ public:
+  FieldMaker(FormContext& context, const FieldOf& of, const std::string& pointer, QWidget* parent)
+      : context_(context), of_(of), pointer_(pointer), parent_(parent) {}
+
+  FormPart* operator()(const NumberShape& shape) const {
+    return new NumbersField(context_, displayed_shape(shape, pointer_), NumbersField::Count::one,
+                            of_, pointer_, parent_);
+  }
+  FormPart* operator()(const TruthShape&) const {
+    return new TruthField(context_, of_, pointer_, parent_);
+  }
+  FormPart* operator()(const WordShape& shape) const {
+    return new ChoiceField(
+        context_,
+        [words = shape.words] {
+          std::vector<ChoiceField::Choice> choices{};
+          for (const KeyWord& word : words) {
+            QString shown = text(std::string(word.name)).replace('_', ' ');
+            if (!word.meaning.empty()) shown += ": " + text_of_keys(word.meaning);
+            choices.push_back({std::string(word.name), shown});
+          }
+          return choices;
+        },
+        of_, pointer_, parent_);
+  }
+  FormPart* operator()(const TextShape& shape) const {
+    if (shape.name.is_declared && !shape.is_formula) {
+      return new DeclaredNameField(context_, Named::by_value, of_, pointer_, parent_);
+    }
+    if (shape.is_long) return new ParagraphField(context_, of_, pointer_, parent_);
+    return new TextField(context_, shape.is_formula ? NameShape{} : shape.name,
+                         TextField::Values::texts, of_, pointer_, parent_);
+  }
+  FormPart* operator()(const NameShape& shape) const {
+    if (shape.is_declared) {
+      return new DeclaredNameField(context_, Named::by_value, of_, pointer_, parent_);
+    }
+    if (shape.registry.empty()) {
+      return new TextField(context_, {}, TextField::Values::texts, of_, pointer_, parent_);
+    }
+    return new ChoiceField(
+        context_,
+        [&context = context_, shape, pointer = pointer_] {
+          std::vector<ChoiceField::Choice> choices{};
+          for (const QString& name : context.source->names_for(shape, pointer)) {
+            choices.push_back({name.toStdString(), name});
+          }
+          return choices;
+        },
+        of_, pointer_, parent_);
+  }
+  FormPart* operator()(const ListShape& shape) const {
+    const auto& number = std::get<NumberShape>(*shape.entry);
+    return new NumbersField(context_, displayed_shape(number, pointer_), NumbersField::Count::list,
+                            of_, pointer_, parent_);
+  }
+  FormPart* operator()(const BoundShape& shape) const {
+    return new BoundField(context_, *shape.value, of_, pointer_, parent_);
+  }
+  FormPart* operator()(const FormsShape& shape) const {
+    if (!is_level(shape))
+      return std::visit(*this, *shape_of(shape, *context_.source->find(pointer_)));
+    const Parameter* const parameter = context_.source->parameter_at(pointer_);
+    if (parameter == nullptr) {
+      return new TextField(context_, {}, TextField::Values::levels, of_, pointer_, parent_);
+    }
+    if (parameter->kind != ParameterKind::choice) return (*this)(number_shape(*parameter));
+    return new ChoiceField(
+        context_,
+        [parameter] {
+          std::vector<ChoiceField::Choice> choices{};
+          for (const std::string& choice : parameter->choices) {
+            choices.push_back({choice, text(choice)});
+          }
+          return choices;
+        },
+        of_, pointer_, parent_);
+  }
+  FormPart* operator()(const MapShape&) const { return nullptr; }
+  FormPart* operator()(const ObjectShape&) const { return nullptr; }
+
+ private:
+  FormContext& context_;
+  const FieldOf& of_;
+  const std::string& pointer_;
+  QWidget* parent_ = nullptr;
+};
+
+}  // namespace
+
+bool FieldOf::is_required() const noexcept { return key != nullptr && key->is_required; }
+
+bool has_field(const ValueShape& shape, const nlohmann::json* value) {
+  if (value != nullptr && shape_of(shape, *value) == nullptr) return false;
+  if (const auto* const list = std::get_if<ListShape>(&shape)) {
+    return std::holds_alternative<NumberShape>(*list->entry);
+  }
+  if (const auto* const bound = std::get_if<BoundShape>(&shape)) {
+    return has_field(*bound->value, nullptr);
+  }
+  if (const auto* const forms = std::get_if<FormsShape>(&shape)) {
+    return is_level(*forms) || (value != nullptr && has_field(*shape_of(shape, *value), value));
+  }
+  return !std::holds_alternative<MapShape>(shape) && !std::holds_alternative<ObjectShape>(shape);
+}
+
+FormPart* make_field(FormContext& context, const ValueShape& shape, const FieldOf& of,
+                     const std::string& pointer, QWidget* parent) {
+  return std::visit(FieldMaker(context, of, pointer, parent), shape);
+}
+
+FormPart* make_key_field(FormContext& context, const std::string& pointer, QWidget* parent) {
+  return new DeclaredNameField(context, Named::by_key, {}, pointer, parent);
+}
+
+}  // namespace asperity

@@ -1,0 +1,28 @@
+// Declares the fields for values on one line of a form, or in one box.
+
+#pragma once
+
+#include <string>
+
+#include "app/gui/editor/form/form_part.h"
+#include "protocols/keys/key.h"
+
+namespace asperity {
+
+/// The key of a value: without one (null) it is an entry of a list or a map.
+struct FieldOf {
+  const ProtocolKey* key = nullptr;
+  bool is_required() const noexcept;
+};
+
+/// Whether a field can show values of the shape; `value` is the present one, null if there is none.
+bool has_field(const ValueShape& shape, const nlohmann::json* value);
+
+/// A field for the shape, for which `has_field` is true.
+FormPart* make_field(FormContext& context, const ValueShape& shape, const FieldOf& of,
+                     const std::string& pointer, QWidget* parent);
+
+/// A field of one line for a name that is declared by the key of the member at `pointer`.
+FormPart* make_key_field(FormContext& context, const std::string& pointer, QWidget* parent);
+
+}  // namespace asperity

@@ -1,0 +1,90 @@
+// Implements what the parts of a form share.
+
+#include "app/gui/editor/form/form_part.h"
+
+#include <array>
+#include <utility>
+
+#include <QtWidgets/QLayout>
+#include <QtWidgets/QToolButton>
+
+#include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kToolWidth = 28;
+
+}  // namespace
+
+FormPart::FormPart(FormContext& context, std::string pointer, QWidget* parent)
+    : QWidget(parent), context_(context), pointer_(std::move(pointer)) {
+  setObjectName(text(pointer_));
+}
+
+void FormPart::set_name(const QString& name) {
+  if (focusProxy() != nullptr) focusProxy()->setAccessibleName(name);
+}
+
+void FormPart::write(const std::string& json) const {
+  context_.edit([&](const JsonDocument& text) { return with_value(text, pointer_, json); }, {});
+}
+
+void FormPart::write_typed(const std::string& json) const {
+  context_.edit([&](const JsonDocument& text) { return with_value(text, pointer_, json); },
+                pointer_);
+}
+
+void FormPart::remove() const {
+  if (value() == nullptr) return;
+  context_.edit([&](const JsonDocument& text) { return without(text, std::array{pointer_}); }, {});
+}
+
+QString problems_at(const FormContext& context, const std::string& pointer, Problems which) {
+  QStringList sentences{};
+  for (const auto& [place, sentence] : context.problems) {
+    const bool is_within = which == Problems::within && place.starts_with(pointer + "/");
+    if (place == pointer || is_within) sentences.append(sentence);
+  }
+  return sentences.join("\n");
+}
+
+QLabel* make_problem_label(QWidget* parent) {
+  QLabel* label = make_text({}, parent);
+  label->setObjectName("form_problem");
+  label->setStyleSheet("color: " + color_of(State::stop).name());
+  label->hide();
+  return label;
+}
+
+void show_problem(QLabel& label, const QString& sentences) {
+  label.setText(sentences.isEmpty() ? QString() : shape_of(State::stop) + " " + sentences);
+  label.setVisible(!sentences.isEmpty());
+}
+
+QToolButton* make_tool(const QString& sign, const QString& name, QWidget* parent) {
+  auto* tool = new QToolButton(parent);
+  tool->setText(sign);
+  tool->setToolTip(name);
+  tool->setAccessibleName(name);
+  tool->setAutoRaise(true);
+  tool->setFixedWidth(kToolWidth);
+  return tool;
+}
+
+void clear_layout(QLayout& layout) {
+  while (QLayoutItem* const item = layout.takeAt(0)) {
+    if (item->layout() != nullptr) clear_layout(*item->layout());
+    if (item->widget() != nullptr) {
+      item->widget()->hide();
+      item->widget()->deleteLater();
+    }
+    delete item;
+  }
+}
+
+}  // namespace asperity
+
+#include "moc_form_part.cpp"

@@ -1,0 +1,90 @@
+// Declares the parts of a form, each of which shows one value of the text.
+
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include <QtWidgets/QWidget>
+
+#include "app/gui/editor/form/form_source.h"
+#include "protocols/form/form_edits.h"
+
+class QLabel;
+class QLayout;
+class QToolButton;
+
+namespace asperity {
+
+/// What all parts of a form share. Belongs to the form.
+struct FormContext {
+  using Edit = std::function<FormEdit(const JsonDocument&)>;
+
+  std::shared_ptr<const FormSource> source{};
+  /// Edits the text. Edits in succession with the same `step` that is not empty are one step of the undo.
+  std::function<void(const Edit& edit, const std::string& step)> edit{};
+  std::function<void(const std::string& pointer)> show_in_text{};
+  /// Shows all parts again, of which some are unfolded.
+  std::function<void()> refresh{};
+  std::map<std::string, QString> problems{};  ///< sentences of the check, by pointer
+  /// Writes a name that was typed and is not complete; empty if there is none. It comes before any other edit.
+  std::function<void()> write_pending{};
+  /// Parts have been made: the order of the keyboard has to be that of the layout again.
+  bool has_new_parts = false;
+  bool is_refreshing = false;  ///< parts are shown or made again, which is no edit
+  std::set<std::string>
+      opened{};  ///< the cards and lists of settings that are unfolded, by pointer
+};
+
+/// Shows the value at a JSON pointer and edits it. Its object name is the pointer, that of the field of a key "name:" and the
+/// pointer of the member.
+class FormPart : public QWidget {
+  Q_OBJECT
+ public:
+  FormPart(FormContext& context, std::string pointer, QWidget* parent);
+
+  const std::string& pointer() const noexcept { return pointer_; }
+  /// Shows the present text; makes again what has another structure.
+  virtual void refresh() = 0;
+  /// The name of its control for screen readers.
+  virtual void set_name(const QString& name);
+  /// The meaning of the value, for help.
+  const QString& meaning() const noexcept { return meaning_; }
+  void set_meaning(const QString& meaning) { meaning_ = meaning; }
+
+ protected:
+  FormContext& context() const noexcept { return context_; }
+  const FormSource& source() const { return *context_.source; }
+  /// Null if the text has none.
+  const nlohmann::json* value() const { return source().find(pointer_); }
+  void write(const std::string& json) const;
+  /// Typing in a field is one step.
+  void write_typed(const std::string& json) const;
+  /// The key without its value: the default applies.
+  void remove() const;
+
+ private:
+  FormContext& context_;
+  std::string pointer_{};
+  QString meaning_{};
+};
+
+/// The sentences about the value at a pointer; with `within`, also those about what it contains.
+enum class Problems { of_value, within };
+QString problems_at(const FormContext& context, const std::string& pointer, Problems which);
+
+/// A hidden label for such sentences, and the sentences in it with their mark.
+QLabel* make_problem_label(QWidget* parent);
+void show_problem(QLabel& label, const QString& sentences);
+
+/// A small button with a sign, whose name is read aloud and shown as its tip.
+QToolButton* make_tool(const QString& sign, const QString& name, QWidget* parent);
+
+/// Deletes the widgets of a layout, later, because one of them may have caused this.
+void clear_layout(QLayout& layout);
+
+}  // namespace asperity

@@ -1,0 +1,111 @@
+// Implements the text that a form shows.
+
+#include "app/gui/editor/form/form_source.h"
+
+#include <algorithm>
+
+#include <QtCore/QCoreApplication>
+#include <nlohmann/json.hpp>
+
+#include "app/gui/look/words.h"
+#include "protocols/editing/edits.h"
+#include "protocols/form/new_values.h"
+
+namespace asperity {
+
+namespace {
+
+/// "/stimuli/NAME/parameters/PARAMETER"
+constexpr std::size_t kPartsOfParameter = 4;
+
+std::vector<std::string> parts_of(const std::string& pointer) {
+  std::vector<std::string> parts{};
+  for (nlohmann::json::json_pointer path(pointer); !path.empty(); path.pop_back()) {
+    parts.insert(parts.begin(), path.back());
+  }
+  return parts;
+}
+
+void add_new(QStringList& names, const std::string& name) {
+  const QString added = text(name);
+  if (!names.contains(added)) names.append(added);
+}
+
+}  // namespace
+
+FormSource::FormSource(std::string text, const std::vector<ModelDeclaration>& models)
+    : text_(std::move(text)),
+      document_(text_, {}),
+      names_(names_in(document_.root())),
+      models_(models) {}
+
+const nlohmann::json* FormSource::find(const std::string& pointer) const {
+  const nlohmann::json::json_pointer path(pointer);
+  return document_.root().contains(path) ? &document_.root().at(path) : nullptr;
+}
+
+std::string_view FormSource::characters(const std::string& pointer) const {
+  const auto place = document_.place_of(pointer);
+  return place ? document_.text().substr(place->value, place->end - place->value)
+               : std::string_view();
+}
+
+int FormSource::line_of(const std::string& pointer) const { return document_.at(pointer, {}).line; }
+
+QStringList FormSource::names_for(const NameShape& shape, const std::string& pointer) const {
+  QStringList names{};
+  if (shape.registry == kModelNames) {
+    for (const ModelDeclaration& model : models_) add_new(names, model.id);
+    return names;
+  }
+  std::string registry(shape.registry);
+  if (registry == kLevelNames) {
+    for (const NameUse& use : names_.uses) {
+      if (use.pointer == pointer) registry = use.registry;
+    }
+  }
+  for (const std::string& name : declared_names(names_, registry)) add_new(names, name);
+  for (const NameUse& use : names_.uses) {  // roles and levels are named where they are used
+    if (use.registry == registry) add_new(names, use.name);
+  }
+  return names;
+}
+
+std::vector<const Parameter*> FormSource::parameters_of(const std::string& stimulus) const {
+  const nlohmann::json* const model = find(stimulus + "/model");
+  std::vector<const Parameter*> parameters{};
+  for (const ModelDeclaration& declared : models_) {
+    if (model == nullptr || (model->is_string() && *model != declared.id)) continue;
+    for (const Parameter& parameter : declared.parameters) {
+      const bool is_known = std::any_of(parameters.begin(), parameters.end(), [&](const auto* one) {
+        return one->name == parameter.name;
+      });
+      if (!is_known) parameters.push_back(&parameter);
+    }
+  }
+  return parameters;
+}
+
+const Parameter* FormSource::parameter_at(const std::string& pointer) const {
+  const std::vector<std::string> parts = parts_of(pointer);
+  if (parts.size() != kPartsOfParameter || parts[0] != "stimuli" || parts[2] != "parameters") {
+    return nullptr;
+  }
+  const std::size_t end = pointer.rfind("/parameters/");
+  for (const Parameter* const parameter : parameters_of(pointer.substr(0, end))) {
+    if (parameter->name == parts.back()) return parameter;
+  }
+  return nullptr;
+}
+
+std::string json_of(const ParameterValue& value) {
+  const auto* const number = std::get_if<double>(&value);
+  return number != nullptr ? nlohmann::json(*number).dump()
+                           : json_string(std::get<std::string>(value));
+}
+
+QString text_of_keys(std::string_view english) {
+  return QCoreApplication::translate("Keys", std::string(english).c_str());
+}
+
+}  // namespace asperity

@@ -1,0 +1,55 @@
+// Declares the text that a form shows, and what its fields offer.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <QtCore/QString>
+#include <QtCore/QStringList>
+#include <nlohmann/json_fwd.hpp>
+
+#include "protocols/file/json_document.h"
+#include "protocols/keys/names_in.h"
+#include "protocols/keys/shape.h"
+#include "stimuli/properties/parameter.h"
+
+namespace asperity {
+
+/// A text that is JSON, whether or not it is a valid protocol.
+class FormSource final {
+ public:
+  /// `models` outlives it. Errors: ProtocolError for a text that is no JSON.
+  FormSource(std::string text, const std::vector<ModelDeclaration>& models);
+  FormSource(const FormSource&) = delete;
+  FormSource& operator=(const FormSource&) = delete;
+
+  const JsonDocument& document() const noexcept { return document_; }
+  const ProtocolNames& names() const noexcept { return names_; }
+  /// Null if there is no value.
+  const nlohmann::json* find(const std::string& pointer) const;
+  /// The characters of a value.
+  std::string_view characters(const std::string& pointer) const;
+  int line_of(const std::string& pointer) const;
+
+  /// The names that a reference can have here.
+  QStringList names_for(const NameShape& shape, const std::string& pointer) const;
+  /// The parameter of a force model whose value is at `pointer`; null elsewhere and for unknown names.
+  const Parameter* parameter_at(const std::string& pointer) const;
+  /// The parameters of the force models that the stimulus with these parameters can have.
+  std::vector<const Parameter*> parameters_of(const std::string& stimulus) const;
+
+ private:
+  std::string text_{};
+  JsonDocument document_;
+  ProtocolNames names_{};
+  const std::vector<ModelDeclaration>& models_;
+};
+
+/// The value of a parameter as JSON.
+std::string json_of(const ParameterValue& value);
+
+/// A text of the tables of keys, which are English, in the language of the windows.
+QString text_of_keys(std::string_view english);
+
+}  // namespace asperity

@@ -1,0 +1,283 @@
+// Implements the fields of an object.
+
+#include "app/gui/editor/form/object_rows.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QGridLayout>
+#include <QtWidgets/QToolButton>
+#include <nlohmann/json.hpp>
+
+#include "app/gui/editor/form/entry_list.h"
+#include "app/gui/editor/form/form_fields.h"
+#include "app/gui/editor/form/row_table.h"
+#include "app/gui/editor/form/text_card.h"
+#include "app/gui/look/controls.h"
+#include "app/gui/look/theme.h"
+#include "app/gui/look/words.h"
+#include "protocols/design/json_pointer.h"
+#include "protocols/form/new_values.h"
+#include "protocols/keys/tables.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kLabelWidth = 144;
+constexpr int kStateWidth = 88;
+constexpr int kLabelColumn = 0;
+constexpr int kFieldColumn = 1;
+constexpr int kStateColumn = 2;
+constexpr int kColumns = 3;
+
+const nlohmann::json kNoObject = nlohmann::json::object();
+
+/// A list of objects whose values are levels: a table with a column per factor.
+bool is_table(const ValueShape& shape) {
+  const auto* const list = std::get_if<ListShape>(&shape);
+  if (list == nullptr) return false;
+  const auto* const map = std::get_if<MapShape>(list->entry);
+  return map != nullptr && has_field(*map->entry, nullptr);
+}
+
+}  // namespace
+
+ObjectRows::ObjectRows(FormContext& context, const KeyTable& table, const std::string& pointer,
+                       const PagePart* part, QWidget* parent)
+    : FormPart(context, pointer, parent), table_(table), part_(part) {
+  grid_ = new QGridLayout(this);
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setHorizontalSpacing(kGrid);
+  grid_->setVerticalSpacing(kGrid);
+  grid_->setColumnStretch(kFieldColumn, 1);
+}
+
+ObjectRows::ObjectRows(FormContext& context, const FormPage& page, QWidget* parent)
+    : ObjectRows(context, kProtocolTable, {}, nullptr, parent) {
+  page_ = &page;
+}
+
+const PagePart* ObjectRows::part_of(std::string_view key) const {
+  if (page_ == nullptr) return nullptr;
+  const auto found = std::find_if(page_->parts.begin(), page_->parts.end(),
+                                  [key](const PagePart& part) { return part.key == key; });
+  return found == page_->parts.end() ? nullptr : &*found;
+}
+
+std::vector<FormEntry> ObjectRows::entries() const {
+  const nlohmann::json* const object = value();
+  std::vector<FormEntry> entries = entries_of(
+      table_, object == nullptr || !object->is_object() ? kNoObject : *object, pointer());
+  std::erase_if(entries, [this](const FormEntry& entry) {
+    if (page_ != nullptr) return part_of(entry.key->name) == nullptr;
+    return part_ != nullptr && !has_key(*part_, entry.key->name);
+  });
+  if (page_ != nullptr) {
+    std::stable_sort(entries.begin(), entries.end(),
+                     [this](const FormEntry& one, const FormEntry& other) {
+                       return part_of(one.key->name) < part_of(other.key->name);
+                     });
+  }
+  return entries;
+}
+
+/// A row that has the focus stays: its value was emptied just now.
+bool ObjectRows::is_stated(const FormEntry& entry) const {
+  if (entry.is_present || entry.key->is_required) return true;
+  const QWidget* const focused = QApplication::focusWidget();
+  return std::any_of(rows_.begin(), rows_.end(), [&](const Row& row) {
+    return row.entry.pointer == entry.pointer && row.content != nullptr && focused != nullptr &&
+           row.content->isAncestorOf(focused);
+  });
+}
+
+bool ObjectRows::is_unfolded() const { return context().opened.contains(pointer() + "/"); }
+
+std::string ObjectRows::structure(const std::vector<FormEntry>& entries) const {
+  std::string structure = is_unfolded() ? "+" : "-";
+  for (const FormEntry& entry : entries) {
+    const nlohmann::json* const present = source().find(entry.pointer);
+    const bool is_field = has_field(entry.key->shape, present);
+    const bool is_shown = is_stated(entry) || is_unfolded();
+    structure += std::string(entry.key->name) + (is_shown ? "+" : "-") + (is_field ? "f" : "s");
+    if (!is_field) structure += present == nullptr ? "0" : present->type_name();
+  }
+  if (const nlohmann::json* const object = value(); object != nullptr && object->is_object()) {
+    for (const std::string& key : unknown_keys(table_, *object)) structure += "?" + key;
+  }
+  return structure;
+}
+
+void ObjectRows::refresh() {
+  const std::vector<FormEntry> present = entries();
+  const std::string now = structure(present);
+  if (now != made_) {
+    made_ = now;
+    make_rows(present);
+  }
+  for (Row& row : rows_) {
+    row.entry.is_present = source().find(row.entry.pointer) != nullptr;
+    if (row.content != nullptr) row.content->refresh();
+    show_state(row);
+  }
+}
+
+void ObjectRows::make_rows(const std::vector<FormEntry>& entries) {
+  context().has_new_parts = true;
+  clear_layout(*grid_);
+  rows_.clear();
+  std::size_t folded = 0;
+  for (const FormEntry& entry : entries) {
+    if (!is_stated(entry)) ++folded;
+    if (!is_stated(entry) && !is_unfolded()) continue;
+    if (has_field(entry.key->shape, source().find(entry.pointer))) {
+      add_field(entry);
+    } else if (entry.is_present) {
+      add_section(entry);
+    } else {
+      add_key_button(entry);
+    }
+  }
+  if (folded > 0) add_fold(folded);
+  add_unknown_keys();
+}
+
+void ObjectRows::add_field(const FormEntry& entry) {
+  const int line = grid_->rowCount();
+  QLabel* label = make_text(text_of_keys(entry.key->label), this);
+  label->setFixedWidth(kLabelWidth);
+  FormPart* field = make_field(context(), entry.key->shape, {entry.key}, entry.pointer, this);
+  const QString meaning = text_of_keys(meaning_of(*entry.key));
+  field->set_meaning(meaning);
+  label->setToolTip(meaning);
+  label->setBuddy(field);
+  field->set_name(text_of_keys(entry.key->label));
+  QLabel* state = make_text({}, this, true);
+  state->setMaximumWidth(kStateWidth);
+  QToolButton* reset = make_tool(QString(QChar(0x21BA)), tr("Remove: the default applies"), this);
+  grid_->addWidget(label, line, kLabelColumn, Qt::AlignTop);
+  grid_->addWidget(field, line, kFieldColumn);
+  auto* states = new QHBoxLayout();
+  states->addWidget(state);
+  states->addWidget(reset);
+  grid_->addLayout(states, line, kStateColumn, Qt::AlignTop | Qt::AlignRight);
+  connect(reset, &QToolButton::clicked, this, [this, pointer = entry.pointer] {
+    context().edit([&](const JsonDocument& text) { return without(text, std::array{pointer}); },
+                   {});
+  });
+  QLabel* problem = make_problem_label(this);
+  grid_->addWidget(problem, line + 1, kFieldColumn, 1, 2);
+  rows_.push_back({entry, field, state, reset, problem});
+}
+
+void ObjectRows::add_section(const FormEntry& entry) {
+  const int line = grid_->rowCount();
+  auto* head = new QHBoxLayout();
+  QLabel* label = page_ != nullptr ? make_heading(text_of_keys(entry.key->label), this)
+                                   : make_text(text_of_keys(entry.key->label), this);
+  const QString meaning = text_of_keys(meaning_of(*entry.key));
+  label->setToolTip(meaning);
+  head->addWidget(label);
+  head->addStretch();
+  QToolButton* reset = nullptr;
+  if (!entry.key->is_required) {
+    reset = make_tool(QString(QChar(0xD7)), tr("Remove “%1”").arg(text_of_keys(entry.key->label)),
+                      this);
+    head->addWidget(reset);
+    connect(reset, &QToolButton::clicked, this, [this, pointer = entry.pointer] {
+      context().edit([&](const JsonDocument& text) { return without(text, std::array{pointer}); },
+                     {});
+    });
+  }
+  FormPart* content = make_part(context(), entry.key->shape, entry.key, entry.pointer,
+                                part_of(entry.key->name), this);
+  content->set_meaning(meaning);
+  content->setContentsMargins(page_ != nullptr ? 0 : kMargin, 0, 0, kGrid);
+  grid_->addLayout(head, line, kLabelColumn, 1, kColumns);
+  QLabel* problem = make_problem_label(this);
+  grid_->addWidget(problem, line + 1, kLabelColumn, 1, kColumns);
+  grid_->addWidget(content, line + 2, kLabelColumn, 1, kColumns);
+  rows_.push_back({entry, content, nullptr, nullptr, problem});
+}
+
+void ObjectRows::add_key_button(const FormEntry& entry) {
+  QPushButton* add =
+      make_button(tr("+ %1").arg(text_of_keys(entry.key->label)), ButtonRole::link, this);
+  add->setObjectName("add:" + text(entry.pointer));
+  add->setToolTip(text_of_keys(meaning_of(*entry.key)));
+  grid_->addWidget(add, grid_->rowCount(), kLabelColumn, 1, kColumns, Qt::AlignLeft);
+  connect(add, &QPushButton::clicked, this, [this, entry] {
+    context().opened.insert(entry.pointer);
+    context().edit(
+        [&](const JsonDocument& text) {
+          const ProtocolNames names = names_in(text.root());
+          return with_value(text, entry.pointer, new_value(entry.key->shape, names).dump());
+        },
+        {});
+  });
+}
+
+void ObjectRows::add_fold(std::size_t count) {
+  const bool is_open = is_unfolded();
+  QPushButton* fold = make_button(is_open ? tr("Hide the settings that are not stated")
+                                          : tr("Further settings (%1)").arg(count),
+                                  ButtonRole::link, this);
+  fold->setObjectName("fold:" + text(pointer()));
+  grid_->addWidget(fold, grid_->rowCount(), kLabelColumn, 1, kColumns, Qt::AlignLeft);
+  connect(fold, &QPushButton::clicked, this, [this, is_open] {
+    if (is_open) {
+      context().opened.erase(pointer() + "/");
+    } else {
+      context().opened.insert(pointer() + "/");
+    }
+    context().refresh();
+  });
+}
+
+void ObjectRows::add_unknown_keys() {
+  const nlohmann::json* const object = value();
+  if (object == nullptr || !object->is_object() || page_ != nullptr) return;
+  for (const std::string& key : unknown_keys(table_, *object)) {
+    auto* card = new TextCard(context(), pointer_to(pointer(), key), this);
+    grid_->addWidget(card, grid_->rowCount(), kLabelColumn, 1, kColumns);
+    rows_.push_back({{card->pointer(), nullptr, true}, card, nullptr, nullptr, nullptr});
+  }
+}
+
+void ObjectRows::show_state(const Row& row) const {
+  if (row.problem != nullptr) {
+    // What a field contains has no row of its own.
+    const bool is_field = row.state != nullptr;
+    const QString sentences =
+        problems_at(context(), row.entry.pointer, is_field ? Problems::within : Problems::of_value);
+    show_problem(*row.problem, sentences);
+  }
+  if (row.state == nullptr) return;
+  const bool is_default = !row.entry.is_present && !row.entry.key->is_required;
+  const std::string_view computed = row.entry.key->computed_default;
+  row.state->setVisible(is_default);
+  row.state->setText(computed.empty() ? tr("default") : text_of_keys(computed));
+  row.reset->setVisible(row.entry.is_present && !row.entry.key->is_required);
+}
+
+FormPart* make_part(FormContext& context, const ValueShape& shape, const ProtocolKey* key,
+                    const std::string& pointer, const PagePart* part, QWidget* parent) {
+  const nlohmann::json* const value = context.source->find(pointer);
+  const ValueShape* const found = value == nullptr ? &shape : shape_of(shape, *value);
+  if (found == nullptr) return new TextCard(context, pointer, parent);
+  if (has_field(shape, value)) return make_field(context, shape, {key}, pointer, parent);
+  if (is_table(*found)) return new RowTable(context, pointer, parent);
+  if (const auto* const object = std::get_if<ObjectShape>(found)) {
+    if (object->table->is_open) return new TextCard(context, pointer, parent);
+    return new ObjectRows(context, *object->table, pointer, part, parent);
+  }
+  if (has_field(*found, value)) return make_field(context, *found, {key}, pointer, parent);
+  return new EntryList(context, *found, pointer, part, parent);
+}
+
+}  // namespace asperity
+
+#include "moc_object_rows.cpp"

@@ -1,0 +1,315 @@
+// Shows the pages of a form, and passes on the edits of its fields.
+
+#include "app/gui/editor/form/protocol_form.h"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+#include <vector>
+
+#include <QtCore/QTimer>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QListWidget>
+#include <QtWidgets/QScrollArea>
+#include <QtWidgets/QScrollBar>
+#include <nlohmann/json.hpp>
+
+#include "app/gui/editor/form/object_rows.h"
+#include "app/gui/editor/form/texts_list.h"
+#include "app/gui/look/controls.h"
+#include "app/gui/look/theme.h"
+#include "app/gui/look/words.h"
+#include "results_schema/error_text.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kPagesWidth = 184;
+constexpr int kLinesOfHelp = 3;
+
+/// The controls in a layout, in its order.
+void collect_controls(QLayout& layout, std::vector<QWidget*>& controls) {
+  for (int i = 0; i < layout.count(); ++i) {
+    QLayoutItem& item = *layout.itemAt(i);
+    if (item.layout() != nullptr) collect_controls(*item.layout(), controls);
+    QWidget* const widget = item.widget();
+    if (widget == nullptr) continue;
+    if ((widget->focusPolicy() & Qt::TabFocus) != 0) controls.push_back(widget);
+    if (widget->layout() != nullptr) collect_controls(*widget->layout(), controls);
+  }
+}
+
+}  // namespace
+
+ProtocolForm::ProtocolForm(const std::vector<ModelDeclaration>& models, QWidget* parent)
+    : QWidget(parent), models_(models), page_(&form_pages().front()) {
+  auto* columns = new QHBoxLayout(this);
+  columns->setContentsMargins(0, 0, 0, 0);
+  columns->setSpacing(kMargin);
+  pages_ = new QListWidget(this);
+  pages_->setObjectName("form_pages");
+  pages_->setAccessibleName(tr("Pages of the form"));
+  pages_->setFixedWidth(kPagesWidth);
+  pages_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  for (const FormPage& page : form_pages()) {
+    auto* item = new QListWidgetItem(text_of_keys(page.label), pages_);
+    item->setToolTip(text_of_keys(page.meaning));
+  }
+  pages_->setCurrentRow(0);
+  columns->addWidget(pages_);
+  auto* right = new QVBoxLayout();
+  right->setSpacing(kGrid);
+  columns->addLayout(right, 1);
+  state_ = make_problem_label(this);
+  state_->setObjectName("form_state");
+  right->addWidget(state_);
+  area_ = new QScrollArea(this);
+  area_->setObjectName("form_area");
+  area_->setWidgetResizable(true);
+  area_->setFrameShape(QFrame::NoFrame);
+  area_->setAccessibleName(tr("Fields"));
+  right->addWidget(area_, 1);
+  help_ = make_text({}, this, true);
+  help_->setObjectName("form_help");
+  help_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  help_->setFont(text_font(TextSize::small));
+  help_->setFixedHeight(kLinesOfHelp * QFontMetrics(help_->font()).lineSpacing());
+  right->addWidget(help_);
+  context_.edit = [this](const FormContext::Edit& change, const std::string& step) {
+    edit(change, step);
+  };
+  context_.refresh = [this] { refresh(); };
+  context_.show_in_text = [this](const std::string& pointer) { emit text_wanted(pointer); };
+  setFocusProxy(pages_);
+  connect(pages_, &QListWidget::currentRowChanged, this, [this](int row) {
+    if (row < 0) return;
+    commit();
+    page_ = &form_pages()[static_cast<std::size_t>(row)];
+    make_page();
+  });
+  connect(qApp, &QApplication::focusChanged, this,
+          [this](QWidget*, QWidget* now) { show_help(now); });
+}
+
+void ProtocolForm::commit() {
+  if (const auto write = std::exchange(context_.write_pending, {})) write();
+}
+
+void ProtocolForm::edit(const FormContext::Edit& change, const std::string& step) {
+  if (!can_be_edited_ || read_only_ || context_.is_refreshing) return;
+  commit();
+  FormEdit edited{};
+  try {
+    edited = change(context_.source->document());
+  } catch (const std::exception& error) {
+    emit edit_refused(text(message_of(error)));
+    return;
+  }
+  emit edit_made(edited.text, step);
+}
+
+void ProtocolForm::show_text(const std::string& written) {
+  try {
+    auto source = std::make_shared<const FormSource>(written, models_);
+    if (source->document().root().is_object()) {
+      context_.source = std::move(source);
+      can_be_edited_ = true;
+      state_->hide();
+    } else {
+      show_unreadable(tr("the text is not an object {…}"));
+    }
+  } catch (const std::exception& error) {
+    show_unreadable(text(message_of(error)));
+  }
+  if (content_ == nullptr) {
+    make_page();
+  } else {
+    refresh();
+  }
+}
+
+void ProtocolForm::show_unreadable(const QString& why) {
+  can_be_edited_ = false;
+  show_problem(*state_,
+               tr("The text is not valid JSON. The form shows the last valid text and cannot "
+                  "be edited. Correct it in the text: %1")
+                   .arg(why));
+}
+
+void ProtocolForm::forget() {
+  context_.source = nullptr;
+  context_.opened.clear();
+  context_.write_pending = {};
+  can_be_edited_ = false;
+  parts_.clear();
+  content_ = nullptr;
+  delete area_->takeWidget();
+}
+
+void ProtocolForm::set_read_only(bool read_only) {
+  read_only_ = read_only;
+  refresh();
+}
+
+void ProtocolForm::make_page() {
+  parts_.clear();
+  if (context_.source == nullptr) return;
+  content_ = new QWidget();
+  auto* layout = new QVBoxLayout(content_);
+  layout->setContentsMargins(0, 0, kMargin, 0);
+  layout->setSpacing(kMargin);
+  layout->addWidget(make_text(text_of_keys(page_->meaning), content_, true));
+  auto* rows = new ObjectRows(context_, *page_, content_);
+  layout->addWidget(rows);
+  parts_.push_back(rows);
+  if (page_->lists_texts) {
+    auto* texts = new TextsList(context_, content_);
+    layout->addWidget(texts);
+    parts_.push_back(texts);
+  }
+  layout->addStretch();
+  area_->setWidget(content_);  // deletes the page before
+  refresh();
+}
+
+void ProtocolForm::refresh() {
+  if (content_ == nullptr || context_.source == nullptr) return;
+  // A part that is made again loses the focus to nothing: its field gets it back.
+  QWidget* const focused = QApplication::focusWidget();
+  std::string pointer{};
+  int cursor = -1;
+  for (QWidget* at = focused; at != nullptr && at != content_; at = at->parentWidget()) {
+    if (const auto* const part = qobject_cast<FormPart*>(at)) {
+      pointer = part->pointer();
+      break;
+    }
+  }
+  if (const auto* const line = qobject_cast<QLineEdit*>(focused)) cursor = line->cursorPosition();
+  const bool was_here = focused != nullptr && content_->isAncestorOf(focused);
+  const int scrolled = area_->verticalScrollBar()->value();
+  if (context_.is_refreshing) return;
+  context_.is_refreshing = true;
+  for (FormPart* const part : parts_) part->refresh();
+  context_.is_refreshing = false;
+  if (std::exchange(context_.has_new_parts, false)) order_for_keyboard();
+  content_->setEnabled(can_be_edited_ && !read_only_);
+  if (!was_here || QApplication::focusWidget() == focused) return;
+  // After the layout has shown what was made.
+  QTimer::singleShot(0, content_, [this, name = focused->objectName(), pointer, cursor, scrolled] {
+    give_focus_back(name, pointer, cursor);
+    area_->verticalScrollBar()->setValue(scrolled);
+  });
+}
+
+void ProtocolForm::give_focus_back(const QString& name, const std::string& pointer, int cursor) {
+  QWidget* control = nullptr;
+  for (QWidget* const same : content_->findChildren<QWidget*>(name)) {  // the button that unfolds
+    if (!name.isEmpty() && same->isVisible()) control = same;
+  }
+  FormPart* const part = part_at(pointer);
+  if (control == nullptr && part != nullptr) {
+    control = part->focusProxy();
+    // Of a list whose button is gone, the first control.
+    for (QWidget* next = part->nextInFocusChain(); control == nullptr && next != part;
+         next = next->nextInFocusChain()) {
+      const bool takes_focus = next->isVisible() && (next->focusPolicy() & Qt::TabFocus) != 0;
+      if (part->isAncestorOf(next) && takes_focus) control = next;
+    }
+  }
+  if (control == nullptr) return;
+  control->setFocus();
+  if (auto* const line = qobject_cast<QLineEdit*>(control); line != nullptr && cursor >= 0) {
+    line->setCursorPosition(cursor);
+  }
+}
+
+void ProtocolForm::order_for_keyboard() {
+  std::vector<QWidget*> controls{};
+  collect_controls(*content_->layout(), controls);
+  QWidget* before = area_;
+  for (QWidget* const control : controls) {
+    QWidget::setTabOrder(before, control);
+    before = control;
+  }
+}
+
+void ProtocolForm::show_problems(const std::vector<Diagnostic>& problems) {
+  context_.problems.clear();
+  for (const Diagnostic& problem : problems) {
+    QString& sentences = context_.problems[problem.pointer];
+    sentences += (sentences.isEmpty() ? "" : "\n") + text(problem.message);
+  }
+  count_problems();
+  refresh();
+}
+
+/// The number of problems of a page is next to its name.
+void ProtocolForm::count_problems() {
+  std::vector<qsizetype> counts(form_pages().size());
+  for (const auto& [pointer, sentences] : context_.problems) {
+    const FormPage& page = form_page_of(pointer);
+    counts[static_cast<std::size_t>(&page - form_pages().data())] += 1 + sentences.count('\n');
+  }
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const QString label = text_of_keys(form_pages()[i].label);
+    pages_->item(static_cast<int>(i))
+        ->setText(counts[i] == 0 ? label : QString("%1  ▲ %2").arg(label).arg(counts[i]));
+  }
+}
+
+FormPart* ProtocolForm::part_at(const std::string& pointer) const {
+  if (content_ == nullptr) return nullptr;
+  FormPart* nearest = nullptr;
+  for (FormPart* const part : content_->findChildren<FormPart*>()) {
+    if (!part->isVisibleTo(content_) || part->objectName() != text(part->pointer())) continue;
+    if (part->pointer() == pointer) return part;
+    const bool contains = pointer.starts_with(part->pointer() + "/");
+    const bool is_nearer = nearest == nullptr || part->pointer().size() > nearest->pointer().size();
+    if (contains && is_nearer) nearest = part;
+  }
+  return nearest;
+}
+
+void ProtocolForm::show_page(std::string_view id) {
+  for (std::size_t i = 0; i < form_pages().size(); ++i) {
+    if (form_pages()[i].id == id) pages_->setCurrentRow(static_cast<int>(i));
+  }
+}
+
+void ProtocolForm::go_to(const std::string& pointer) {
+  if (context_.source == nullptr) return;
+  for (nlohmann::json::json_pointer path(pointer); !path.empty(); path.pop_back()) {
+    context_.opened.insert(path.to_string());
+    // Of an object whose key has no value, the folded settings.
+    if (context_.source->find(path.to_string()) == nullptr) {
+      context_.opened.insert(path.parent_pointer().to_string() + "/");
+    }
+  }
+  show_page(form_page_of(pointer).id);
+  refresh();
+  FormPart* const part = part_at(pointer);
+  if (part == nullptr) return;
+  // After the layout of what was unfolded.
+  QTimer::singleShot(0, part, [this, part] {
+    area_->ensureWidgetVisible(part);
+    if (part->focusProxy() != nullptr) part->setFocus();
+  });
+}
+
+void ProtocolForm::show_help(QWidget* focused) {
+  if (content_ == nullptr || focused == nullptr || !content_->isAncestorOf(focused)) return;
+  for (QWidget* at = focused; at != nullptr && at != content_; at = at->parentWidget()) {
+    const auto* const part = qobject_cast<FormPart*>(at);
+    if (part == nullptr || part->meaning().isEmpty()) continue;
+    help_->setText(part->meaning());
+    return;
+  }
+  help_->clear();
+}
+
+}  // namespace asperity
+
+#include "moc_protocol_form.cpp"

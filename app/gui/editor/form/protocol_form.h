@@ -1,0 +1,77 @@
+// Declares a protocol as a form: its pages, and the fields of the page that is shown.
+
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <QtWidgets/QWidget>
+
+#include "app/gui/editor/form/form_part.h"
+#include "protocols/file/diagnostic.h"
+#include "protocols/form/form_pages.h"
+
+class QLabel;
+class QListWidget;
+class QScrollArea;
+class QVBoxLayout;
+
+namespace asperity {
+
+/// A view of a text, which is the only state: `edit_made` has the text after a change in a field, and `show_text` shows what
+/// has become of it.
+class ProtocolForm final : public QWidget {
+  Q_OBJECT
+ public:
+  /// `models` outlives it.
+  explicit ProtocolForm(const std::vector<ModelDeclaration>& models, QWidget* parent = nullptr);
+
+  /// The fields show this text. One that is no JSON leaves them as they are, and none can be edited.
+  void show_text(const std::string& text);
+  bool can_be_edited() const noexcept { return can_be_edited_; }
+  void set_read_only(bool read_only);
+  /// Another file: nothing of the text before stays.
+  void forget();
+  /// Writes a name that was typed and not confirmed, before the text is saved or left.
+  void commit();
+  /// The problems and warnings of the text, next to their fields.
+  void show_problems(const std::vector<Diagnostic>& problems);
+
+  /// Shows the page with the value, unfolded, and gives its field the focus.
+  void go_to(const std::string& pointer);
+  void show_page(std::string_view id);
+  const FormPage& page() const noexcept { return *page_; }
+
+ signals:
+  /// A field has been changed. `step`: see FormContext::edit.
+  void edit_made(const std::string& text, const std::string& step);
+  void edit_refused(const QString& why);
+  void text_wanted(const std::string& pointer);
+
+ private:
+  void make_page();
+  void edit(const FormContext::Edit& edit, const std::string& step);
+  void show_unreadable(const QString& why);
+  void refresh();
+  void show_help(QWidget* focused);
+  void order_for_keyboard();
+  /// To the control of this object name or of this part, after it was made again. `cursor`: in a line; negative: none.
+  void give_focus_back(const QString& name, const std::string& pointer, int cursor);
+  void count_problems();
+  FormPart* part_at(const std::string& pointer) const;
+
+  FormContext context_{};
+  const std::vector<ModelDeclaration>& models_;
+  const FormPage* page_ = nullptr;
+  bool can_be_edited_ = false;
+  bool read_only_ = false;
+  std::vector<FormPart*> parts_{};
+  QListWidget* pages_ = nullptr;
+  QLabel* state_ = nullptr;
+  QScrollArea* area_ = nullptr;
+  QWidget* content_ = nullptr;
+  QLabel* help_ = nullptr;
+};
+
+}  // namespace asperity

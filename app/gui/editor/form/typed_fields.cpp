@@ -1,0 +1,314 @@
+// Implements the fields of a form in which something is typed.
+
+#include "app/gui/editor/form/typed_fields.h"
+
+#include <algorithm>
+#include <array>
+
+#include <QtCore/QPointer>
+#include <QtCore/QSignalBlocker>
+#include <QtCore/QStringListModel>
+#include <QtGui/QKeyEvent>
+#include <QtWidgets/QCompleter>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPlainTextEdit>
+#include <nlohmann/json.hpp>
+
+#include "analysis/numbers/number_text.h"
+#include "app/gui/look/controls.h"
+#include "app/gui/look/theme.h"
+#include "app/gui/look/words.h"
+#include "protocols/editing/edits.h"
+#include "protocols/form/form_entries.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kNumberWidth = 128;
+constexpr int kFewestLines = 2;
+constexpr int kMostLines = 12;
+
+/// A field without an undo of its own: the keys reach the form, whose edits are steps of one list.
+template <class Field>
+class WithoutUndo final : public Field {
+ public:
+  using Field::Field;
+
+ protected:
+  bool event(QEvent* event) override {
+    if (event->type() == QEvent::ShortcutOverride) {
+      const auto& key = static_cast<const QKeyEvent&>(*event);
+      if (key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo)) {
+        event->ignore();
+        return false;
+      }
+    }
+    return Field::event(event);
+  }
+};
+
+/// The default of a key, as JSON; empty if there is none.
+std::string default_text(const FieldOf& of) {
+  const nlohmann::json standard = of.key == nullptr ? nlohmann::json(nullptr) : default_of(*of.key);
+  return standard.is_null() ? std::string() : standard.dump();
+}
+
+}  // namespace
+
+LineField::LineField(FormContext& context, const FieldOf& of, const std::string& pointer,
+                     QWidget* parent)
+    : FormPart(context, pointer, parent), of_(of) {
+  auto* layout = new QGridLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kGrid / 2);
+  line_ = new WithoutUndo<QLineEdit>(this);
+  unit_ = make_text({}, this, true);
+  unit_->setWordWrap(false);
+  unit_->hide();
+  layout->addWidget(line_, 0, 0);
+  layout->addWidget(unit_, 0, 1);
+  setFocusProxy(line_);
+  connect(line_, &QLineEdit::textEdited, this, &LineField::take);
+}
+
+void LineField::set_unit(const QString& unit) {
+  unit_->setText(unit);
+  unit_->setVisible(!unit.isEmpty());
+}
+
+void LineField::take_typed() { take(line_->text()); }
+
+void LineField::complain(const QString& sentence) {
+  if (complaint_ == nullptr) {
+    if (sentence.isEmpty()) return;
+    complaint_ = make_problem_label(this);
+    static_cast<QGridLayout*>(layout())->addWidget(complaint_, 1, 0, 1, 2);
+  }
+  show_problem(*complaint_, sentence);
+}
+
+void LineField::take(const QString& typed) {
+  complain({});
+  taken_ = source().characters(pointer());
+  if (typed.isEmpty() && !of_.is_required() && of_.key != nullptr) {
+    if (value() == nullptr) return;
+    context().edit([&](const JsonDocument& text) { return without(text, std::array{pointer()}); },
+                   pointer());
+  } else if (const auto json = json_of(typed)) {
+    write_typed(*json);
+  } else {
+    complain(complaint());
+  }
+  taken_ = source().characters(pointer());
+}
+
+void LineField::refresh() {
+  const std::string standard = default_text(of_);
+  line_->setPlaceholderText(standard.empty() ? QString() : shown(standard));
+  const std::string_view characters = source().characters(pointer());
+  // What is being typed stays: another notation of the value, or what is none yet.
+  if (line_->hasFocus() && line_->isModified() && characters == taken_) return;
+  const nlohmann::json* const present = value();
+  const auto typed = line_->hasFocus() ? json_of(line_->text()) : std::nullopt;
+  if (present != nullptr && typed && nlohmann::json::parse(*typed) == *present) return;
+  const QString text = present == nullptr ? QString() : shown(characters);
+  if (line_->text() != text) line_->setText(text);
+  if (!line_->hasFocus()) line_->setCursorPosition(0);
+  complain({});
+}
+
+NumbersField::NumbersField(FormContext& context, const NumberShape& shape, Count count,
+                           const FieldOf& of, const std::string& pointer, QWidget* parent)
+    : LineField(context, of, pointer, parent), shape_(shape), count_(count) {
+  if (count == Count::one) {
+    line().setFixedWidth(kNumberWidth);
+    line().setAlignment(Qt::AlignRight);
+  }
+  const std::string_view unit = shape.display.unit.empty() ? shape.unit : shape.display.unit;
+  set_unit(text(std::string(unit == "1" ? "" : unit)));
+}
+
+QString NumbersField::shown_number_of(std::string_view characters) const {
+  const auto displayed = displayed_number(shape_, characters);
+  return text(displayed.value_or(std::string(characters)))
+      .replace('.', locale().decimalPoint())
+      .replace('-', QChar(0x2212));
+}
+
+QString NumbersField::shown(std::string_view characters) const {
+  if (count_ == Count::one) return shown_number_of(characters);
+  QStringList numbers{};
+  for (const nlohmann::json& number : nlohmann::json::parse(characters)) {
+    numbers.append(shown_number_of(number.dump()));
+  }
+  return numbers.join("; ");
+}
+
+std::optional<std::string> NumbersField::number_of(QString typed) const {
+  typed = typed.trimmed().replace(QChar(0x2212), '-').replace(',', '.');
+  return number_in_file(shape_, typed.toStdString());
+}
+
+std::optional<std::string> NumbersField::json_of(const QString& typed) const {
+  if (count_ == Count::one) return number_of(typed);
+  std::string list{};
+  for (const QString& part : typed.split(';', Qt::SkipEmptyParts)) {
+    const auto number = number_of(part);
+    if (!number) return {};
+    list += (list.empty() ? "" : ", ") + *number;
+  }
+  return "[" + list + "]";
+}
+
+QString NumbersField::complaint() const {
+  return count_ == Count::one ? tr("This is not a number.")
+                              : tr("These are not numbers with semicolons between them.");
+}
+
+TextField::TextField(FormContext& context, const NameShape& offered, Values values,
+                     const FieldOf& of, const std::string& pointer, QWidget* parent)
+    : LineField(context, of, pointer, parent), offered_(offered), values_(values) {
+  if (offered_.registry.empty() && values_ == Values::levels) offered_ = {kLevelNames};
+  if (offered_.registry.empty()) return;
+  names_ = new QStringListModel(this);
+  auto* completer = new QCompleter(names_, this);
+  completer->setCompletionMode(QCompleter::UnfilteredPopupCompletion);
+  completer->setCaseSensitivity(Qt::CaseInsensitive);
+  line().setCompleter(completer);
+  line().installEventFilter(this);
+  connect(completer, qOverload<const QString&>(&QCompleter::activated), this,
+          [this] { take_typed(); });
+}
+
+// The names are those of when something is about to be typed.
+bool TextField::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::FocusIn) {
+    names_->setStringList(source().names_for(offered_, pointer()));
+  }
+  return LineField::eventFilter(watched, event);
+}
+
+QString TextField::shown(std::string_view characters) const {
+  const auto value = nlohmann::json::parse(characters);
+  if (value.is_string()) return text(value.get<std::string>());
+  return text(std::string(characters)).replace('.', locale().decimalPoint());
+}
+
+std::optional<std::string> TextField::json_of(const QString& typed) const {
+  if (values_ == Values::levels) {
+    const nlohmann::json* const present = value();
+    const QString number = typed.trimmed().replace(QChar(0x2212), '-').replace(',', '.');
+    const bool is_text = present != nullptr && present->is_string() &&
+                         shifted_decimal(present->get<std::string>(), 0).has_value();
+    if (const auto level = shifted_decimal(number.toStdString(), 0); level && !is_text) {
+      return level;
+    }
+  }
+  return json_string(typed.toStdString());
+}
+
+ParagraphField::ParagraphField(FormContext& context, const FieldOf& of, const std::string& pointer,
+                               QWidget* parent)
+    : FormPart(context, pointer, parent), of_(of) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  box_ = new WithoutUndo<QPlainTextEdit>(this);
+  box_->setTabChangesFocus(true);
+  box_->setUndoRedoEnabled(false);
+  layout->addWidget(box_);
+  setFocusProxy(box_);
+  connect(box_, &QPlainTextEdit::textChanged, this, &ParagraphField::take);
+}
+
+void ParagraphField::take() {
+  const std::string typed = text_of(*box_->document()).toStdString();
+  if (typed.empty() && !of_.is_required() && of_.key != nullptr) {
+    remove();
+  } else {
+    write_typed(json_string(typed));
+  }
+  fit();
+}
+
+void ParagraphField::refresh() {
+  const nlohmann::json* const present = value();
+  const QString shown =
+      present != nullptr && present->is_string() ? text(present->get<std::string>()) : QString();
+  if (text_of(*box_->document()) != shown) {
+    const QSignalBlocker quiet(box_);
+    const int cursor = box_->textCursor().position();
+    box_->setPlainText(shown);
+    QTextCursor there = box_->textCursor();
+    there.setPosition(std::min(cursor, static_cast<int>(shown.size())));
+    box_->setTextCursor(there);
+  }
+  fit();
+}
+
+void ParagraphField::resizeEvent(QResizeEvent* event) {
+  FormPart::resizeEvent(event);
+  fit();
+}
+
+void ParagraphField::fit() {
+  const int lines =
+      std::clamp(static_cast<int>(box_->document()->size().height()), kFewestLines, kMostLines);
+  const int frame =
+      2 * box_->frameWidth() + 2 * static_cast<int>(box_->document()->documentMargin());
+  box_->setFixedHeight(lines * QFontMetrics(box_->font()).lineSpacing() + frame + kGrid);
+}
+
+DeclaredNameField::DeclaredNameField(FormContext& context, Named named, const FieldOf& of,
+                                     const std::string& pointer, QWidget* parent)
+    : FormPart(context, pointer, parent), named_(named), of_(of) {
+  // The value of a member has the pointer as its object name.
+  if (named == Named::by_key) setObjectName("name:" + text(pointer));
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  line_ = new WithoutUndo<QLineEdit>(this);
+  layout->addWidget(line_);
+  setFocusProxy(line_);
+  connect(line_, &QLineEdit::textEdited, this,
+          [this] { this->context().write_pending = [this] { take(); }; });
+  connect(line_, &QLineEdit::editingFinished, this, &DeclaredNameField::take);
+}
+
+DeclaredNameField::~DeclaredNameField() {
+  if (line_->isModified()) context().write_pending = {};
+}
+
+QString DeclaredNameField::name() const {
+  if (named_ == Named::by_key) return text(nlohmann::json::json_pointer(pointer()).back());
+  const nlohmann::json* const present = value();
+  return present != nullptr && present->is_string() ? text(present->get<std::string>()) : QString();
+}
+
+void DeclaredNameField::take() {
+  if (!line_->isModified() || context().is_refreshing) return;
+  const QString typed = line_->text().trimmed();
+  line_->setModified(false);
+  context().write_pending = {};
+  if (typed == name()) return;
+  const bool is_removed = typed.isEmpty() && of_.key != nullptr && !of_.is_required();
+  // The edit makes this field again where it is the key of a card.
+  const QPointer<DeclaredNameField> still_there(this);
+  context().edit(
+      [&](const JsonDocument& document) {
+        return is_removed ? without(document, std::array{pointer()})
+                          : with_name(document, pointer(), named_, typed.toStdString());
+      },
+      {});
+  if (still_there) refresh();  // a name that is refused is not in the text
+}
+
+void DeclaredNameField::refresh() {
+  if (line_->isModified()) return;  // it is being typed
+  if (line_->text() != name()) line_->setText(name());
+}
+
+}  // namespace asperity
+
+#include "moc_typed_fields.cpp"

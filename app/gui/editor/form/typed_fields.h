@@ -1,0 +1,122 @@
+// Declares the fields of a form in which something is typed.
+
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/gui/editor/form/form_fields.h"
+
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QStringListModel;
+
+namespace asperity {
+
+/// A line of typed characters. What is no value of the field stays in it with a complaint, and the text of the protocol
+/// keeps the last value.
+class LineField : public FormPart {
+  Q_OBJECT
+ public:
+  LineField(FormContext& context, const FieldOf& of, const std::string& pointer, QWidget* parent);
+  void refresh() override;
+
+ protected:
+  void take_typed();
+  /// How a value is shown: characters of the file, empty if there is none.
+  virtual QString shown(std::string_view characters) const = 0;
+  /// The value as JSON; nullopt for what is none.
+  virtual std::optional<std::string> json_of(const QString& typed) const = 0;
+  virtual QString complaint() const = 0;
+  void set_unit(const QString& unit);
+  QLineEdit& line() const noexcept { return *line_; }
+
+ private:
+  void take(const QString& typed);
+  void complain(const QString& sentence);
+
+  FieldOf of_{};
+  QLineEdit* line_ = nullptr;
+  QLabel* unit_ = nullptr;
+  QLabel* complaint_ = nullptr;  ///< null while there was none
+  std::string taken_{};          ///< the characters of the value when something was typed last
+};
+
+/// One number, or several with semicolons between them, in the unit for display.
+class NumbersField final : public LineField {
+  Q_OBJECT
+ public:
+  enum class Count { one, list };
+  NumbersField(FormContext& context, const NumberShape& shape, Count count, const FieldOf& of,
+               const std::string& pointer, QWidget* parent);
+
+ private:
+  QString shown(std::string_view characters) const override;
+  std::optional<std::string> json_of(const QString& typed) const override;
+  QString complaint() const override;
+  QString shown_number_of(std::string_view characters) const;
+  std::optional<std::string> number_of(QString typed) const;
+
+  NumberShape shape_{};
+  Count count_ = Count::one;
+};
+
+/// A text of one line; or a level, which is a number if it is written as one.
+class TextField final : public LineField {
+  Q_OBJECT
+ public:
+  enum class Values { texts, levels };
+  TextField(FormContext& context, const NameShape& offered, Values values, const FieldOf& of,
+            const std::string& pointer, QWidget* parent);
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  QString shown(std::string_view characters) const override;
+  std::optional<std::string> json_of(const QString& typed) const override;
+  QString complaint() const override { return {}; }
+
+  NameShape offered_{};
+  Values values_ = Values::texts;
+  QStringListModel* names_ = nullptr;  ///< which the line offers; null: none
+};
+
+/// A text of several lines, in a box that grows with it.
+class ParagraphField final : public FormPart {
+  Q_OBJECT
+ public:
+  ParagraphField(FormContext& context, const FieldOf& of, const std::string& pointer,
+                 QWidget* parent);
+  void refresh() override;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void take();
+  void fit();
+
+  FieldOf of_{};
+  QPlainTextEdit* box_ = nullptr;
+};
+
+/// A name that is declared here: a new one is written to all places that refer to it, when it is complete.
+class DeclaredNameField final : public FormPart {
+  Q_OBJECT
+ public:
+  /// Of the value at `pointer`, or of the key of the member.
+  DeclaredNameField(FormContext& context, Named named, const FieldOf& of,
+                    const std::string& pointer, QWidget* parent);
+  ~DeclaredNameField() override;
+  void refresh() override;
+
+ private:
+  QString name() const;
+  void take();
+
+  Named named_ = Named::by_value;
+  FieldOf of_{};
+  QLineEdit* line_ = nullptr;
+};
+
+}  // namespace asperity

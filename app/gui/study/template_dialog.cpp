@@ -1,0 +1,240 @@
+// Implements the choice of a template and of its textures.
+
+#include "app/gui/study/template_dialog.h"
+
+#include <utility>
+
+#include <QtCore/QLocale>
+#include <QtWidgets/QListWidget>
+#include <QtWidgets/QRadioButton>
+#include <QtWidgets/QScrollArea>
+#include <QtWidgets/QVBoxLayout>
+
+#include "app/gui/base/shown_text.h"
+#include "app/gui/base/study_table.h"
+#include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr QSize kSize{1040, 620};
+constexpr int kTableWidth = 480;
+constexpr int kReliefsHeight = 144;
+
+QString trials_of(const TemplateOverview& overview) {
+  return QString::number(overview.cost.trials);
+}
+
+QString minutes_of(const TemplateOverview& overview) {
+  constexpr double kSecondsPerMinute = 60.0;
+  return QString::number(qRound(overview.cost.total_s / kSecondsPerMinute));
+}
+
+}  // namespace
+
+TemplateDialog::TemplateDialog(const std::filesystem::path& study, const ModelRegistry& models,
+                               QWidget* parent)
+    : QDialog(parent) {
+  setObjectName("template_dialog");
+  setWindowTitle(tr("New protocol from a template"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  resize(parent == nullptr ? kSize : kSize.boundedTo(parent->window()->size()));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
+  layout->setSpacing(kMargin);
+  layout->addWidget(make_heading(tr("New protocol from a template"), this));
+  auto* columns = new QHBoxLayout();
+  columns->setSpacing(kGroupGap);
+  layout->addLayout(columns, 1);
+  using Align = StudyTable::Align;
+  table_ = new StudyTable({{tr("Experiment"), 0, Align::text},
+                           {tr("Method"), 152, Align::text},
+                           {tr("Trials"), 64, Align::number},
+                           {tr("Minutes"), 72, Align::number}},
+                          this);
+  table_->setObjectName("template_table");
+  table_->setAccessibleName(tr("Templates"));
+  table_->wrap_texts();
+  table_->leave_out_when_tight({1});  // which is next to it as well
+  table_->setMinimumWidth(kTableWidth);
+  columns->addWidget(table_, 3);
+  columns->addWidget(make_detail(), 2);
+
+  auto* buttons = new QHBoxLayout();
+  buttons->setSpacing(kGrid);
+  what_follows_ = make_text(tr("The templates are being read."), this, true);
+  what_follows_->setObjectName("template_what_follows");
+  QPushButton* cancel = make_button(tr("Cancel"), ButtonRole::plain, this);
+  create_ = make_button(tr("Create protocol"), ButtonRole::primary, this);
+  create_->setObjectName("template_create");
+  create_->setDefault(true);
+  create_->setEnabled(false);
+  buttons->addWidget(what_follows_, 1);
+  buttons->addWidget(cancel);
+  buttons->addWidget(create_);
+  layout->addLayout(buttons);
+  connect(table_, &StudyTable::row_selected, this, &TemplateDialog::show_chosen);
+  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+  connect(create_, &QPushButton::clicked, this, [this] {
+    emit wanted(chosen()->name, textures());
+    accept();
+  });
+  task_.run<Content>(
+      [study, &models, language = QLocale().bcp47Name().section('-', 0, 0).toStdString()](
+          const std::stop_token& stop, const BackgroundTask::Progress&) {
+        return Content{template_overviews(models, language, stop), reliefs_of_study(study)};
+      },
+      [this](Content content) { show_content(std::move(content)); },
+      [this](const QString& what) {
+        what_follows_->setText(tr("The templates could not be read: %1").arg(what));
+      });
+}
+
+QWidget* TemplateDialog::make_detail() {
+  auto* detail = new QWidget(this);
+  auto* layout = new QVBoxLayout(detail);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kGrid);
+  title_ = make_heading({}, detail);
+  title_->setObjectName("template_title");
+  title_->setWordWrap(true);
+  facts_ = make_text({}, detail, true);
+  layout->addWidget(title_);
+  layout->addWidget(facts_);
+  auto* scroll = new QScrollArea(detail);
+  scroll->setAccessibleName(tr("Description"));
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  description_ = make_text({}, scroll);
+  description_->setObjectName("template_description");
+  description_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  scroll->setWidget(description_);
+  layout->addWidget(scroll, 1);
+
+  surfaces_ = new QWidget(detail);
+  auto* surfaces = new QVBoxLayout(surfaces_);
+  surfaces->setContentsMargins(0, 0, 0, 0);
+  needs_ = make_text({}, surfaces_);
+  needs_->setObjectName("template_needs");
+  own_ = new QRadioButton(tr("Textures of this study, in this order:"), surfaces_);
+  own_->setObjectName("template_own");
+  reliefs_ = new QListWidget(surfaces_);
+  reliefs_->setObjectName("template_reliefs");
+  reliefs_->setAccessibleName(tr("Textures of this study"));
+  reliefs_->setDragDropMode(QAbstractItemView::InternalMove);
+  reliefs_->setFixedHeight(kReliefsHeight);
+  copied_ = new QRadioButton(tr("Textures of the template (written into the study)"), surfaces_);
+  copied_->setObjectName("template_copied");
+  for (QWidget* const widget : std::initializer_list<QWidget*>{needs_, copied_, own_, reliefs_}) {
+    surfaces->addWidget(widget);
+  }
+  surfaces_->hide();
+  layout->addWidget(surfaces_);
+  connect(own_, &QRadioButton::toggled, this, &TemplateDialog::show_what_follows);
+  connect(reliefs_, &QListWidget::itemChanged, this, &TemplateDialog::show_what_follows);
+  return detail;
+}
+
+void TemplateDialog::show_content(Content content) {
+  content_ = std::move(content);
+  std::vector<StudyTable::Row> rows{};
+  for (const TemplateOverview& overview : content_.templates) {
+    rows.push_back(
+        {text(overview.name),
+         {text_cell(text(overview.protocol.title)), text_cell(text_of_kind(overview.protocol.kind)),
+          number_cell(trials_of(overview), overview.cost.trials),
+          number_cell(minutes_of(overview), overview.cost.total_s)}});
+  }
+  for (const OwnTexture& relief : content_.reliefs) {
+    auto* item = new QListWidgetItem(text(relief.name), reliefs_);
+    item->setData(Qt::UserRole, reliefs_->count() - 1);
+    item->setToolTip(text(relief.height_field));
+    item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+    item->setCheckState(Qt::Checked);
+  }
+  table_->fill(rows);
+  show_chosen();
+}
+
+const TemplateOverview* TemplateDialog::chosen() const {
+  for (const TemplateOverview& overview : content_.templates) {
+    if (text(overview.name) == table_->selected_key()) return &overview;
+  }
+  return nullptr;
+}
+
+void TemplateDialog::show_chosen() {
+  const TemplateOverview* const overview = chosen();
+  const bool has_textures = overview != nullptr && !overview->textures.names.empty();
+  surfaces_->setVisible(has_textures);
+  if (overview != nullptr) {
+    title_->setText(text(overview->protocol.title));
+    const QString trials = tr("%n trial(s)", nullptr, overview->cost.trials);
+    facts_->setText(QStringList{text_of_kind(overview->protocol.kind), trials,
+                                tr("about %1").arg(text_of_duration(overview->cost.total_s)),
+                                text(overview->name)}
+                        .join(" · "));
+    description_->setText(text(overview->protocol.description));
+  }
+  if (has_textures) {
+    needs_->setText(tr("This template compares %n texture(s).", nullptr,
+                       static_cast<int>(overview->textures.names.size())));
+    copied_->setEnabled(overview->textures.are_of_demonstration);
+    copied_->setToolTip(overview->textures.are_of_demonstration
+                            ? QString()
+                            : tr("These textures are photographs that are not part of Asperity."));
+    const auto count = static_cast<int>(overview->textures.names.size());
+    for (int i = 0; i < reliefs_->count(); ++i) {
+      reliefs_->item(i)->setCheckState(i < count ? Qt::Checked : Qt::Unchecked);
+    }
+    own_->setEnabled(!content_.reliefs.empty());
+    for (QRadioButton* const button : {own_, copied_}) {
+      button->setAutoExclusive(false);  // so that none is chosen where none is possible
+      button->setChecked(false);
+      button->setAutoExclusive(true);
+    }
+    if (own_->isEnabled()) {
+      own_->setChecked(true);
+    } else if (copied_->isEnabled()) {
+      copied_->setChecked(true);
+    }
+  }
+  show_what_follows();
+}
+
+TemplateTextures TemplateDialog::textures() const {
+  using From = TemplateTextures::From;
+  if (chosen() == nullptr || chosen()->textures.names.empty()) return {};
+  if (copied_->isChecked()) return {.from = From::demonstration};
+  TemplateTextures textures{.from = From::study};
+  for (int i = 0; i < reliefs_->count(); ++i) {
+    const QListWidgetItem& item = *reliefs_->item(i);
+    if (item.checkState() != Qt::Checked) continue;
+    textures.own.push_back(content_.reliefs[item.data(Qt::UserRole).toULongLong()]);
+  }
+  return textures;
+}
+
+void TemplateDialog::show_what_follows() {
+  const TemplateOverview* const overview = chosen();
+  reliefs_->setEnabled(own_->isChecked());
+  QString wrong{};
+  if (overview == nullptr) {
+    wrong = content_.templates.empty() ? what_follows_->text() : tr("Choose a template.");
+  } else if (!overview->textures.names.empty() && !own_->isChecked() && !copied_->isChecked()) {
+    wrong =
+        tr("Make textures in the workbench first: this template needs photographs or reliefs "
+           "of the study.");
+  } else if (own_->isChecked() && surfaces_->isVisibleTo(this) && textures().own.empty()) {
+    wrong = tr("Choose at least one texture.");
+  }
+  create_->setEnabled(wrong.isEmpty());
+  what_follows_->setText(
+      wrong.isEmpty() ? tr("The protocol can be changed afterwards, also its textures.") : wrong);
+}
+
+}  // namespace asperity
+
+#include "moc_template_dialog.cpp"

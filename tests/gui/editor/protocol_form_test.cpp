@@ -1,0 +1,474 @@
+// The form of a protocol: its fields as a researcher uses them, the text that follows, and undo.
+
+#include "app/gui/editor/form/protocol_form.h"
+
+#include <algorithm>
+#include <array>
+#include <random>
+#include <string>
+
+#include <QtTest/QTest>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPlainTextEdit>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QTableWidget>
+#include <QtWidgets/QToolButton>
+#include <nlohmann/json.hpp>
+
+#include "app/gui/base/settings.h"
+#include "app/gui/editor/form/text_card.h"
+#include "app/gui/editor/protocol_text_edit.h"
+#include "app/gui/editor/protocol_views.h"
+#include "protocols/file/json_document.h"
+#include "protocols/file/library_protocols.h"
+#include "protocols/form/form_pages.h"
+#include "renderers/built_in_models.h"
+#include "tests/gui/editor/library_text.h"
+#include "tests/gui/study/quiet_home.h"
+#include "tests/gui/support/screenshot.h"
+#include "tests/support/replaced.h"
+
+namespace asperity {
+namespace {
+
+using nlohmann::json;
+
+class FormOfProtocol : public QuietHome {
+ protected:
+  FormOfProtocol() : views_(declarations_of(built_in_models())) {
+    views_.resize(900, 700);
+    views_.show();
+  }
+
+  void open(const std::string& text) {
+    views_.text().setPlainText(QString::fromStdString(text));
+    views_.show_form_if_possible();
+  }
+  ProtocolForm& form() { return child<ProtocolForm>(views_, "editor_form"); }
+  std::string text() { return views_.text().text().toStdString(); }
+  json tree() { return json::parse(text()); }
+  void undo() { QTest::keyClick(QApplication::focusWidget(), Qt::Key_Z, Qt::ControlModifier); }
+
+  /// The part of the form for the value, unfolded; null if there is none.
+  FormPart* part(const std::string& pointer) {
+    form().go_to(pointer);
+    QApplication::processEvents();
+    for (FormPart* const part : form().findChildren<FormPart*>(QString::fromStdString(pointer))) {
+      if (part->isVisible()) return part;
+    }
+    ADD_FAILURE() << "no part for " << pointer;
+    return nullptr;
+  }
+  template <class Control>
+  Control& control(const std::string& pointer) {
+    auto* const found = qobject_cast<Control*>(part(pointer)->focusProxy());
+    if (found == nullptr) throw std::runtime_error("another control at " + pointer);
+    return *found;
+  }
+  void type_into(const std::string& pointer, const QString& typed) {
+    auto& line = control<QLineEdit>(pointer);
+    line.setFocus();
+    line.selectAll();
+    QTest::keyClicks(&line, typed);
+  }
+  void click(const std::string& name) {
+    for (QAbstractButton* const button :
+         form().findChildren<QAbstractButton*>(QString::fromStdString(name))) {
+      if (!button->isVisible()) continue;
+      button->click();
+      QApplication::processEvents();
+      return;
+    }
+    ADD_FAILURE() << "no button " << name;
+  }
+  /// The button of an entry's card or line with this accessible name.
+  void click_named(const QString& name) {
+    for (QToolButton* const button : form().findChildren<QToolButton*>()) {
+      if (!button->isVisible() || button->accessibleName() != name) continue;
+      button->click();
+      QApplication::processEvents();
+      return;
+    }
+    ADD_FAILURE() << "no button " << name.toStdString();
+  }
+  void choose(const std::string& pointer, const QString& value) {
+    auto& box = control<QComboBox>(pointer);
+    const int index = box.findData(value);
+    ASSERT_GE(index, 0) << value.toStdString();
+    box.setCurrentIndex(index);
+    emit box.activated(index);
+  }
+  /// Shows a page with everything in it.
+  void unfold(const FormPage& page) {
+    form().show_page(page.id);
+    for (bool has_more = true; has_more;) {
+      has_more = false;
+      QApplication::processEvents();  // shows what was made
+      QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+      for (QToolButton* const fold : form().findChildren<QToolButton*>()) {
+        if (!fold->isVisible() || !fold->objectName().startsWith("open:")) continue;
+        if (fold->arrowType() != Qt::RightArrow) continue;
+        fold->click();
+        has_more = true;
+        break;
+      }
+    }
+  }
+
+  ProtocolViews views_;
+};
+
+TEST_F(FormOfProtocol, WritesANumberInTheUnitOfTheFile) {
+  const std::string before = library_text("amplitude_jnd");
+  open(before);
+  const std::string amplitude = "/stimuli/grating/parameters/amplitude_m";
+  EXPECT_EQ(control<QLineEdit>(amplitude).text(), "50");
+  type_into(amplitude, "2.5");
+  EXPECT_EQ(text(), replaced(before, "5e-05", "0.0000025"));
+  undo();
+  EXPECT_EQ(text(), before);  // also the notation of the number, in one step
+  const std::string length = "/explorations/stroking/stroke_length_m/target";
+  EXPECT_EQ(control<QLineEdit>(length).text(), "60");
+  type_into(length, "65,5");
+  EXPECT_EQ(text(), replaced(before, "\"target\": 0.06, \"maximum\": 0.08",
+                             "\"target\": 0.0655, \"maximum\": 0.08"));
+}
+
+TEST_F(FormOfProtocol, KeepsTheLastNumberWhileWhatIsTypedIsNone) {
+  const std::string before = library_text("amplitude_jnd");
+  open(before);
+  type_into("/material/friction", "0.x");
+  EXPECT_EQ(tree()["material"]["friction"], 0);
+  bool complains = false;
+  for (const QLabel* const label : form().findChildren<QLabel*>("form_problem")) {
+    complains |= label->isVisible() && label->text().contains("not a number");
+  }
+  EXPECT_TRUE(complains);
+  type_into("/material/friction", "0.3");
+  EXPECT_EQ(text(), replaced(before, "\"friction\": 0.2", "\"friction\": 0.3"));
+}
+
+TEST_F(FormOfProtocol, LeavesWhatIsBeingTypedWhenACheckArrives) {
+  open(library_text("amplitude_jnd"));
+  auto& friction = control<QLineEdit>("/material/friction");
+  friction.setFocus();
+  friction.selectAll();
+  QTest::keyClicks(&friction, "0.");
+  views_.show_problems({}, {});
+  QTest::keyClicks(&friction, "5");
+  EXPECT_EQ(friction.text(), "0.5");
+  EXPECT_EQ(tree()["material"]["friction"], 0.5);
+}
+
+TEST_F(FormOfProtocol, KeepsTheRowOfAValueThatWasEmptied) {
+  const std::string before = library_text("amplitude_jnd");
+  open(before);
+  form().show_page("order");
+  QApplication::processEvents();
+  auto& trials =
+      static_cast<QLineEdit&>(*child<FormPart>(form(), "/resume/practice_trials").focusProxy());
+  trials.setFocus();
+  trials.selectAll();
+  QTest::keyClick(&trials, Qt::Key_Backspace);
+  EXPECT_FALSE(tree()["resume"].contains("practice_trials"));
+  QTest::keyClicks(QApplication::focusWidget(), "3");
+  EXPECT_EQ(tree(), json::parse(before));
+}
+
+TEST_F(FormOfProtocol, SurvivesARemovalWhileANameIsTyped) {
+  open(library_text("semantic_differential"));
+  ASSERT_NE(part("/textures/stone/code"), nullptr);
+  auto& name =
+      static_cast<QLineEdit&>(*child<FormPart>(form(), "name:/textures/stone").focusProxy());
+  name.setFocus();
+  name.selectAll();
+  QTest::keyClicks(&name, "rock");
+  click_named("Remove “wood”");
+  EXPECT_TRUE(tree()["textures"].contains("rock"));
+  EXPECT_FALSE(tree()["textures"].contains("wood"));
+}
+
+TEST_F(FormOfProtocol, WritesATypedNameBeforeItIsLeft) {
+  open(library_text("semantic_differential"));
+  ASSERT_NE(part("/textures/stone/code"), nullptr);
+  auto& name =
+      static_cast<QLineEdit&>(*child<FormPart>(form(), "name:/textures/stone").focusProxy());
+  name.setFocus();
+  name.selectAll();
+  QTest::keyClicks(&name, "rock");
+  views_.commit();
+  EXPECT_TRUE(tree()["textures"].contains("rock"));
+}
+
+TEST_F(FormOfProtocol, ShowsNoFieldsOfATextThatIsNoObject) {
+  open(library_text("amplitude_jnd"));
+  ASSERT_NE(part("/title"), nullptr);
+  views_.text().replace_text("[]");
+  EXPECT_FALSE(form().can_be_edited());
+  form().show_page("task");
+  views_.text().undo();
+  EXPECT_TRUE(form().can_be_edited());
+  EXPECT_TRUE(control<QLineEdit>("/title").isEnabled());
+}
+
+TEST_F(FormOfProtocol, StatesAndRemovesASettingThatHasADefault) {
+  const std::string before = library_text("amplitude_jnd");
+  open(before);
+  const std::string feedback = "/blocks/comparisons/feedback";
+  choose(feedback, "correctness");
+  EXPECT_EQ(tree()["blocks"]["comparisons"]["feedback"], "correctness");
+  choose(feedback, "none");
+  EXPECT_EQ(text(), before);
+  type_into("/blocks/comparisons/response_deadline_s", "8");
+  EXPECT_EQ(tree()["blocks"]["comparisons"]["response_deadline_s"], 8);
+  auto& deadline = control<QLineEdit>("/blocks/comparisons/response_deadline_s");
+  deadline.selectAll();
+  QTest::keyClick(&deadline, Qt::Key_Backspace);
+  EXPECT_EQ(text(), before);
+}
+
+TEST_F(FormOfProtocol, AddsAScaleWithANameOfItsOwn) {
+  const std::string before = library_text("semantic_differential");
+  open(before);
+  ASSERT_NE(part("/blocks/ratings/questions"), nullptr);
+  click("add:/blocks/ratings/questions");
+  EXPECT_EQ(tree()["blocks"]["ratings"]["questions"].size(), 9U);
+  EXPECT_EQ(tree()["blocks"]["ratings"]["questions"][8]["name"], "wet_2");
+  type_into("/blocks/ratings/questions/8/scale/labels/0", "matte");
+  EXPECT_EQ(tree()["blocks"]["ratings"]["questions"][8]["scale"]["labels"][0], "matte");
+  click_named("Move “wet_2” up");
+  EXPECT_EQ(tree()["blocks"]["ratings"]["questions"][7]["name"], "wet_2");
+  click_named("Remove “wet_2”");
+  EXPECT_EQ(text(), before);
+}
+
+TEST_F(FormOfProtocol, MovesDuplicatesAndRemovesSeveralAtOnce) {
+  open(library_text("semantic_differential"));
+  ASSERT_NE(part("/blocks/ratings/questions"), nullptr);
+  const auto names = [this] {
+    std::string all{};
+    const json file = tree();
+    for (const json& question : file["blocks"]["ratings"]["questions"]) {
+      all += question["name"].get<std::string>() + " ";
+    }
+    return all;
+  };
+  const auto tick = [this](const QString& name) {
+    for (QCheckBox* const box : form().findChildren<QCheckBox*>()) {
+      if (box->isVisible() && box->accessibleName() == "Choose “" + name + "”") box->click();
+    }
+  };
+  tick("bumpy");
+  tick("slippery");
+  click_named("Move “bumpy” down");
+  EXPECT_EQ(names(), "rough hot bumpy slippery irregular coarse hard wet ");
+  click_named("Move “slippery” down");  // both are still ticked
+  EXPECT_EQ(names(), "rough hot irregular bumpy slippery coarse hard wet ");
+  click_named("Duplicate “slippery”");
+  EXPECT_EQ(names(), "rough hot irregular bumpy bumpy_2 slippery slippery_2 coarse hard wet ");
+  click_named("Remove “bumpy”");
+  EXPECT_EQ(names(), "rough hot irregular bumpy_2 slippery_2 coarse hard wet ");
+}
+
+TEST_F(FormOfProtocol, RenamesATextureWithItsReferences) {
+  const std::string before = library_text("semantic_differential");
+  open(before);
+  ASSERT_NE(part("/textures/cones_05/code"), nullptr);
+  const auto& name = child<FormPart>(form(), "name:/textures/cones_05");
+  auto& line = static_cast<QLineEdit&>(*name.focusProxy());
+  line.setFocus();
+  line.selectAll();
+  QTest::keyClicks(&line, "fine_cones");
+  EXPECT_EQ(text(), before);  // a name that is not complete is written nowhere
+  QTest::keyClick(&line, Qt::Key_Return);
+  EXPECT_EQ(text().find("\"cones_05\""), std::string::npos);
+  EXPECT_EQ(tree()["factors"]["texture"]["levels"][4], "fine_cones");
+}
+
+TEST_F(FormOfProtocol, ShowsTheLastStateOfATextThatCannotBeRead) {
+  const std::string before = library_text("amplitude_jnd");
+  open(before);
+  ASSERT_NE(part("/title"), nullptr);
+  views_.text().setPlainText(QString::fromStdString(replaced(before, "\"title\":", "\"title\"")));
+  EXPECT_FALSE(form().can_be_edited());
+  EXPECT_FALSE(control<QLineEdit>("/title").isEnabled());
+  EXPECT_TRUE(child<QLabel>(form(), "form_state").text().contains("not valid JSON"));
+  views_.text().setPlainText(QString::fromStdString(before));
+  EXPECT_TRUE(control<QLineEdit>("/title").isEnabled());
+}
+
+TEST_F(FormOfProtocol, ShowsAProblemNextToItsField) {
+  open(library_text("amplitude_jnd"));
+  Diagnostic problem{};
+  problem.pointer = "/material/stiffness_N_per_m";
+  problem.message = "too stiff";
+  views_.show_problems({problem}, {});
+  ASSERT_NE(part(problem.pointer), nullptr);
+  int shown = 0;
+  for (const QLabel* const label : form().findChildren<QLabel*>("form_problem")) {
+    shown += label->isVisible() && label->text().contains("too stiff") ? 1 : 0;
+  }
+  EXPECT_EQ(shown, 1);
+  views_.show_problems({}, {});
+  for (const QLabel* const label : form().findChildren<QLabel*>("form_problem")) {
+    EXPECT_FALSE(label->isVisible());
+  }
+}
+
+TEST_F(FormOfProtocol, ShowsListedTrialsAsATable) {
+  const std::string before = library_text("semantic_differential");
+  open(before);
+  auto& table = control<QTableWidget>("/blocks/range/listed");
+  ASSERT_EQ(table.rowCount(), 4);
+  table.item(3, 0)->setText("stone");
+  EXPECT_EQ(text(), replaced(before, "{\"texture\": \"metal\"}, {\"texture\": \"brick\"}",
+                             "{\"texture\": \"metal\"}, {\"texture\": \"stone\"}"));
+  table.selectRow(3);
+  click("remove:/blocks/range/listed");
+  click("add:/blocks/range/listed");
+  EXPECT_EQ(tree()["blocks"]["range"]["listed"].size(), 4U);
+  EXPECT_EQ(tree()["blocks"]["range"]["listed"][3]["texture"], "metal");
+}
+
+TEST_F(FormOfProtocol, ShowsAlmostEverythingOfTheLibrary) {
+  constexpr int kMostCards = 3;
+  for (const LibraryProtocol& library : library_protocols()) {
+    open(std::string(library.text));
+    int cards = 0;
+    for (const FormPage& page : form_pages()) {
+      unfold(page);
+      for (const TextCard* const card : form().findChildren<TextCard*>()) {
+        if (!card->isVisible()) continue;
+        ++cards;
+        RecordProperty(std::string(library.name), card->pointer());
+      }
+    }
+    EXPECT_LE(cards, kMostCards) << library.name;
+    EXPECT_EQ(text(), library.text) << library.name;
+  }
+}
+
+TEST_F(FormOfProtocol, NamesEveryControlForScreenReaders) {
+  for (const char* const name : {"semantic_differential", "amplitude_jnd", "tools_matching"}) {
+    open(library_text(name));
+    for (const FormPage& page : form_pages()) {
+      unfold(page);
+      for (const QWidget* const widget : form().findChildren<QWidget*>()) {
+        const bool can_be_reached =
+            widget->isVisible() && widget->focusPolicy() != Qt::NoFocus && widget->isEnabled();
+        const bool is_control = qobject_cast<const QLineEdit*>(widget) != nullptr ||
+                                qobject_cast<const QComboBox*>(widget) != nullptr ||
+                                qobject_cast<const QPlainTextEdit*>(widget) != nullptr ||
+                                qobject_cast<const QToolButton*>(widget) != nullptr ||
+                                qobject_cast<const QCheckBox*>(widget) != nullptr;
+        if (!can_be_reached || !is_control) continue;
+        EXPECT_FALSE(widget->accessibleName().isEmpty())
+            << name << " " << page.id << " " << widget->metaObject()->className() << " in "
+            << widget->parentWidget()->objectName().toStdString();
+      }
+    }
+  }
+}
+
+/// What a field shows: the characters of a line or a box, the choice, the tick.
+QString shown_in(const QWidget& control) {
+  if (const auto* const line = qobject_cast<const QLineEdit*>(&control)) return line->text();
+  if (const auto* const box = qobject_cast<const QPlainTextEdit*>(&control)) {
+    return box->toPlainText();
+  }
+  if (const auto* const box = qobject_cast<const QComboBox*>(&control)) return box->currentText();
+  return static_cast<const QCheckBox&>(control).isChecked() ? "ticked" : "not ticked";
+}
+
+/// Changes what the field shows, as a person would.
+void change(QWidget& control) {
+  if (auto* const box = qobject_cast<QComboBox*>(&control)) {
+    const int index = (box->currentIndex() + 1) % std::max(box->count(), 1);
+    box->setCurrentIndex(index);
+    emit box->activated(index);
+  } else if (auto* const tick = qobject_cast<QCheckBox*>(&control)) {
+    tick->click();
+  } else {
+    control.setFocus();
+    QTest::keyClick(&control, Qt::Key_End);
+    QTest::keyClicks(&control, "1");
+  }
+}
+
+// Two hundred changes of random fields: another form of the new text shows what the field shows, nothing outside of the value
+// changes, and undo returns the bytes.
+TEST_F(FormOfProtocol, ChangesOneValueOfTheText) {
+  std::mt19937 random(11);
+  int edits = 0;
+  ProtocolViews other(declarations_of(built_in_models()));
+  for (const LibraryProtocol& library : library_protocols()) {
+    open(std::string(library.text));
+    const std::string before = text();
+    constexpr int kEditsPerProtocol = 8;
+    constexpr int kEditsPerPage = 4;
+    for (int tries = 0, done = 0; done < kEditsPerProtocol && tries < 40; ++tries) {
+      if (tries % kEditsPerPage == 0) unfold(form_pages()[random() % form_pages().size()]);
+      std::vector<FormPart*> parts{};
+      for (FormPart* const part : form().findChildren<FormPart*>()) {
+        // A name is written when it is complete: RenamesATextureWithItsReferences.
+        const bool is_name = part->inherits("asperity::DeclaredNameField");
+        if (part->isVisible() && part->focusProxy() != nullptr && !is_name &&
+            qobject_cast<QTableWidget*>(part->focusProxy()) == nullptr) {
+          parts.push_back(part);
+        }
+      }
+      if (parts.empty()) continue;
+      FormPart* const part = parts[random() % parts.size()];
+      const std::string pointer = part->pointer();
+      QWidget& control = *part->focusProxy();
+      change(control);
+      if (text() == before) continue;  // the name that is declared is not complete
+      const QString shown = shown_in(*part->focusProxy());  // of a value that is bound, the other
+      json expected = json::parse(before);
+      const json::json_pointer place(pointer);
+      if (tree().contains(place)) {
+        expected[place] = tree().at(place);
+      } else {
+        expected.at(place.parent_pointer()).erase(place.back());
+      }
+      EXPECT_EQ(tree(), expected) << library.name << pointer;
+      other.text().setPlainText(QString::fromStdString(text()));
+      other.show_form_if_possible();
+      auto& form_of_other = child<ProtocolForm>(other, "editor_form");
+      form_of_other.go_to(pointer);
+      QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // of what was made again
+      const auto& there = child<FormPart>(form_of_other, pointer.c_str());
+      EXPECT_EQ(shown_in(*there.focusProxy()), shown) << library.name << pointer;
+      views_.text().undo();
+      EXPECT_EQ(text(), before) << library.name << pointer;
+      ++edits;
+      ++done;
+    }
+  }
+  EXPECT_GE(edits, 200);
+}
+
+TEST_F(FormOfProtocol, Pictures) {
+  for (const ThemeChoice choice : {ThemeChoice::light, ThemeChoice::dark}) {
+    apply_theme(*qApp, choice);
+    const QString end = choice == ThemeChoice::light ? "" : "-dark";
+    open(library_text("semantic_differential"));
+    for (const FormPage& page : form_pages()) {
+      form().show_page(page.id);
+      take_screenshot(views_, "form-" + QString::fromUtf8(page.id.data()) + end, {900, 700});
+    }
+    ASSERT_NE(part("/blocks/ratings/questions/2/scale/labels"), nullptr);
+    take_screenshot(views_, "form-scale" + end, {900, 700});
+    open(library_text("amplitude_jnd"));
+    ASSERT_NE(part("/blocks/comparisons/procedure/steps"), nullptr);
+    take_screenshot(views_, "form-procedure" + end, {900, 700});
+  }
+  apply_theme(*qApp, ThemeChoice::light);
+}
+
+}  // namespace
+}  // namespace asperity
