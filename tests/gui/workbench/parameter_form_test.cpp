@@ -68,6 +68,13 @@ TEST(ParameterForm, HasAControlWithMeaningForEveryParameterOfEveryModel) {
   }
 }
 
+TEST(ParameterForm, DescribesAParameterOnItsSliderAsOnItsField) {
+  const ParameterForm form(texture_recipe_parameters(), FormStyle::sliders);
+  const QString described = form.findChild<QDoubleSpinBox*>("gamma_low")->toolTip();
+  EXPECT_FALSE(described.isEmpty());
+  EXPECT_EQ(form.findChild<QSlider*>("slider_gamma_low")->toolTip(), described);
+}
+
 TEST(ParameterForm, KeepsEveryDigitOfAValueThatIsOnlyLookedAt) {
   ParameterForm form(texture_recipe_parameters());
   form.set_values({{"rms_m", 0.000123456789012345}});
