@@ -33,6 +33,7 @@ struct FakeCard {
   std::atomic<bool> lost{false};
   std::atomic<bool> hangs{false};  ///< while it is opened
   std::atomic<bool> dies{false};   ///< as soon as it is open
+  std::atomic<int> left_out{0};    ///< how often it took no samples while it stood still
   std::atomic<int> opened{0};
   std::atomic<int> open{0};       ///< a stream that ends may still close while the next one opens
   std::atomic<double> peak{0.0};  ///< of the last 10 ms
@@ -46,6 +47,7 @@ class FakeConsumer final : public SampleConsumer {
     ++card_.opened;
     ++card_.open;
     QObject::connect(&timer_, &QTimer::timeout, &timer_, [this, &samples] {
+      if (card_.stands_still) ++card_.left_out;
       if (card_.stands_still || !is_working()) return;
       std::array<char, 480 * 8> bytes{};
       samples.read(bytes.data(), std::ssize(bytes));

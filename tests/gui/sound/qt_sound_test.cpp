@@ -43,14 +43,19 @@ TEST(QtSound, IsSilentUntilTheNoiseIsAskedFor) {
   EXPECT_TRUE(eventually([&] { return card.peak > 0.05; }));
 }
 
-TEST(QtSound, IsNotRunningWhenTheOutputStopsTakingSamples) {
+TEST(QtSound, IsNotRunningHalfASecondAfterTheLastSamples) {
   FakeCard card{};
   QtSound sound(pink_noise(), {}, output_of(card));
   sound.set_masking(true);
   ASSERT_TRUE(eventually([&] { return card.peak > 0.0; }));
   EXPECT_TRUE(sound.is_running());
   card.stands_still = true;
-  EXPECT_TRUE(eventually([&] { return !sound.is_running(); }));
+  ASSERT_TRUE(eventually([&] { return card.left_out > 0; }));
+  QElapsedTimer since{};
+  since.start();
+  ASSERT_TRUE(eventually(
+      [&] { return static_cast<double>(since.elapsed()) >= 1e3 * SoundStream::kStandsStill_s; }));
+  EXPECT_FALSE(sound.is_running());
   card.stands_still = false;
   EXPECT_TRUE(eventually([&] { return sound.is_running(); }));
 }
