@@ -406,6 +406,14 @@ TEST_F(StudyWindowTest, KeepsTheWorkbenchThroughAChangeOfTheme) {
   apply_theme(*qobject_cast<QApplication*>(qApp), ThemeChoice::light);
 }
 
+TEST_F(StudyWindowTest, RemembersTheThemeUntilTheNextStart) {
+  EXPECT_EQ(theme_choice(), ThemeChoice::system) << "until one is chosen";
+  for (const auto choice : {ThemeChoice::dark, ThemeChoice::light, ThemeChoice::system}) {
+    remember_theme(choice);
+    EXPECT_EQ(theme_choice(), choice);
+  }
+}
+
 TEST_F(StudyWindowTest, OffersThePlaceOfTheLastStudyForTheNext) {
   new_study(home() / "studies" / "first");
   StudyWindow window{};
