@@ -28,6 +28,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/start/participant_card.h"
 #include "app/tasks/new_study.h"
 #include "app/tasks/protocol_files.h"
 #include "renderers/built_in_models.h"
@@ -404,6 +405,24 @@ TEST_F(TheStartPage, ComesInTheOrderInWhichASessionIsPrepared) {
       EXPECT_GT(y, last) << name;
     }
     last = y;
+  }
+}
+
+TEST_F(TheStartPage, ShowsTheChoiceOfParticipantsNextToItsHeading) {
+  Study::open(folder, Access::read_write).add_participant({.label = "P009"});
+  page->show();
+  choose(protocol);
+  QTest::qWait(10);
+  const auto place_of = [this](const QWidget& widget) {
+    return QRect(widget.mapTo(page.get(), QPoint(0, 0)), widget.size());
+  };
+  const QRect newcomers = place_of(find<QPushButton>("new_participant"));
+  const QRect known = place_of(find<QPushButton>("known_participant"));
+  EXPECT_EQ(newcomers.top(), known.top());
+  EXPECT_GE(known.width(), find<QPushButton>("known_participant").sizeHint().width());
+  for (const auto* label : page->findChild<ParticipantCard*>()->findChildren<QLabel*>()) {
+    if (!label->isVisible()) continue;
+    EXPECT_FALSE(place_of(*label).intersects(newcomers)) << label->text().toStdString();
   }
 }
 
