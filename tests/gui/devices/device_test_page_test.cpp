@@ -26,6 +26,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <qcustomplot.h>
 
 #include "app/device_bench/device_choice.h"
 #include "app/gui/base/study_table.h"
@@ -473,6 +474,20 @@ TEST_F(DeviceTests, ShowTheBordersThatAPersonReaches) {
   wait_until_it_ended();
   EXPECT_EQ(shown("result_workspace_reached"), "✓ pass");
   EXPECT_EQ(shown("value_workspace_reached"), "93.3 %") << "2 · 28 of 60 mm in height";
+}
+
+TEST(MotionPicture, WidensItsAxisToTheNextOfOneTwoAndFive) {
+  MotionPicture picture{};
+  const auto& axis = *child<QCustomPlot>(picture, "motion_plot").yAxis;
+  std::int64_t time_ns = 0;
+  for (const auto& [moved_mm, shown_mm] :
+       {std::pair(0.0, 1.0), {1.5, 2.0}, {4.0, 5.0}, {8.0, 10.0}, {15.0, 20.0}}) {
+    MotionBin bin{.stage = 1, .begins_ns = time_ns += MotionBins::kBin_ns};
+    bin.position_maximum_m[1] = 1e-3 * moved_mm;
+    picture.take({bin});
+    EXPECT_NEAR(axis.range().upper, shown_mm, 1e-9) << moved_mm;
+    EXPECT_NEAR(axis.range().lower, -shown_mm, 1e-9) << moved_mm;
+  }
 }
 
 TEST_F(DeviceTests, GoOnWithTheirDeviceOnAPageThatIsMadeAnew) {
