@@ -1,5 +1,8 @@
 // Numbers, texts and choices that are given on the pages of a participant.
 
+#include <algorithm>
+#include <vector>
+
 #include <QtTest/QTest>
 #include <QtWidgets/QPlainTextEdit>
 #include <gtest/gtest.h>
@@ -206,6 +209,11 @@ TEST(ParticipantView, TakesATextAndItsReturn) {
   Seat seat(scenes::form_text());
   auto* field = seat.view.findChild<QPlainTextEdit*>("participant_text");
   ASSERT_TRUE(field->isVisible());
+  const std::vector<Item>& items = seat.view.items();
+  const auto place = std::find_if(items.begin(), items.end(),
+                                  [](const Item& item) { return item.kind == Item::Kind::field; });
+  ASSERT_NE(place, items.end());
+  EXPECT_EQ(field->font().pixelSize(), place->size_px) << "large enough to be read";
   QTest::keyClicks(field, "by 2 feels");
   EXPECT_EQ(field->toPlainText(), "by 2 feels");
   EXPECT_TRUE(seat.inputs.empty());
