@@ -163,6 +163,28 @@ TEST(WorkspaceView, TheToolStandsWhereTheProbeIs) {
   EXPECT_EQ(difference(view.grab().toImage(), empty).pixels, 0);
 }
 
+// Its shading shows where the end of the tool is, which touches the surface.
+TEST(WorkspaceView, TheToolEndsInABallThatIsDarkerAtItsEdge) {
+  constexpr double kHeight_m = 0.010;
+  constexpr double kRadius_m = 0.0012;
+  WorkspaceView view{};
+  view.resize(1280, 720);
+  view.set_object({}, nullptr, SurfaceLook::plain);
+  ASSERT_TRUE(eventually([&view] { return view.is_drawn(); }));
+  view.set_probe(0.0, 0.0, kHeight_m, false);
+  const QImage seen = view.grab().toImage();
+  const WorkspaceCamera camera({}, view.size());
+  const glm::dvec3 ball{0.0, 0.0, kHeight_m + kRadius_m};
+  const auto grey = [&](double right, double up) {
+    const double radius_px = kRadius_m * camera.scale_at(ball);
+    const QPointF at = camera.project(ball) + radius_px * QPointF(right, -up);
+    return qGray(seen.pixel(at.toPoint()));
+  };
+  // Along the tool, which has one brightness along its length.
+  EXPECT_GT(grey(0.0, 0.0), grey(0.5, 0.65) + 40);
+  EXPECT_GT(grey(0.0, 0.0), grey(-0.5, -0.65) + 40);
+}
+
 TEST(WorkspaceView, ALeftHandHoldsTheToolFromTheLeft) {
   WorkspaceView view{};
   view.resize(480, 270);
