@@ -155,6 +155,15 @@ TEST_F(PagesToRead, ListTheProtocolsOfTheDemoStudyAsValid) {
   EXPECT_TRUE(child<QLabel>(window_, "protocol_facts").text().contains("trial"));
 }
 
+TEST_F(PagesToRead, SelectAProtocolByAClickOnItsTitle) {
+  select_protocol("broken.json");
+  const StudyTable& table = table_of("protocols", "protocols_table", 4);
+  const int row = static_cast<int>(column(table, 1).indexOf("chapter_recognition"));
+  const QRect title = table.visualRect(table.model()->index(row, 0));
+  QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, title.center());
+  EXPECT_TRUE(table.selected_key().endsWith("/chapter_recognition.json"));
+}
+
 TEST_F(StudyPages, EndTheListOfProtocolsBelowAWholeRow) {
   window_.resize(1280, 720);
   window_.show();
