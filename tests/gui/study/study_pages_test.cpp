@@ -199,6 +199,13 @@ TEST_F(PagesToRead, ShowTheProblemsOfABrokenProtocolAndRefuseToStartIt) {
   EXPECT_TRUE(problems.isVisible());
   EXPECT_TRUE(column(table_of("protocols", "protocols_table", 4), 5).contains("✕ 2 problems"))
       << "the mark that the editor shows next to the same problems";
+  for (const auto& [mark, state] : {std::pair("✓", State::fine), {"✕", State::stop}}) {
+    const StudyTable& table = table_of("protocols", "protocols_table", 4);
+    const auto row =
+        static_cast<int>(column(table, 5).indexOf(QRegularExpression(mark + QString(".*"))));
+    const QVariant color = table.model()->index(row, 5).data(Qt::ForegroundRole);
+    EXPECT_EQ(color.value<QBrush>().color(), color_of(state)) << mark;
+  }
   EXPECT_TRUE(problems.text_at(0, 1).contains("stimuli/mteal.png"));
   EXPECT_GT(problems.text_at(0, 0).toInt(), 1);
   EXPECT_FALSE(child<QPushButton>(window_, "protocol_start").isEnabled());
