@@ -9,6 +9,7 @@
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPushButton>
 #include <QtWidgets/QStyleOption>
 #include <QtWidgets/QTableWidget>
 #include <gtest/gtest.h>
@@ -16,6 +17,7 @@
 #include "app/gui/base/settings.h"
 #include "app/gui/look/decimal_field.h"
 #include "app/gui/look/words.h"
+#include "app/gui/look/wrapped_buttons.h"
 #include "tests/gui/support/widgets.h"
 
 namespace asperity {
@@ -31,6 +33,16 @@ QColor ground_of(QWidget& widget) {
   widget.ensurePolished();
   const QImage picture = widget.grab().toImage();
   return picture.pixelColor(10, picture.height() / 2);
+}
+
+TEST_F(Controls, GiveButtonsThatWrapTheHeightOfTheirRows) {
+  WrappedButtons wrapped{};
+  QList<QPushButton*> buttons{};
+  for (int i = 0; i < 3; ++i) buttons += make_button("Not ready", ButtonRole::plain, &wrapped);
+  wrapped.set_buttons(buttons);
+  const QSize one = buttons.front()->sizeHint();
+  EXPECT_GE(wrapped.heightForWidth(one.width()), 3 * one.height());
+  EXPECT_EQ(wrapped.heightForWidth(10 * one.width()), one.height());
 }
 
 TEST_F(Controls, FollowTheThemeWhileTheyAreShown) {
