@@ -81,6 +81,8 @@ TEST(SessionWindow, ShowsItsPartsSideBySideOrOneAtATimeAsItsSizeAllows) {
   ASSERT_TRUE(notes.hasFocus());
   QTest::keyClick(&notes, Qt::Key_Space);
   EXPECT_EQ(parts_shown(*window), (QStringList{"last_answer", "note", "show_plan"}));
+  EXPECT_TRUE(eventually([&] { return clipped_in(*window).isEmpty(); }))
+      << clipped_in(*window).join("\n").toStdString();
 }
 
 TEST(SessionWindow, KeepsItsSizeWhateverStandsInIt) {
