@@ -406,10 +406,7 @@ TrialAttempt::Contact TrialAttempt::feel(std::size_t index) {
   const bool all = trial_.arrangement.surfaces == Arrangement::Surfaces::side_by_side;
   const auto show = [this](ParticipantScene scene) {
     scene.show_workspace = course_.protocol().scene.has_value();
-    if (is_guided_by_sight(exploration_)) {
-      scene.guide = exploration_;
-      scene.guide_scale = guide_scale_of(course_.protocol());
-    }
+    add_guide(scene, exploration_, course_.protocol());
     course_.show(std::move(scene));
   };
   show(all ? scene_of_patches(trial_) : scene_of_surface(trial_, felt_, planned.position));

@@ -3,6 +3,8 @@
 #include "app/tasks/demo_stimuli.h"
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <stdexcept>
 
 #include "app/study_files/height_field_files.h"
@@ -206,12 +208,17 @@ void make_demo_stimulus(std::string_view name, const std::filesystem::path& fold
 }
 
 std::string demo_stimulus_of(std::string_view study_path) {
-  for (const std::string& name : demo_stimuli()) {
-    for (const std::string& file : files_of_demo_stimulus(name)) {
-      if (study_path == "stimuli/" + file) return name;
+  static const auto kStimuli = [] {
+    std::map<std::string, std::string, std::less<>> by_file{};
+    for (const std::string& name : demo_stimuli()) {
+      for (const std::string& file : files_of_demo_stimulus(name)) {
+        by_file["stimuli/" + file] = name;
+      }
     }
-  }
-  return {};
+    return by_file;
+  }();
+  const auto found = kStimuli.find(study_path);
+  return found == kStimuli.end() ? std::string() : found->second;
 }
 
 }  // namespace asperity

@@ -15,6 +15,7 @@
 #include "app/tasks/demo_stimuli.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/form/form_edits.h"
+#include "protocols/form/new_values.h"
 #include "protocols/keys/key.h"
 #include "protocols/texts/translatable_texts.h"
 #include "results_schema/files/atomic_file.h"
@@ -61,17 +62,15 @@ std::string renamed_file(const std::string& file, const std::string& stimulus,
 std::string write_demo_stimulus(const std::string& stimulus, const std::filesystem::path& made,
                                 const std::filesystem::path& stimuli) {
   const std::vector<std::string> files = files_of_demo_stimulus(stimulus);
-  const auto is_usable = [&](const std::string& name) {
-    return std::all_of(files.begin(), files.end(), [&](const std::string& file) {
+  const auto has_others = [&](const std::string& name) {
+    return std::any_of(files.begin(), files.end(), [&](const std::string& file) {
       const std::filesystem::path there = stimuli / renamed_file(file, stimulus, name);
       // A sidecar states the version of the program, so that the pictures are compared.
-      const bool is_sidecar = file.ends_with(".json");
-      return !std::filesystem::exists(there) || is_sidecar ||
-             read_file(there) == read_file(made / file);
+      return !file.ends_with(".json") && std::filesystem::exists(there) &&
+             read_file(there) != read_file(made / file);
     });
   };
-  std::string name = stimulus;
-  for (int number = 2; !is_usable(name); ++number) name = stimulus + '_' + std::to_string(number);
+  const std::string name = free_name(stimulus, has_others);
   for (const std::string& file : files) {
     const std::filesystem::path there = stimuli / renamed_file(file, stimulus, name);
     if (!std::filesystem::exists(there)) {
@@ -139,10 +138,8 @@ std::filesystem::path protocol_from_template(const std::filesystem::path& study,
                                              std::string_view name,
                                              const TemplateTextures& textures) {
   const LibraryProtocol& protocol = library_protocol(name);
-  const std::string first(name);
-  std::string free_name = first;
-  const auto is_taken = [&] {
-    const std::filesystem::path file = study / "protocols" / free_name;
+  const std::string own_name = free_name(name, [&](const std::string& one) {
+    const std::filesystem::path file = study / "protocols" / one;
     const auto exists = [&file](std::string_view ending) {
       return std::filesystem::exists(file.string() + std::string(ending) + ".json");
     };
@@ -150,17 +147,14 @@ std::filesystem::path protocol_from_template(const std::filesystem::path& study,
                                      [&exists](const LibraryTranslation& each) {
                                        return exists('.' + std::string(each.language));
                                      });
-  };
-  for (int number = 2; is_taken(); ++number) {
-    free_name = first + '_' + std::to_string(number);
-  }
+  });
   std::string text(protocol.text);
   if (textures.from == TemplateTextures::From::study) {
-    text = with_textures(JsonDocument(protocol.text, first), textures.own);
+    text = with_textures(JsonDocument(protocol.text, std::string(name)), textures.own);
   } else if (textures.from == TemplateTextures::From::demonstration) {
     text = with_demo_stimuli(std::move(text), study);
   }
-  return write_protocol(study, protocol, free_name, text);
+  return write_protocol(study, protocol, own_name, text);
 }
 
 std::filesystem::path write_library_protocol(const std::filesystem::path& study,

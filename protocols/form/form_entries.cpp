@@ -12,6 +12,7 @@
 #include "analysis/numbers/number_text.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/keys/common_shapes.h"
+#include "protocols/keys/names_in.h"
 #include "protocols/keys/tables.h"
 
 namespace asperity {
@@ -22,7 +23,6 @@ using nlohmann::json;
 
 constexpr std::size_t kPartsOfSummary = 3;
 constexpr std::size_t kLongestSummary = 120;
-constexpr std::array<std::string_view, 2> kNamesOfEntries{"name", "value"};
 
 /// A unit in which names of keys end, and how it is displayed.
 struct UnitOfName {
@@ -87,15 +87,6 @@ NumberShape displayed_shape(const NumberShape& shape, const std::string& pointer
   return shape;
 }
 
-std::optional<std::string> name_of_entry(const json& entry) {
-  if (!entry.is_object()) return {};
-  for (const std::string_view key : kNamesOfEntries) {
-    const auto found = entry.find(key);
-    if (found != entry.end() && found->is_string()) return found->get<std::string>();
-  }
-  return {};
-}
-
 std::vector<PathPart> path_of(const json& protocol, const std::string& pointer) {
   std::vector<PathPart> parts{};
   ValueShape shape = ObjectShape{&kProtocolTable};
@@ -111,8 +102,8 @@ std::vector<PathPart> path_of(const json& protocol, const std::string& pointer) 
     if (value != nullptr && value->is_array()) {
       const std::size_t index = std::stoul(key);
       if (index < value->size()) next = &(*value)[index];
-      const auto name = next == nullptr ? std::nullopt : name_of_entry(*next);
-      parts.push_back({name.value_or(std::to_string(index + 1)), false});
+      const std::string name(next == nullptr ? std::string_view() : name_of_entry(*next));
+      parts.push_back({name.empty() ? std::to_string(index + 1) : name, false});
     } else {
       parts.push_back({key, false});
     }

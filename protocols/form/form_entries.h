@@ -2,7 +2,6 @@
 
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,9 +39,6 @@ struct PathPart {
 /// The path to a value as a form writes it: "Blocks", "main", "Questions", "rough", "Question". Entries of lists have
 /// their name or value, or else their position from 1.
 std::vector<PathPart> path_of(const nlohmann::json& protocol, const std::string& pointer);
-
-/// The name of an entry of a list: of its key "name" or "value", if it has one.
-std::optional<std::string> name_of_entry(const nlohmann::json& entry);
 
 /// What a value of the shape contains, in a line: the first texts and numbers of an object in the order of its table, without
 /// its name.

@@ -88,15 +88,19 @@ struct NewValue {
 
 }  // namespace
 
-std::string free_name(const std::vector<std::string>& names, std::string_view wish) {
-  const auto is_taken = [&names](const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
+std::string free_name(std::string_view wish,
+                      const std::function<bool(const std::string& name)>& is_taken) {
   std::string name(wish);
   for (int number = 2; is_taken(name); ++number) {
     name = std::string(wish) + "_" + std::to_string(number);
   }
   return name;
+}
+
+std::string free_name(const std::vector<std::string>& names, std::string_view wish) {
+  return free_name(wish, [&names](const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  });
 }
 
 std::vector<std::string> declared_names(const ProtocolNames& names, std::string_view registry) {

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,7 +14,10 @@
 
 namespace asperity {
 
-/// A name that `names` does not have: `wish`, or `wish_2`, `wish_3`, …
+/// The first name that is not taken: `wish`, `wish_2`, `wish_3`, …
+std::string free_name(std::string_view wish,
+                      const std::function<bool(const std::string& name)>& is_taken);
+/// The same that `names` does not have.
 std::string free_name(const std::vector<std::string>& names, std::string_view wish);
 
 /// The names that the protocol declares in a registry, in their order.

@@ -146,6 +146,17 @@ ProtocolNames names_in(const json& protocol) {
   return names;
 }
 
+std::string_view name_of_entry(const json& entry) {
+  if (!entry.is_object()) return {};
+  for (const std::string_view key : kNamesOfEntries) {
+    const auto found = entry.find(key);
+    if (found != entry.end() && found->is_string()) {
+      return found->get_ref<const std::string&>();
+    }
+  }
+  return {};
+}
+
 std::set<std::string> registries_of(const ProtocolNames& names, const std::string& registry,
                                     std::string_view name) {
   std::set<std::string> found{registry};

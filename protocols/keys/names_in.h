@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <array>
 #include <set>
 #include <string>
 #include <string_view>
@@ -36,6 +37,11 @@ std::string levels_of(std::string_view factor);
 /// The names of a protocol, in one walk over its values. The protocol may be invalid: values without the form of their key
 /// contain no names.
 ProtocolNames names_in(const nlohmann::json& protocol);
+
+/// The keys that can have the name of an entry of a list.
+inline constexpr std::array<std::string_view, 2> kNamesOfEntries{"name", "value"};
+/// The name of an entry of a list; empty without one.
+std::string_view name_of_entry(const nlohmann::json& entry);
 
 /// The places that contain the name of one thing: a level that is a texture also as a texture. The reverse holds only for a
 /// factor that has this level.

@@ -12,6 +12,7 @@
 
 #include "protocols/design/json_pointer.h"
 #include "protocols/keys/key.h"
+#include "protocols/keys/names_in.h"
 #include "protocols/keys/tables.h"
 
 namespace asperity {
@@ -19,18 +20,6 @@ namespace asperity {
 namespace {
 
 using nlohmann::json;
-
-/// The name that an entry of a list states; empty without one.
-std::string_view name_of(const json& entry) {
-  if (!entry.is_object()) return {};
-  for (const char* const key : {"name", "value"}) {
-    const auto found = entry.find(key);
-    if (found != entry.end() && found->is_string()) {
-      return found->get_ref<const std::string&>();
-    }
-  }
-  return {};
-}
 
 class Walk {
  public:
@@ -59,7 +48,7 @@ class Walk {
     if (!place.value.is_array()) return;
     for (std::size_t i = 0; i < place.value.size(); ++i) {
       const json& entry = place.value[i];
-      const std::string_view name = name_of(entry);
+      const std::string_view name = name_of_entry(entry);
       visit(*shape.entry, {entry, pointer_to(place.pointer, i),
                            name.empty() ? place.address : pointer_to(place.address, name)});
     }

@@ -122,7 +122,10 @@ ProtocolViews::View ProtocolViews::view() const {
 
 void ProtocolViews::set_view(View view) {
   commit();
-  if (view == View::form) form_->show_text(edit_->text().toStdString());
+  // While it is visible, the form follows the text.
+  if (view == View::form && this->view() == View::text) {
+    form_->show_text(edit_->text().toStdString());
+  }
   stack_->setCurrentIndex(view == View::form ? 0 : 1);
   to_form_->setChecked(view == View::form);
   to_text_->setChecked(view == View::text);

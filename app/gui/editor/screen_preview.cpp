@@ -57,11 +57,7 @@ class ScreensOfStep final {
 
  private:
   void add_surface(const Trial& trial, ParticipantScene scene) {
-    const Exploration& exploration = exploration_of(protocol_, trial);
-    if (is_guided_by_sight(exploration)) {
-      scene.guide = exploration;
-      scene.guide_scale = guide_scale_of(protocol_);
-    }
+    add_guide(scene, exploration_of(protocol_, trial), protocol_);
     screens.push_back(std::move(scene));
   }
 

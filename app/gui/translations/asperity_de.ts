@@ -14690,16 +14690,16 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>+ %1</translation>
     </message>
     <message>
-        <source>Hide the settings that are not stated</source>
-        <translation>Nicht angegebene Einstellungen ausblenden</translation>
-    </message>
-    <message>
         <source>Further settings (%1)</source>
         <translation>Weitere Einstellungen (%1)</translation>
     </message>
     <message>
         <source>default</source>
         <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>Hide unset settings</source>
+        <translation>Nicht gesetzte Einstellungen ausblenden</translation>
     </message>
 </context>
 <context>

@@ -229,6 +229,12 @@ ParticipantScene scene_of_lifting(const Trial& trial, const std::vector<int>& fe
   return scene_at_surface(trial, felt, now, {.what = ParticipantMessage::What::lift});
 }
 
+void add_guide(ParticipantScene& scene, const Exploration& exploration, const Protocol& protocol) {
+  if (!is_guided_by_sight(exploration)) return;
+  scene.guide = exploration;
+  scene.guide_scale = guide_scale_of(protocol);
+}
+
 ParticipantScene scene_of_patches(const Trial& trial) {
   ParticipantMessage message{.what = ParticipantMessage::What::feel_patches,
                              .code = trial.presentations.front().code,

@@ -193,6 +193,8 @@ ParticipantScene scene_of_resuming();
 /// Pictures are shown next to it, unless the protocol shows them only after feeling. The caller
 /// sets `show_workspace` and `guide`.
 ParticipantScene scene_of_surface(const Trial& trial, const std::vector<int>& felt, int now);
+/// Adds how force and speed meet the bands of the exploration, where participants are shown it.
+void add_guide(ParticipantScene& scene, const Exploration& exploration, const Protocol& protocol);
 /// All surfaces of the trial can be felt, side by side.
 ParticipantScene scene_of_patches(const Trial& trial);
 /// The same when feeling has ended, at the participant's request or after the specified time: the

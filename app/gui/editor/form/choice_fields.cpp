@@ -68,9 +68,7 @@ TruthField::TruthField(FormContext& context, const FieldOf& of, const std::strin
 
 void TruthField::refresh() {
   const nlohmann::json* const present = value();
-  const nlohmann::json standard =
-      of_.key == nullptr ? nlohmann::json(nullptr) : default_of(*of_.key);
-  const nlohmann::json& shown = present == nullptr ? standard : *present;
+  const nlohmann::json shown = present == nullptr ? of_.standard() : *present;
   box_->setChecked(shown.is_boolean() && shown.get<bool>());
 }
 
@@ -86,8 +84,7 @@ ChoiceField::ChoiceField(FormContext& context, Choices choices, const FieldOf& o
 
 void ChoiceField::refresh() {
   const nlohmann::json* const present = value();
-  nlohmann::json shown = of_.key == nullptr ? nlohmann::json(nullptr) : default_of(*of_.key);
-  if (present != nullptr) shown = *present;
+  const nlohmann::json shown = present == nullptr ? of_.standard() : *present;
   std::vector<Choice> choices = choices_();
   if (shown.is_null()) choices.insert(choices.begin(), {{}, tr("– not stated –")});
   const auto is_shown = [&shown](const Choice& choice) { return shown == choice.value; };
@@ -103,7 +100,7 @@ void ChoiceField::refresh() {
 void ChoiceField::take(int index) {
   const std::string chosen = box_->itemData(index).toString().toStdString();
   if (chosen.empty()) {
-    remove();
+    remove(pointer());
   } else {
     write(json_string(chosen));
   }

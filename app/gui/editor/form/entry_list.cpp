@@ -65,7 +65,7 @@ std::vector<EntryList::Entry> EntryList::present_entries() const {
       entry.name = key;
     } else {
       entry.pointer = pointer_to(pointer(), i);
-      entry.name = name_of_entry(*source().find(entry.pointer)).value_or("");
+      entry.name = name_of_entry(*source().find(entry.pointer));
     }
     entries.push_back(std::move(entry));
   }

@@ -123,7 +123,9 @@ class FieldMaker final {
 
 }  // namespace
 
-bool FieldOf::is_required() const noexcept { return key != nullptr && key->is_required; }
+nlohmann::json FieldOf::standard() const {
+  return key == nullptr ? nlohmann::json(nullptr) : default_of(*key);
+}
 
 bool has_field(const ValueShape& shape, const nlohmann::json* value) {
   if (value != nullptr && shape_of(shape, *value) == nullptr) return false;

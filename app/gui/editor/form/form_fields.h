@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include <nlohmann/json.hpp>
+
 #include "app/gui/editor/form/form_part.h"
 #include "protocols/keys/key.h"
 
@@ -12,7 +14,10 @@ namespace asperity {
 /// The key of a value: without one (null) it is an entry of a list or a map.
 struct FieldOf {
   const ProtocolKey* key = nullptr;
-  bool is_required() const noexcept;
+  /// The default of the key; null if there is none.
+  nlohmann::json standard() const;
+  /// An emptied field is the key without its value.
+  bool may_be_absent() const noexcept { return key != nullptr && !key->is_required; }
 };
 
 /// Whether a field can show values of the shape; `value` is the present one, null if there is none.

@@ -37,9 +37,9 @@ void FormPart::write_typed(const std::string& json) const {
                 pointer_);
 }
 
-void FormPart::remove() const {
-  if (value() == nullptr) return;
-  context_.edit([&](const JsonDocument& text) { return without(text, std::array{pointer_}); }, {});
+void FormPart::remove(const std::string& pointer, const std::string& step) const {
+  if (source().find(pointer) == nullptr) return;
+  context_.edit([&](const JsonDocument& text) { return without(text, std::array{pointer}); }, step);
 }
 
 QString problems_at(const FormContext& context, const std::string& pointer, Problems which) {

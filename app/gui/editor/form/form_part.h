@@ -64,8 +64,8 @@ class FormPart : public QWidget {
   void write(const std::string& json) const;
   /// Typing in a field is one step.
   void write_typed(const std::string& json) const;
-  /// The key without its value: the default applies.
-  void remove() const;
+  /// Without the value at the pointer, if there is one: the default applies. `step`: see FormContext::edit.
+  void remove(const std::string& pointer, const std::string& step = {}) const;
 
  private:
   FormContext& context_;

@@ -164,10 +164,7 @@ void ObjectRows::add_field(const FormEntry& entry) {
   states->addWidget(state);
   states->addWidget(reset);
   grid_->addLayout(states, line, kStateColumn, Qt::AlignTop | Qt::AlignRight);
-  connect(reset, &QToolButton::clicked, this, [this, pointer = entry.pointer] {
-    context().edit([&](const JsonDocument& text) { return without(text, std::array{pointer}); },
-                   {});
-  });
+  connect(reset, &QToolButton::clicked, this, [this, pointer = entry.pointer] { remove(pointer); });
   QLabel* problem = make_problem_label(this);
   grid_->addWidget(problem, line + 1, kFieldColumn, 1, 2);
   rows_.push_back({entry, field, state, reset, problem});
@@ -187,10 +184,8 @@ void ObjectRows::add_section(const FormEntry& entry) {
     reset = make_tool(QString(QChar(0xD7)), tr("Remove “%1”").arg(text_of_keys(entry.key->label)),
                       this);
     head->addWidget(reset);
-    connect(reset, &QToolButton::clicked, this, [this, pointer = entry.pointer] {
-      context().edit([&](const JsonDocument& text) { return without(text, std::array{pointer}); },
-                     {});
-    });
+    connect(reset, &QToolButton::clicked, this,
+            [this, pointer = entry.pointer] { remove(pointer); });
   }
   FormPart* content = make_part(context(), entry.key->shape, entry.key, entry.pointer,
                                 part_of(entry.key->name), this);
@@ -222,7 +217,7 @@ void ObjectRows::add_key_button(const FormEntry& entry) {
 
 void ObjectRows::add_fold(std::size_t count) {
   const bool is_open = is_unfolded();
-  QPushButton* fold = make_button(is_open ? tr("Hide the settings that are not stated")
+  QPushButton* fold = make_button(is_open ? tr("Hide unset settings")
                                           : tr("Further settings (%1)").arg(count),
                                   ButtonRole::link, this);
   fold->setObjectName("fold:" + text(pointer()));
@@ -274,7 +269,6 @@ FormPart* make_part(FormContext& context, const ValueShape& shape, const Protoco
     if (object->table->is_open) return new TextCard(context, pointer, parent);
     return new ObjectRows(context, *object->table, pointer, part, parent);
   }
-  if (has_field(*found, value)) return make_field(context, *found, {key}, pointer, parent);
   return new EntryList(context, *found, pointer, part, parent);
 }
 

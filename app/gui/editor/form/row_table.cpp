@@ -3,7 +3,6 @@
 #include "app/gui/editor/form/row_table.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include <QtWidgets/QHBoxLayout>
@@ -153,13 +152,12 @@ void RowTable::take(int row, int column) {
   const QString typed = table_->item(row, column)->text().trimmed();
   const std::string place = cell(row, column);
   const nlohmann::json* const present = source().find(place);
-  if (typed.isEmpty() && present == nullptr) return;
   if (typed.isEmpty()) {
-    context().edit([&](const JsonDocument& text) { return without(text, std::array{place}); }, {});
+    remove(place);
     return;
   }
   // Levels of a factor are all numbers or all names: the new one is of the type of the one before.
-  const auto number = shifted_decimal(QString(typed).replace(',', '.').toStdString(), 0);
+  const auto number = shifted_decimal(decimal_of(typed), 0);
   const bool is_name = present != nullptr && present->is_string();
   const std::string json = number && !is_name ? *number : json_string(typed.toStdString());
   context().edit([&](const JsonDocument& text) { return with_value(text, place, json); }, {});

@@ -50,12 +50,6 @@ class WithoutUndo final : public Field {
   }
 };
 
-/// The default of a key, as JSON; empty if there is none.
-std::string default_text(const FieldOf& of) {
-  const nlohmann::json standard = of.key == nullptr ? nlohmann::json(nullptr) : default_of(*of.key);
-  return standard.is_null() ? std::string() : standard.dump();
-}
-
 }  // namespace
 
 LineField::LineField(FormContext& context, const FieldOf& of, const std::string& pointer,
@@ -93,10 +87,8 @@ void LineField::complain(const QString& sentence) {
 void LineField::take(const QString& typed) {
   complain({});
   taken_ = source().characters(pointer());
-  if (typed.isEmpty() && !of_.is_required() && of_.key != nullptr) {
-    if (value() == nullptr) return;
-    context().edit([&](const JsonDocument& text) { return without(text, std::array{pointer()}); },
-                   pointer());
+  if (typed.isEmpty() && of_.may_be_absent()) {
+    remove(pointer(), pointer());
   } else if (const auto json = json_of(typed)) {
     write_typed(*json);
   } else {
@@ -106,8 +98,8 @@ void LineField::take(const QString& typed) {
 }
 
 void LineField::refresh() {
-  const std::string standard = default_text(of_);
-  line_->setPlaceholderText(standard.empty() ? QString() : shown(standard));
+  const nlohmann::json standard = of_.standard();
+  line_->setPlaceholderText(standard.is_null() ? QString() : shown(standard.dump()));
   const std::string_view characters = source().characters(pointer());
   // What is being typed stays: another notation of the value, or what is none yet.
   if (line_->hasFocus() && line_->isModified() && characters == taken_) return;
@@ -147,9 +139,8 @@ QString NumbersField::shown(std::string_view characters) const {
   return numbers.join("; ");
 }
 
-std::optional<std::string> NumbersField::number_of(QString typed) const {
-  typed = typed.trimmed().replace(QChar(0x2212), '-').replace(',', '.');
-  return number_in_file(shape_, typed.toStdString());
+std::optional<std::string> NumbersField::number_of(const QString& typed) const {
+  return number_in_file(shape_, decimal_of(typed));
 }
 
 std::optional<std::string> NumbersField::json_of(const QString& typed) const {
@@ -200,10 +191,9 @@ QString TextField::shown(std::string_view characters) const {
 std::optional<std::string> TextField::json_of(const QString& typed) const {
   if (values_ == Values::levels) {
     const nlohmann::json* const present = value();
-    const QString number = typed.trimmed().replace(QChar(0x2212), '-').replace(',', '.');
     const bool is_text = present != nullptr && present->is_string() &&
                          shifted_decimal(present->get<std::string>(), 0).has_value();
-    if (const auto level = shifted_decimal(number.toStdString(), 0); level && !is_text) {
+    if (const auto level = shifted_decimal(decimal_of(typed), 0); level && !is_text) {
       return level;
     }
   }
@@ -225,8 +215,8 @@ ParagraphField::ParagraphField(FormContext& context, const FieldOf& of, const st
 
 void ParagraphField::take() {
   const std::string typed = text_of(*box_->document()).toStdString();
-  if (typed.empty() && !of_.is_required() && of_.key != nullptr) {
-    remove();
+  if (typed.empty() && of_.may_be_absent()) {
+    remove(pointer());
   } else {
     write_typed(json_string(typed));
   }
@@ -292,7 +282,7 @@ void DeclaredNameField::take() {
   line_->setModified(false);
   context().write_pending = {};
   if (typed == name()) return;
-  const bool is_removed = typed.isEmpty() && of_.key != nullptr && !of_.is_required();
+  const bool is_removed = typed.isEmpty() && of_.may_be_absent();
   // The edit makes this field again where it is the key of a card.
   const QPointer<DeclaredNameField> still_there(this);
   context().edit(

@@ -56,7 +56,7 @@ class NumbersField final : public LineField {
   std::optional<std::string> json_of(const QString& typed) const override;
   QString complaint() const override;
   QString shown_number_of(std::string_view characters) const;
-  std::optional<std::string> number_of(QString typed) const;
+  std::optional<std::string> number_of(const QString& typed) const;
 
   NumberShape shape_{};
   Count count_ = Count::one;
