@@ -250,6 +250,29 @@ TEST_F(TheStartPage, ExaminesNothingWhileTheChecksRun) {
   EXPECT_TRUE(eventually([&] { return gate->has_stopped(begun + 1); }));
 }
 
+TEST_F(TheStartPage, DropsTheChecksOfAnEarlierChoice) {
+  std::atomic<bool> goes_on = false;
+  std::atomic<int> tried = 0;
+  study->set_device_trial([&](const auto&... inputs) {
+    ++tried;
+    while (!goes_on) std::this_thread::yield();
+    return punctual_trial(inputs...);
+  });
+  page->show();
+  choose(protocol);
+  fill_in();
+  ASSERT_TRUE(eventually([&] { return tried == 1; }));
+  goes_on = true;
+  // Each change delays the next checks, so that those of the earlier choice end in between.
+  for (int change = 0; change < 20; ++change) {
+    type("participant_label", QString("P%1").arg(100 + change));
+    QTest::qWait(20);
+    EXPECT_TRUE(has_reason("Running the checks…")) << "after change " << change;
+  }
+  ASSERT_TRUE(wait_for_checks());
+  EXPECT_EQ(tried, 2);
+}
+
 TEST_F(TheStartPage, SaysThatAProtocolIsNotChosenOrNotValid) {
   write_file(folder / "protocols" / "broken.json", "{}", Overwrite::refuse);
   page->show();  // of two protocols none is the one that is meant
