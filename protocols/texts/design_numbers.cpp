@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <set>
 #include <variant>
 
 #include "protocols/design/block_factors.h"
-#include "protocols/plan/level_tracks.h"
+#include "protocols/plan/plan_parts.h"
 
 namespace asperity {
 
@@ -42,41 +41,6 @@ int options_of(const Block& block, const QuestionTemplate& question) {
   if (!question.words.empty()) return static_cast<int>(question.words.size());
   if (!question.pictures.empty()) return static_cast<int>(question.pictures.size());
   return static_cast<int>(surfaces_in_trial(block)) + (question.tie.empty() ? 0 : 1);
-}
-
-/// One run of a block in a plan.
-struct PlannedRun {
-  const Block* block = nullptr;
-  int trials = 0;
-  double total_s = 0.0;
-};
-
-std::map<int, PlannedRun> runs_in(const Protocol& protocol, const Plan& plan) {
-  std::map<int, PlannedRun> runs{};  // by ordinal
-  for (const PlanStep& step : plan.steps) {
-    const auto* const of_trial = std::get_if<TrialStep>(&step);
-    if (of_trial == nullptr) continue;
-    const Trial& trial = plan.trials[of_trial->trial];
-    PlannedRun& run = runs[trial.block_ordinal];
-    run.block = &protocol.blocks.at(trial.block);
-    ++run.trials;
-    run.total_s += cost_of(protocol, plan, step).total_s;
-  }
-  return runs;
-}
-
-/// Whether the responses determine how many trials a run of the block has.
-bool has_variable_length(const Block& block) {
-  return block.until || !has_tracks_of_fixed_length(block);
-}
-
-/// The trials of the longest run with other responses; nothing where the responses do not matter.
-std::optional<int> most_trials_of_run(const Protocol& protocol, const PlannedRun& run) {
-  if (!has_variable_length(*run.block)) return {};
-  if (run.block->until)
-    return run.trials;  // the plan has as many as there are without the criterion
-  const std::size_t anchors = run.block->has_anchors() ? run.block->anchor_places.size() : 0;
-  return std::max(run.trials, static_cast<int>(most_trials_of(protocol, *run.block) + anchors));
 }
 
 int rounded_minutes(double total_s) {
@@ -165,8 +129,8 @@ DesignValues values_of_session(const Protocol& protocol, const Plan& example) {
   DesignValue blocks{};
   DesignValue trials{};
   DesignValue practised{};
-  for (const auto& [ordinal, run] : runs_in(protocol, example)) {
-    const std::optional<int> most = most_trials_of_run(protocol, run);
+  for (const PlannedRun& run : runs_in(protocol, example)) {
+    const std::optional<int> most = run.most_trials;
     const bool is_main = run.block->phase == Phase::main;
     DesignValue& sum = is_main ? trials : practised;
     sum.number += most.value_or(run.trials);
@@ -174,7 +138,7 @@ DesignValues values_of_session(const Protocol& protocol, const Plan& example) {
     if (is_main) ++blocks.number;
     if (!most) continue;
     can_be_shorter = true;
-    total_s += (*most - run.trials) * run.total_s / run.trials;
+    total_s += (*most - run.trials) * run.duration_s / run.trials;
   }
   if (blocks.number > 0) values["blocks"] = blocks;
   if (trials.number > 0) values["trials"] = trials;

@@ -17,8 +17,10 @@
 #include "app/gui/base/study_table.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
+#include "app/gui/plan/plan_bars.h"
 #include "protocols/plan/course.h"
 #include "protocols/plan/groups.h"
+#include "protocols/plan/plan_parts.h"
 #include "protocols/texts/protocol_texts.h"
 #include "results_schema/tables/table.h"
 
@@ -50,7 +52,7 @@ QString surfaces_text(const Trial& trial) {
 
 Line line_of(const Trial& trial) {
   QStringList right{};
-  for (const TrialQuestion& question : trial.questions) {
+  for (const Question& question : trial.questions) {
     for (const std::string& answer : question.correct) right.append(text(answer));
   }
   return {QString::number(trial.ordinal), text(trial.block), surfaces_text(trial),
@@ -142,7 +144,7 @@ QString in_full(const Trial& trial) {
     surfaces.append(surface_in_full(surface));
   }
   QString questions{};
-  for (const TrialQuestion& question : trial.questions) {
+  for (const Question& question : trial.questions) {
     QStringList options{};
     for (const Option& option : question.options) {
       options.append(option.label.empty()
@@ -168,14 +170,21 @@ QString in_full(const PlanStep& step, const Plan& plan, const Protocol& protocol
 }
 
 /// "48 trials · 48 contacts · about 42 min · at most 12 min without a break"
-QString cost_in_words(const PlanCost& cost, const Plan& plan) {
-  QStringList facts{
-      cost.trials == 1 ? PlanPreview::tr("1 trial") : PlanPreview::tr("%1 trials").arg(cost.trials),
-      cost.contacts == 1 ? PlanPreview::tr("1 contact")
-                         : PlanPreview::tr("%1 contacts").arg(cost.contacts),
-      PlanPreview::tr("about %1").arg(text_of_duration(cost.total_s)),
-      PlanPreview::tr("at most %1 without a break")
-          .arg(text_of_duration(cost.longest_without_break_s))};
+QString cost_in_words(const PlanCost& cost, const Protocol& protocol, const Plan& plan) {
+  int most_trials = 0;
+  bool is_variable = false;
+  for (const PlannedRun& run : runs_in(protocol, plan)) {
+    most_trials += run.most_trials.value_or(run.trials);
+    is_variable = is_variable || run.most_trials.has_value();
+  }
+  QStringList facts{is_variable        ? PlanPreview::tr("at most %1 trials").arg(most_trials)
+                    : cost.trials == 1 ? PlanPreview::tr("1 trial")
+                                       : PlanPreview::tr("%1 trials").arg(cost.trials),
+                    cost.contacts == 1 ? PlanPreview::tr("1 contact")
+                                       : PlanPreview::tr("%1 contacts").arg(cost.contacts),
+                    PlanPreview::tr("about %1").arg(text_of_duration(cost.total_s)),
+                    PlanPreview::tr("at most %1 without a break")
+                        .arg(text_of_duration(cost.longest_without_break_s))};
   if (std::any_of(plan.trials.begin(), plan.trials.end(),
                   [](const Trial& trial) { return trial.track.has_value(); })) {
     facts.prepend(PlanPreview::tr("example of a session, whose levels depend on the responses"));
@@ -206,6 +215,9 @@ PlanPreview::PlanPreview(Shape shape, QWidget* parent) : QWidget(parent) {
   another->setObjectName("plan_another");
   choice->addWidget(another);
   connect(another, &QPushButton::clicked, this, [this] { seed_->setValue(seed_->value() + 1); });
+  bars_ = new PlanBars(this);
+  layout->addWidget(bars_);
+  connect(bars_, &PlanBars::step_wanted, this, &PlanPreview::select_step);
   using Align = StudyTable::Align;
   if (shape == Shape::wide) {
     table_ = new StudyTable({{tr("Step"), 80, Align::number},
@@ -329,7 +341,8 @@ void PlanPreview::make_plan_anew() {
           if (protocol != protocol_) return;
           planned_ = protocol;
           plan_ = plan;
-          words_->setText(cost_in_words(cost, *plan));
+          words_->setText(cost_in_words(cost, *protocol, *plan));
+          bars_->show_plan(*protocol, *plan);
           show_plan();
         };
       },

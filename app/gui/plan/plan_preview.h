@@ -16,6 +16,7 @@ class QSpinBox;
 
 namespace asperity {
 
+class PlanBars;
 class StudyTable;
 
 class PlanPreview final : public QWidget {
@@ -53,6 +54,7 @@ class PlanPreview final : public QWidget {
   QLabel* rows_ = nullptr;
   QComboBox* group_ = nullptr;
   QLabel* words_ = nullptr;
+  PlanBars* bars_ = nullptr;
   StudyTable* table_ = nullptr;
   QLabel* detail_ = nullptr;  ///< null in the wide shape
   NewestWork work_{};

@@ -13507,6 +13507,17 @@
     </message>
 </context>
 <context>
+    <name>asperity::EditorSides</name>
+    <message>
+        <source>Protocol</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Plan and screen</source>
+        <translation>Plan und Bildschirm</translation>
+    </message>
+</context>
+<context>
     <name>asperity::EndSummary</name>
     <message>
         <source>Show the table</source>
@@ -14957,6 +14968,49 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
 </context>
 <context>
+    <name>asperity::PlanBars</name>
+    <message>
+        <source>at most %1 trials</source>
+        <translation>höchstens %1 Durchgänge</translation>
+    </message>
+    <message>
+        <source>1 trial</source>
+        <translation>1 Durchgang</translation>
+    </message>
+    <message>
+        <source>%1 trials</source>
+        <translation>%1 Durchgänge</translation>
+    </message>
+    <message>
+        <source>%1: %2, about %3</source>
+        <translation>%1: %2, etwa %3</translation>
+    </message>
+    <message>
+        <source>break: at least %1</source>
+        <translation>Pause: mindestens %1</translation>
+    </message>
+    <message>
+        <source>texts, checks and questions: about %1</source>
+        <translation>Texte, Prüfungen und Fragen: etwa %1</translation>
+    </message>
+    <message>
+        <source>Blocks and breaks of the session</source>
+        <translation>Blöcke und Pausen der Sitzung</translation>
+    </message>
+    <message>
+        <source>%1 runs</source>
+        <translation>%1-mal</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>etwa %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
     <name>asperity::PlanModel</name>
     <message>
         <source>Block %1 of %2, %3</source>
@@ -15168,6 +15222,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>anchor at the end</source>
         <translation>Anker am Ende</translation>
+    </message>
+    <message>
+        <source>at most %1 trials</source>
+        <translation>höchstens %1 Durchgänge</translation>
     </message>
 </context>
 <context>
