@@ -14,6 +14,7 @@
 #include "analysis/numbers/look_alikes.h"
 #include "app/gui/base/documents.h"
 #include "app/gui/base/study_table.h"
+#include "app/gui/editor/editor_sides.h"
 #include "app/gui/editor/live_examination.h"
 #include "app/gui/editor/protocol_text_edit.h"
 #include "app/gui/editor/protocol_views.h"
@@ -29,14 +30,6 @@
 namespace asperity {
 
 namespace {
-
-QSplitter* make_splitter(Qt::Orientation orientation, QWidget* parent) {
-  auto* splitter = new QSplitter(orientation, parent);
-  splitter->setChildrenCollapsible(false);
-  splitter->setHandleWidth(kMargin);
-  splitter->setStyleSheet("QSplitter::handle { background: transparent; }");
-  return splitter;
-}
 
 /// "1.2.3" → "1.2.4"; empty when it is no version.
 QString raised(const QString& version) {
@@ -79,13 +72,8 @@ ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
   edit_ = &views_->text();
   question_ = new QuestionBar(this);
   body().addWidget(question_);
-  QSplitter* sides = make_splitter(Qt::Horizontal, this);
-  sides->addWidget(make_edit_side());
-  sides->addWidget(make_plan_side());
-  sides->setStretchFactor(0, 5);
-  sides->setStretchFactor(1, 3);
-  sides->setSizes({960, 640});
-  body().addWidget(sides, 1);
+  sides_ = new EditorSides(make_edit_side(), make_plan_side(), this);
+  body().addWidget(sides_, 1);
   auto* empty = new EmptyState(tr("No protocol open"),
                                tr("Choose one of the study's protocols and press “Edit”."), this);
   empty->add_action(tr("Show the protocols"), ButtonRole::primary, [this] { emit back_wanted(); });

@@ -17,6 +17,7 @@ class QStackedWidget;
 
 namespace asperity {
 
+class EditorSides;
 class LiveExamination;
 class PlanPreview;
 class ProtocolTextEdit;
@@ -99,6 +100,7 @@ class ProtocolEditorPage final : public StudyPage {
   QuestionBar* question_ = nullptr;
   QLabel* note_ = nullptr;
   QPushButton* save_ = nullptr;
+  EditorSides* sides_ = nullptr;
   ProtocolViews* views_ = nullptr;
   ProtocolTextEdit* edit_ = nullptr;  ///< of the views
   StateLabel* state_ = nullptr;

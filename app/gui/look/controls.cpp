@@ -15,6 +15,7 @@
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QGridLayout>
 #include <QtWidgets/QHeaderView>
+#include <QtWidgets/QSplitter>
 #include <QtWidgets/QStyle>
 #include <QtWidgets/QStyleOption>
 #include <QtWidgets/QTableView>
@@ -133,6 +134,14 @@ QFrame* make_card(QWidget* parent, QVBoxLayout*& layout) {
   layout->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
   layout->setSpacing(kGrid);
   return card;
+}
+
+QSplitter* make_splitter(Qt::Orientation orientation, QWidget* parent, int gap) {
+  auto* splitter = new QSplitter(orientation, parent);
+  splitter->setChildrenCollapsible(false);
+  splitter->setHandleWidth(gap);
+  splitter->setStyleSheet("QSplitter::handle { background: transparent; }");
+  return splitter;
 }
 
 QString shape_of(State state) {

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include <QtCore/QString>
+#include <QtCore/Qt>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QFrame>
 #include <QtWidgets/QLabel>
@@ -15,6 +16,7 @@
 #include "results_schema/rows.h"
 
 class QGridLayout;
+class QSplitter;
 class QTableView;
 class QVBoxLayout;
 
@@ -49,6 +51,9 @@ QLabel* make_heading(const QString& text, QWidget* parent);  ///< of a group
 QLabel* make_text(const QString& text, QWidget* parent, bool muted = false);
 /// A panel with a border; its layout has the usual margins.
 QFrame* make_card(QWidget* parent, QVBoxLayout*& layout);
+
+/// Sides that cannot be collapsed, with a gap of `gap` pixels between them that can be dragged.
+QSplitter* make_splitter(Qt::Orientation orientation, QWidget* parent, int gap = kMargin);
 
 /// How something stands, as a shape and a word: never colour alone. In the colours of the theme,
 /// also when that changes.

@@ -228,10 +228,7 @@ PlanPreview::PlanPreview(Shape shape, QWidget* parent) : QWidget(parent) {
                             this);
     layout->addWidget(table_, 1);
   } else {
-    auto* splitter = new QSplitter(Qt::Vertical, this);
-    splitter->setChildrenCollapsible(false);
-    splitter->setHandleWidth(kGrid);
-    splitter->setStyleSheet("QSplitter::handle { background: transparent; }");
+    QSplitter* splitter = make_splitter(Qt::Vertical, this, kGrid);
     table_ = new StudyTable({{tr("Step"), 56, Align::number},
                              {tr("Trial"), 56, Align::number},
                              {tr("Block"), 96, Align::text},

@@ -150,10 +150,7 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
   interrupted_ = new Banner(this);
   interrupted_->setObjectName("protocols_interrupted");
   body().addWidget(interrupted_);
-  splitter_ = new QSplitter(Qt::Vertical, this);
-  splitter_->setChildrenCollapsible(false);
-  splitter_->setHandleWidth(kMargin);
-  splitter_->setStyleSheet("QSplitter::handle { background: transparent; }");
+  splitter_ = make_splitter(Qt::Vertical, this);
   using Align = StudyTable::Align;
   table_ = new StudyTable({{tr("Protocol"), 0, Align::text},
                            {tr("Name"), 192, Align::text},

@@ -723,6 +723,22 @@ TEST_F(ProtocolEditor, DoesNotChangeAFileThatItCannotShowByteForByte) {
   }
 }
 
+TEST_F(ProtocolEditor, ShowsOneOfItsSidesWhereTheyHaveNoRoomTogether) {
+  open();
+  auto& plan = child<QWidget>(*page_, "editor_plan_side");
+  EXPECT_TRUE(plan.isVisible());
+  EXPECT_TRUE(edit().isVisible());
+  EXPECT_LE(page_->minimumSizeHint().width(), 740) << "a window of 910 points with its navigation";
+  page_->resize(740, 460);
+  EXPECT_TRUE(eventually([&] { return !plan.isVisible(); }));
+  EXPECT_TRUE(edit().isVisible());
+  click("editor_side_plan");
+  EXPECT_TRUE(plan.isVisible());
+  EXPECT_FALSE(edit().isVisible());
+  page_->resize(1366, 768);
+  EXPECT_TRUE(eventually([&] { return plan.isVisible() && edit().isVisible(); }));
+}
+
 TEST_F(ProtocolEditor, Pictures) {
   for (const ThemeChoice choice : {ThemeChoice::light, ThemeChoice::dark}) {
     apply_theme(*qApp, choice);
