@@ -40,6 +40,14 @@ bool is_deciding(const KeyTable& table, std::string_view key) {
   return std::find(table.deciding.begin(), table.deciding.end(), key) != table.deciding.end();
 }
 
+/// "2.3 mm" of 0.0023 m.
+std::string with_unit(const NumberShape& shape, const json& value, const std::string& pointer) {
+  const NumberShape shown = displayed_shape(shape, pointer);
+  const std::string_view unit = shown.display.unit.empty() ? shown.unit : shown.display.unit;
+  const std::string number = displayed_number(shown, value.dump()).value_or(value.dump());
+  return unit.empty() ? number : number + ' ' + std::string(unit);
+}
+
 std::string joined_text(std::string text, const std::string& more) {
   return text.empty() ? more : std::move(text) + " · " + more;
 }
@@ -127,16 +135,19 @@ std::vector<PathPart> path_of(const json& protocol, const std::string& pointer) 
   return parts;
 }
 
-std::string summary_of(const ValueShape& shape, const json& value) {
+std::string summary_of(const ValueShape& shape, const json& value, const std::string& pointer) {
   if (value.is_string()) return value.get<std::string>();
-  if (value.is_number()) return value.dump();
   const ValueShape* const found = shape_of(shape, value);
+  if (value.is_number()) {
+    const auto* const number = found == nullptr ? nullptr : std::get_if<NumberShape>(found);
+    return number == nullptr ? value.dump() : with_unit(*number, value, pointer);
+  }
   if (found == nullptr) return {};
   std::string summary{};
   std::size_t parts = 0;
-  const auto add = [&](const ValueShape& of_part, const json& part) {
+  const auto add = [&](const ValueShape& of_part, const json& part, const std::string& place) {
     if (parts == kPartsOfSummary) return;
-    const std::string text = summary_of(of_part, part);
+    const std::string text = summary_of(of_part, part, place);
     if (text.empty()) return;
     summary = joined_text(std::move(summary), text);
     ++parts;
@@ -145,13 +156,16 @@ std::string summary_of(const ValueShape& shape, const json& value) {
     for (const ProtocolKey& key : object->table->keys) {
       const bool is_name = std::find(kNamesOfEntries.begin(), kNamesOfEntries.end(), key.name) !=
                            kNamesOfEntries.end();
-      if (value.contains(key.name) && !is_name) add(key.shape, value.at(key.name));
+      if (value.contains(key.name) && !is_name)
+        add(key.shape, value.at(key.name), pointer_to(pointer, key.name));
     }
   } else if (const auto* const list = std::get_if<ListShape>(found)) {
-    for (const json& entry : value) add(*list->entry, entry);
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      add(*list->entry, value[i], pointer_to(pointer, i));
+    }
   } else if (const auto* const map = std::get_if<MapShape>(found)) {
     for (const auto& [key, entry] : value.items()) {
-      if (!is_comment(key)) add(*map->entry, entry);
+      if (!is_comment(key)) add(*map->entry, entry, pointer_to(pointer, key));
     }
   }
   if (summary.size() <= kLongestSummary) return summary;

@@ -40,8 +40,9 @@ struct PathPart {
 /// their name or value, or else their position from 1.
 std::vector<PathPart> path_of(const nlohmann::json& protocol, const std::string& pointer);
 
-/// What a value of the shape contains, in a line: the first texts and numbers of an object in the order of its table, without
-/// its name.
-std::string summary_of(const ValueShape& shape, const nlohmann::json& value);
+/// What the value of the shape at this place contains, in a line: the first texts and numbers of an object in the order of its
+/// table, without its name. Numbers are in the unit of the form.
+std::string summary_of(const ValueShape& shape, const nlohmann::json& value,
+                       const std::string& pointer);
 
 }  // namespace asperity

@@ -109,9 +109,15 @@ TEST(FormEntries, AreNamedByLabelsAndNames) {
 TEST(FormEntries, AreSummarisedInTheOrderOfTheirTable) {
   const json scale = json::parse(
       R"({"name": "rough", "prompt": "How rough?", "scale": {"minimum": 1, "maximum": 7}})");
-  EXPECT_EQ(summary_of(ObjectShape{&kListedQuestionTable}, scale), "How rough? · 1 · 7");
+  const auto summary_at = [](const KeyTable& table, const json& value, const char* pointer) {
+    return summary_of(ObjectShape{&table}, value, pointer);
+  };
+  EXPECT_EQ(summary_at(kListedQuestionTable, scale, "/q"), "How rough? · 1 · 7");
+  EXPECT_EQ(summary_at(kExplorationTable, json::parse(R"({"speed_m_per_s": {"target": 0.08}})"),
+                       "/explorations/slow"),
+            "80 mm/s");
   const std::string summary =
-      summary_of(ObjectShape{&kListedQuestionTable}, {{"prompt", std::string(300, 'x') + "ä"}});
+      summary_at(kListedQuestionTable, {{"prompt", std::string(300, 'x') + "ä"}}, "/q");
   EXPECT_EQ(summary, std::string(120, 'x') + "…");
 }
 

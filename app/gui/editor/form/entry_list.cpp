@@ -114,7 +114,8 @@ void EntryList::show_entry(const Entry& entry, std::size_t index) const {
   if (entry.content != nullptr) entry.content->refresh();
   if (entry.key != nullptr) entry.key->refresh();
   if (entry.summary != nullptr) {
-    const QString summary = text(summary_of(entry_shape(), *source().find(entry.pointer)));
+    const QString summary =
+        text(summary_of(entry_shape(), *source().find(entry.pointer), entry.pointer));
     entry.summary->setText(
         QString("<b>%1</b>&nbsp;&nbsp;%2")
             .arg(title.toHtmlEscaped(), summary.left(summary.indexOf('\n')).toHtmlEscaped()));
