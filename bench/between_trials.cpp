@@ -52,14 +52,14 @@ class PromptRespondent final : public Respondent {
     block_ = trial.block;
     committed_.reset();
   }
-  Reply ask(const Trial& trial, std::span<const TrialQuestion>, std::span<const ForceFeatures>,
+  Reply ask(const Trial& trial, std::span<const Question>, std::span<const ForceFeatures>,
             std::optional<double>, const Wait&) override {
     std::this_thread::sleep_for(delay_);
     Random random = Random(1).split(static_cast<std::uint64_t>(trial.ordinal));
     return {only_answer(ChosenOption{static_cast<std::size_t>(random.below(2))})};
   }
   void tell(const std::string&, const Wait&) override {}
-  FormAnswer answer(const Question&, const Wait&) override { return {}; }
+  std::optional<Answer> answer(const Question&, const Wait&) override { return {}; }
   std::string source() const override { return "virtual_guess"; }
   void begin_attempt(int, int) override {}
 

@@ -77,7 +77,7 @@ PresentationRow surface_of(const PlannedPresentation& planned) {
 }
 
 /// One for a choice, one for each surface of an assignment.
-std::vector<std::string> answers_to(const TrialQuestion& question, Random& random) {
+std::vector<std::string> answers_to(const Question& question, Random& random) {
   std::vector<std::string> options{};
   for (const Option& option : question.options) options.push_back(option.value);
   if (std::holds_alternative<AssignmentForm>(question.form)) {
@@ -89,7 +89,7 @@ std::vector<std::string> answers_to(const TrialQuestion& question, Random& rando
   return {options[random.below(options.size())]};
 }
 
-std::vector<ResponseRow> responses_to(const TrialQuestion& question, Random& random) {
+std::vector<ResponseRow> responses_to(const Question& question, Random& random) {
   nlohmann::json options = nlohmann::json::array();
   for (const Option& option : question.options) options.push_back(option.value);
   std::vector<ResponseRow> responses{};

@@ -55,6 +55,7 @@ void WideTable::begin_session(const ExportPlace& at) {
 }
 
 void WideTable::add_answer(const ExportPlace& at) {
+  if (at.response->source == kNotAsked) return;
   const AnalysisUse use = use_in_analyses(*at.trial, *at.attempt);
   if (use == AnalysisUse::practice || use == AnalysisUse::anchor ||
       use == AnalysisUse::catch_trial) {

@@ -62,7 +62,7 @@ class AnswersOfSession final {
     }
   }
 
-  void add_replies(const TrialQuestion& question, const std::vector<AnsweredItem>& items) {
+  void add_replies(const Question& question, const std::vector<AnsweredItem>& items) {
     const std::uint32_t shown = word(options_json_of(question));
     for (const AnsweredItem& item : items) {
       answers_.replies.push_back({.question = word(question.name),
@@ -106,8 +106,14 @@ ItemsByQuestion responses_to(const SimulatedSessionInputs& inputs, const Trial& 
       if (of.tabulated->is_of_block != is_of_block) continue;
       const TabulatedQuestion& asked = of.tabulated->asked;
       const std::string& name = asked.question.name;
-      const TrialQuestion* const question = find_question(trial, name);
+      const Question* const question = find_question(trial, name);
       if (question == nullptr) continue;
+      if (question->condition) {
+        const auto needed = given.find(question->condition->question);
+        if (needed == given.end() || !is_met(*question->condition, texts_of(needed->second))) {
+          continue;
+        }
+      }
       const Answer answer =
           of.tabulated->table->respond({.asked = asked,
                                         .trial = trial,
@@ -155,7 +161,7 @@ SessionAnswers simulated_session(const SimulatedSessionInputs& inputs) {
     if (tables != nullptr && (is_read || is_awaited)) given = responses_to(inputs, trial, *tables);
     if (is_read) {
       answers.begin_attempt(trial, use);
-      for (const TrialQuestion& question : trial.questions) {
+      for (const Question& question : trial.questions) {
         const auto items = given.find(question.name);
         if (items != given.end()) answers.add_replies(question, items->second);
       }

@@ -79,32 +79,27 @@ std::optional<Phrase> complaint_about_answer(const Question& question, const std
     return phrase("ParticipantAnswers", "\"%1\" has not been answered; enter an answer.")
         .with(question.prompt);
   }
-  switch (question.form) {
-    // Not asked about a participant; the protocol is refused.
-    case Question::Form::multiple_choice:
-    case Question::Form::scale:
-    case Question::Form::text:
-      return {};
-    case Question::Form::choice:
-      if (std::count(question.options.begin(), question.options.end(), answer) > 0) return {};
-      return phrase("ParticipantAnswers",
-                    "\"%1\" is not one of the answers to \"%2\"; choose one of them.")
-          .with(answer, question.prompt);
-    case Question::Form::number:
-      break;
+  if (question.is_answered_by<ChoiceForm>()) {
+    if (question.option_of(answer)) return {};
+    return phrase("ParticipantAnswers",
+                  "\"%1\" is not one of the answers to \"%2\"; choose one of them.")
+        .with(answer, question.prompt);
   }
+  // Other forms are not asked about a participant; the protocol is refused.
+  const auto* const form = std::get_if<NumberForm>(&question.form);
+  if (form == nullptr) return {};
   const std::optional<double> number = number_in(answer);
   if (!number) {
     return phrase("ParticipantAnswers", "The answer to \"%1\" must be a number.")
         .with(question.prompt);
   }
-  if (question.minimum && *number < *question.minimum) {
+  if (form->minimum && *number < *form->minimum) {
     return phrase("ParticipantAnswers", "The answer to \"%1\" must be %2 or more.")
-        .with(question.prompt, text_of_number(*question.minimum));
+        .with(question.prompt, text_of_number(*form->minimum));
   }
-  if (question.maximum && *number > *question.maximum) {
+  if (form->maximum && *number > *form->maximum) {
     return phrase("ParticipantAnswers", "The answer to \"%1\" must be %2 or less.")
-        .with(question.prompt, text_of_number(*question.maximum));
+        .with(question.prompt, text_of_number(*form->maximum));
   }
   return {};
 }

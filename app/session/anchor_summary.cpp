@@ -22,11 +22,11 @@ struct ShownResponse {
   std::optional<double> number{};
 };
 
-ShownResponse shown_response(const TrialQuestion& question, const AttemptRow& attempt) {
+ShownResponse shown_response(const Question& question, const AttemptRow& attempt) {
   ShownResponse shown{};
   std::optional<bool> correct{};
   for (const ResponseRow& response : attempt.responses) {
-    if (response.question != question.name) continue;
+    if (response.question != question.name || response.source == kNotAsked) continue;
     const Phrase label = label_of(question, response.answer);
     shown.text = shown.text.empty() ? label : Phrase("%1, %2").with(shown.text, label);
     if (response.answer_number) shown.number = response.answer_number;
@@ -73,10 +73,10 @@ std::vector<Phrase> anchor_summary(const Plan& plan, std::span<const AttemptRow>
   }
   std::vector<Phrase> lines{};
   for (const auto& [block, trials] : anchors) {
-    for (const TrialQuestion& question : trials.front()->questions) {
+    for (const Question& question : trials.front()->questions) {
       std::vector<ShownResponse> responses{};
       for (const Trial* const trial : trials) {
-        const TrialQuestion* const asked = find_question(*trial, question.name);
+        const Question* const asked = find_question(*trial, question.name);
         if (asked == nullptr) continue;
         ShownResponse response = shown_response(*asked, *valid.at(trial->ordinal));
         if (!response.text.empty()) responses.push_back(std::move(response));

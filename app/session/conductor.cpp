@@ -618,7 +618,7 @@ void Conductor::tell(const Trial& trial, const AttemptRow& attempt) {
   const bool right = is_right(attempt);
   std::string right_answer{};
   if (feedback == Feedback::correct_answer) {
-    for (const TrialQuestion& question : trial.questions) {
+    for (const Question& question : trial.questions) {
       for (const std::string& correct : question.correct) {
         for (const Option& option : question.options) {
           if (option.value != correct) continue;

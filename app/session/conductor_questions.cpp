@@ -4,18 +4,18 @@
 #include <vector>
 
 #include "app/session/conductor.h"
-#include "app/session/questionnaire_rows.h"
+#include "app/session/response_rows.h"
 
 namespace asperity {
 
 void Conductor::ask(const Protocol::Ask& questions) {
   for (const std::string& name : questions.questions) {
-    const QuestionnaireAnswers answered(study_.session_answers(session_.row.id));
+    const StoredAnswers answered(study_.session_answers(session_.row.id));
     if (answered.has(name)) continue;  // before the interruption
     hold(Next::other);
     if (stopped_) return;
     const Question& question = protocol_.questions.at(name);
-    if (!holds(question.condition)) {
+    if (!answered.meet(question.condition)) {
       store_answer(row_not_asked(question, course_.now_ns()));
       continue;
     }
@@ -23,7 +23,7 @@ void Conductor::ask(const Protocol::Ask& questions) {
     course_.put_mask(false, outside_);
     course_.show(scene_of_form(question));
     const std::int64_t cue_ns = course_.now_ns();
-    const FormAnswer answer = respondent_.answer(question, outside_);
+    const std::optional<Answer> answer = respondent_.answer(question, outside_);
     const std::int64_t time_ns = respondent_.answered_ns().value_or(course_.now_ns());
     store_answer(rows_of(question, answer,
                          {.time_ns = time_ns,
@@ -33,9 +33,7 @@ void Conductor::ask(const Protocol::Ask& questions) {
 }
 
 bool Conductor::holds(const std::optional<AnswerCondition>& condition) const {
-  if (!condition) return true;
-  const QuestionnaireAnswers answered(study_.session_answers(session_.row.id));
-  return is_met(*condition, answered.to(condition->question));
+  return StoredAnswers(study_.session_answers(session_.row.id)).meet(condition);
 }
 
 void Conductor::store_answer(const std::vector<ResponseRow>& items) {

@@ -167,7 +167,8 @@ AttemptSummary SessionProgress::summary_of(const AttemptRow& attempt) const {
   summary.flagged = attempt.flagged;
   summary.reason = phrase_of(attempt.valid ? attempt.flag_reason : attempt.invalid_reason);
   for (const ResponseRow& response : attempt.responses) {
-    const TrialQuestion* const question = find_question(trial, response.question);
+    if (response.source == kNotAsked) continue;
+    const Question* const question = find_question(trial, response.question);
     summary.answers.push_back(question == nullptr ? response.answer
                                                   : label_of(*question, response.answer));
   }

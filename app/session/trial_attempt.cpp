@@ -12,6 +12,7 @@
 #include "analysis/numbers/number_text.h"
 #include "app/session/attempt_measures.h"
 #include "app/session/layout.h"
+#include "app/session/response_rows.h"
 #include "app/session/rig/clock.h"
 #include "app/session/rig/recording_columns.h"
 #include "app/session/rig/stroke_count.h"
@@ -20,7 +21,6 @@
 #include "app/study_files/parameter_json.h"
 #include "app/words/coded_phrases.h"
 #include "app/words/reason.h"
-#include "protocols/plan/shown_options.h"
 #include "renderers/servo/contact.h"
 
 namespace asperity {
@@ -244,9 +244,22 @@ void TrialAttempt::carry_out() {
     instability_.begin(std::move(surfaces), course_.recorder().records(),
                        course_.protocol().rate_Hz);
   }
-  for (const std::span<const TrialQuestion> page : pages_of(trial_)) {
-    if (!answer_page(page)) return;
+  for (const std::span<const Question> page : pages_of(trial_)) {
+    if (!is_to_be_asked(page.front())) {
+      answered_.push_back({.question = page.front(), .answer_ns = course_.now_ns()});
+    } else if (!answer_page(page)) {
+      return;
+    }
   }
+}
+
+bool TrialAttempt::is_to_be_asked(const Question& question) const {
+  if (!question.condition) return true;
+  const auto earlier = std::ranges::find_if(answered_, [&](const Answered& each) {
+    return each.question.name == question.condition->question && each.answer;
+  });
+  return earlier != answered_.end() &&
+         is_met(*question.condition, texts_of(items_of(earlier->question, *earlier->answer)));
 }
 
 JudgedSurface TrialAttempt::judged_surface(std::size_t index) const {
@@ -272,7 +285,7 @@ void TrialAttempt::wait_between_surfaces() {
   course_.wait_refusing_answers(std::max(0.0, interval_s - passed_s));
 }
 
-bool TrialAttempt::answer_page(std::span<const TrialQuestion> page) {
+bool TrialAttempt::answer_page(std::span<const Question> page) {
   Asking asking{.page = page};
   Reply reply{};
   for (;;) {
@@ -342,7 +355,7 @@ Reply TrialAttempt::ask(Asking& asking) {
   course_.respondent().refuse_answers();  // inputs from the time in between
   if (has_to_be_seen()) course_.put_mask(false, waiting_);
   course_.enter(SessionPhase::response);
-  std::vector<TrialQuestion> questions(asking.page.begin(), asking.page.end());
+  std::vector<Question> questions(asking.page.begin(), asking.page.end());
   if (asking.doubted) {
     ParticipantScene scene =
         scene_of_doubt(trial_, asking.page, felt_, asking.doubted->number().value());
@@ -631,20 +644,17 @@ void TrialAttempt::store_answers() {
   // A missed deadline is an outcome of the trial; the question that it ended has no response.
   if (answered_.size() < trial_.questions.size()) row_.outcome = AttemptOutcome::timed_out;
   for (const Answered& answered : answered_) {
-    for (AnsweredItem& item : items_of(answered.question, answered.answer)) {
-      ResponseRow response{.question = answered.question.name,
-                           .item = item.item,
-                           .answer = std::move(item.answer),
-                           .answer_number = item.number,
-                           .correct = item.correct,
-                           .options_json = options_json_of(answered.question),
-                           .time_ns = answered.answer_ns};
-      response.from_cue_s = seconds_between(answered.cue_ns, answered.answer_ns);
-      if (const auto contact_ns = first_contact_ns(row_.presentations)) {
-        response.from_contact_s = seconds_between(*contact_ns, answered.answer_ns);
-      }
-      response.source = answered.source;
-      row_.responses.push_back(std::move(response));
+    if (!answered.answer) {
+      row_.responses.push_back(row_not_asked(answered.question, answered.answer_ns).front());
+      continue;
+    }
+    AnswerCircumstances how{.time_ns = answered.answer_ns, .source = answered.source};
+    how.from_cue_s = seconds_between(answered.cue_ns, answered.answer_ns);
+    if (const auto contact_ns = first_contact_ns(row_.presentations)) {
+      how.from_contact_s = seconds_between(*contact_ns, answered.answer_ns);
+    }
+    for (ResponseRow& row : rows_of(answered.question, answered.answer, how)) {
+      row_.responses.push_back(std::move(row));
     }
   }
 }
@@ -750,7 +760,7 @@ void TrialAttempt::take_surface_away() {
 }
 
 bool TrialAttempt::has_to_be_seen() const {
-  const auto has_pictures = [](const TrialQuestion& question) {
+  const auto has_pictures = [](const Question& question) {
     return std::any_of(question.options.begin(), question.options.end(),
                        [](const Option& option) { return option.picture.has_value(); });
   };

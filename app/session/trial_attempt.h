@@ -42,6 +42,7 @@ struct AttemptOrder {
 ///
 /// Pages of questions (pages_of) are asked one after another, each with its own cue and deadline.
 /// Where a deadline passes, the attempt has timed out; the answers to earlier pages are stored.
+/// A question whose condition is not met is stored as not asked.
 ///
 /// Where surfaces are felt again the page is asked more than once. The response time from the cue
 /// counts from the first time, feeling again included: it is the time until the decision. The
@@ -77,16 +78,16 @@ class TrialAttempt final {
  private:
   /// A page of questions while it is asked.
   struct Asking {
-    std::span<const TrialQuestion> page{};
+    std::span<const Question> page{};
     std::optional<std::int64_t> cue_ns{};  ///< when it was asked first
     std::int64_t answer_ns = 0;            ///< of the last reply
     double answerable_s = 0.0;             ///< how long an answer was possible, over all times
     std::optional<Reply> doubted{};        ///< the answer before it was asked for once more
   };
-  /// An answer as it is stored.
+  /// An answer as it is stored; none where the question was not asked.
   struct Answered {
-    const TrialQuestion& question;
-    Answer answer{};
+    const Question& question;
+    std::optional<Answer> answer{};
     std::int64_t cue_ns = 0;
     std::int64_t answer_ns = 0;
     std::string source{};
@@ -95,8 +96,10 @@ class TrialAttempt final {
   void prepare();
   HandHabits habits_of_hand() const;  ///< of a virtual hand
   void carry_out();
+  /// Whether the condition of the question is met by the answers so far.
+  bool is_to_be_asked(const Question& question) const;
   /// Asks until the page is answered (true) or its deadline has passed (false).
-  bool answer_page(std::span<const TrialQuestion> page);
+  bool answer_page(std::span<const Question> page);
   Reply ask(Asking& asking);
   /// Whether the reply is a number that has to be confirmed.
   bool is_doubtful(const Asking& asking, const Reply& reply) const;

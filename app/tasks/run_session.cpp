@@ -53,12 +53,13 @@ Wait sleep_until_stopped(const std::stop_token& stop, const SessionLinks& links)
 /// Asks a participant to agree to the protocol's statement; without agreement nothing is stored.
 void ask_consent(const Protocol& protocol, Respondent& respondent, SessionMonitor* monitor,
                  const Wait& wait) {
-  const Question question{.name = "consent",
-                          .prompt = protocol.consent_statement + "\n\nDo you agree?",
-                          .form = Question::Form::choice,
-                          .options = {"yes", "no"}};
+  const Question question{
+      .name = "consent",
+      .prompt = protocol.consent_statement + "\n\nDo you agree?",
+      .options = {{.value = "yes", .text = "yes"}, {.value = "no", .text = "no"}}};
   if (monitor != nullptr) monitor->show(scene_of_form(question));
-  if (respondent.answer(question, wait) != FormAnswer{"yes"}) {
+  const std::optional<Answer> answer = respondent.answer(question, wait);
+  if (!answer || items_of(question, *answer).front().answer != "yes") {
     throw PhrasedError(phrase("RunSession",
                               "the participant did not agree to take part, and nothing was stored; "
                               "run the session with another participant"));
@@ -71,8 +72,8 @@ ParticipantRow ask_person(const Protocol& protocol, const std::string& label,
   ParticipantAnswers answers{};
   for (const Question& question : questions_about_participant(protocol)) {
     if (monitor != nullptr) monitor->show(scene_of_form(question));
-    const FormAnswer answer = respondent.answer(question, wait);
-    answers[question.name] = answer.empty() ? std::string() : answer.front();
+    const std::optional<Answer> answer = respondent.answer(question, wait);
+    answers[question.name] = answer ? items_of(question, *answer).front().answer : std::string();
   }
   return person_of(label, protocol, answers, created_utc);
 }

@@ -6,10 +6,12 @@
 #include <string_view>
 #include <vector>
 
+#include "protocols/answers/number_range.h"
+
 namespace asperity {
 
 struct AnsweredItem;
-struct TrialQuestion;
+struct Question;
 
 /// The answer is the length of a line, which the participant draws from its left end; no number is shown.
 ///
@@ -17,11 +19,14 @@ struct TrialQuestion;
 /// the line is drawn in thousandths of it (steps 1 to kSteps), so that no length is 0.
 struct LineForm {
   static constexpr std::string_view kName = "line";
+  static constexpr std::string_view kDescription = "the length of a line";
   static constexpr int kSteps = 1000;
 
   double longest = 0.8;  ///< above 0; up to 0.9, which leaves margins at both sides
 
   double length_of(int step) const noexcept { return longest * step / kSteps; }
+  NumberRange numbers() const noexcept { return {0.0, longest}; }
+  bool can_be_stored_as(const std::string& text) const;
   bool operator==(const LineForm&) const = default;
 };
 
@@ -29,13 +34,7 @@ struct DrawnLength {
   int step = 0;  ///< from 1 to LineForm::kSteps
 };
 
-constexpr int items_of(const LineForm&, int) noexcept { return 1; }
-std::vector<AnsweredItem> items_of(const TrialQuestion& question, const LineForm& form,
+std::vector<AnsweredItem> items_of(const Question& question, const LineForm& form,
                                    const DrawnLength& answer);
-std::vector<std::string> problems_with(const TrialQuestion& question, const LineForm& form,
-                                       const AnsweredItem& stored);
-/// The stored proportion.
-std::string label_of(const TrialQuestion& question, const LineForm& form,
-                     const std::string& stored);
 
 }  // namespace asperity

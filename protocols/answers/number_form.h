@@ -1,30 +1,43 @@
-// A number above 0: the estimate of a magnitude.
+// A number: an amount within limits, or the estimate of a magnitude.
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "protocols/answers/number_range.h"
+
 namespace asperity {
 
 struct AnsweredItem;
-struct TrialQuestion;
+struct Question;
 
-/// The answer is a number above 0, on a scale that the participant chooses.
+/// The answer is a number within the limits.
 struct NumberForm {
   static constexpr std::string_view kName = "number";
+  static constexpr std::string_view kDescription = "a number";
+
+  std::optional<double> minimum{};
+  std::optional<double> maximum{};
+  std::string unit{};        ///< may be empty
+  bool is_estimate = false;  ///< of a magnitude: above 0, on a scale that the participant chooses
+
+  bool accepts(double number) const noexcept {
+    return !(is_estimate && number <= 0.0) && !(minimum && number < *minimum) &&
+           !(maximum && number > *maximum);
+  }
+  NumberRange numbers() const noexcept { return {minimum, maximum}; }
+  bool can_be_stored_as(const std::string& text) const;
+  bool operator==(const NumberForm&) const = default;
 };
 
 struct GivenNumber {
   double number = 0.0;
 };
 
-constexpr int items_of(const NumberForm&, int) noexcept { return 1; }
-std::vector<AnsweredItem> items_of(const TrialQuestion& question, const NumberForm&,
+std::vector<AnsweredItem> items_of(const Question& question, const NumberForm&,
                                    const GivenNumber& answer);
-std::vector<std::string> problems_with(const TrialQuestion& question, const NumberForm&,
-                                       const AnsweredItem& stored);
-std::string label_of(const TrialQuestion& question, const NumberForm&, const std::string& stored);
 
 }  // namespace asperity

@@ -1,273 +1,161 @@
-// Evaluates conditions on answers, and checks them and stored answers against the form of the question.
+// Dispatch from a question to its form, and the verification that all forms have in common.
 
 #include "protocols/answers/question.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
 
-#include "analysis/numbers/number_text.h"
-#include "analysis/numbers/overloaded.h"
 #include "protocols/answers/stored_number.h"
 
 namespace asperity {
 
 namespace {
 
-using FormOfQuestion = Question::Form;
-
-std::string quoted_text(const std::string& text) { return '"' + text + '"'; }
-
-std::string plain_text(const AnswerValue& value) {
-  const auto* const number = std::get_if<double>(&value);
-  return number != nullptr ? number_text(*number) : std::get<std::string>(value);
+/// Whether an answer belongs to a form: there is an `items_of` for the two.
+template <typename Form, typename Given>
+constexpr bool belongs_to() {
+  return requires(const Question& question, const Form& form, const Given& given) {
+    items_of(question, form, given);
+  };
 }
 
-std::string quoted_value(const AnswerValue& value) {
-  return std::holds_alternative<double>(value) ? plain_text(value) : quoted_text(plain_text(value));
+/// How many of the answers belong to a form.
+template <typename Form, typename... Given>
+constexpr int answers_of(const std::variant<Given...>*) {
+  return (0 + ... + (belongs_to<Form, Given>() ? 1 : 0));
+}
+template <typename... Form>
+constexpr bool has_one_answer_each(const std::variant<Form...>*) {
+  return (... && (answers_of<Form>(static_cast<const Answer*>(nullptr)) == 1));
+}
+static_assert(has_one_answer_each(static_cast<const AnswerForm*>(nullptr)),
+              "each form of answer needs one type in `Answer` and an overload of items_of");
+
+std::vector<std::string> problems_with_item(const Question& question, const AnsweredItem& stored) {
+  return std::visit(
+      [&](const auto& form) -> std::vector<std::string> {
+        using Form = std::decay_t<decltype(form)>;
+        if constexpr (FormWithOptions<Form>) {
+          return problems_with_option(question, stored);
+        } else if constexpr (requires { form.can_be_stored_as(stored.answer); }) {
+          if (form.can_be_stored_as(stored.answer) && stored_number(stored.answer) == stored.number)
+            return {};
+          return {"the response " + stored.answer + " is not " + std::string(Form::kDescription) +
+                  " that the question permits, or differs from the number stored with it; restore "
+                  "the study from a copy"};
+        } else {
+          return {};
+        }
+      },
+      question.form);
 }
 
-bool is_option(const Question& question, const std::string& text) {
-  const auto& options = question.options;
-  return std::find(options.begin(), options.end(), text) != options.end();
-}
-
-/// "use "yes" or "no"", of the options of a question.
-std::string options_to_use(const Question& question) {
-  const std::size_t count = question.options.size();
-  if (count == 0) return "state the options of that question";
-  std::string text = "use ";
-  for (std::size_t i = 0; i < count; ++i) {
-    text += (i == 0 ? "" : i + 1 == count ? " or " : ", ") + quoted_text(question.options[i]);
-  }
-  return text;
-}
-
-std::string form_name(const Question& question) {
-  switch (question.form) {
-    case FormOfQuestion::choice:
-      return "a choice of one option";
-    case FormOfQuestion::multiple_choice:
-      return "a multiple choice";
-    case FormOfQuestion::number:
-      return "a number";
-    case FormOfQuestion::scale:
-      return "a point on a scale";
-    case FormOfQuestion::text:
-      return "free text";
-  }
-  return {};
-}
-
-/// "18 to 120", "18 or more"; empty without limits.
-std::string range_of(const std::optional<double>& minimum, const std::optional<double>& maximum) {
-  if (minimum && maximum) return number_text(*minimum) + " to " + number_text(*maximum);
-  if (minimum) return number_text(*minimum) + " or more";
-  if (maximum) return number_text(*maximum) + " or less";
-  return {};
-}
-
-struct Range {
-  std::optional<double> minimum{};
-  std::optional<double> maximum{};
-};
-
-/// Of the numbers with which a question can be answered; nothing where it is answered in words.
-std::optional<Range> numbers_of(const Question& question) {
-  if (question.form == FormOfQuestion::number) return Range{question.minimum, question.maximum};
-  if (question.form == FormOfQuestion::scale)
-    return Range{question.scale.minimum, question.scale.maximum};
-  return {};
-}
-
-std::optional<std::string> problem_with_value(const AnswerValue& value, const Question& question) {
-  if (question.form == FormOfQuestion::choice) {
-    const auto* const option = std::get_if<std::string>(&value);
-    if (option != nullptr && is_option(question, *option)) return {};
-    return quoted_value(value) + " is not an option of the question " + quoted_text(question.name) +
-           "; " + options_to_use(question);
-  }
-  const auto* const number = std::get_if<double>(&value);
-  if (number == nullptr) {
-    return quoted_value(value) + " is not a number, and the question " +
-           quoted_text(question.name) + " is answered by " + form_name(question) +
-           "; state a number";
-  }
-  const Range range = *numbers_of(question);
-  if ((range.minimum && *number < *range.minimum) || (range.maximum && *number > *range.maximum)) {
-    return number_text(*number) + " cannot be the answer to the question " +
-           quoted_text(question.name) + "; use a number of " +
-           range_of(range.minimum, range.maximum);
-  }
-  if (question.form != FormOfQuestion::scale) return {};
-  const ScaleForm& scale = question.scale;
-  const std::optional<int> step = scale.step_near(*number);
-  if (step && number_text(scale.value_at(*step)) == number_text(*number)) return {};
-  return number_text(*number) + " is not a point of the scale of the question " +
-         quoted_text(question.name) + "; the points are " +
-         number_text(scale.value_at(1) - scale.value_at(0)) + " apart, from " +
-         number_text(scale.minimum) + " to " + number_text(scale.maximum);
-}
-
-std::optional<std::string> problem_with_range(const AnswerWithin& within,
-                                              const Question& question) {
-  const std::optional<Range> range = numbers_of(question);
-  if (!range) {
-    return "the question " + quoted_text(question.name) + " is answered by " + form_name(question) +
-           ", and only a number or a scale has a range; " +
-           (question.form == FormOfQuestion::choice            ? "state \"is\" or \"in\""
-            : question.form == FormOfQuestion::multiple_choice ? "state \"includes\""
-                                                               : "refer to another question");
-  }
-  if (within.minimum && within.maximum && *within.minimum > *within.maximum) {
-    return "no number is at least " + number_text(*within.minimum) + " and at most " +
-           number_text(*within.maximum) + "; exchange the two";
-  }
-  const bool is_above = within.minimum && range->maximum && *within.minimum > *range->maximum;
-  const bool is_below = within.maximum && range->minimum && *within.maximum < *range->minimum;
-  if (!is_above && !is_below) return {};
-  return "the answer to the question " + quoted_text(question.name) + " is " +
-         range_of(range->minimum, range->maximum) + " and never " +
-         range_of(within.minimum, within.maximum) + "; change the range";
+/// Whether an answer of this number of items is possible.
+bool is_possible_count(const AnswerForm& form, std::size_t items, int surfaces) {
+  if (std::holds_alternative<MultipleChoiceForm>(form)) return true;
+  return items == static_cast<std::size_t>(items_of(form, surfaces));
 }
 
 }  // namespace
 
-bool is_met(const AnswerCondition& condition, const FormAnswer& answer) {
-  if (answer.empty()) return false;
-  const std::string& first = answer.front();
+std::optional<std::size_t> Question::option_of(const std::string& value) const noexcept {
+  const auto option = std::find_if(options.begin(), options.end(),
+                                   [&value](const Option& each) { return each.value == value; });
+  if (option == options.end()) return {};
+  return static_cast<std::size_t>(option - options.begin());
+}
+
+std::string_view name_of(const AnswerForm& form) {
+  return std::visit([](const auto& each) { return each.kName; }, form);
+}
+
+AnswerForm form_named(std::string_view name) {
+  const auto named = [name]<typename... Form>(const std::variant<Form...>*) {
+    AnswerForm found{};
+    ((Form::kName == name ? void(found = Form{}) : void()), ...);
+    return found;
+  };
+  return named(static_cast<const AnswerForm*>(nullptr));
+}
+
+std::string_view description_of(const AnswerForm& form) {
+  return std::visit([](const auto& each) { return each.kDescription; }, form);
+}
+
+bool has_options(const AnswerForm& form) noexcept {
+  return std::visit([](const auto& each) { return FormWithOptions<std::decay_t<decltype(each)>>; },
+                    form);
+}
+
+std::optional<NumberRange> numbers_of(const AnswerForm& form) noexcept {
   return std::visit(
-      Overloaded{[&](const AnswerIsOneOf& one_of) {
-                   return std::any_of(
-                       one_of.values.begin(), one_of.values.end(), [&](const AnswerValue& value) {
-                         const auto* const number = std::get_if<double>(&value);
-                         return number != nullptr ? stored_number(first) == *number
-                                                  : first == std::get<std::string>(value);
-                       });
-                 },
-                 [&](const AnswerIncludes& includes) {
-                   return std::find(answer.begin(), answer.end(), includes.option) != answer.end();
-                 },
-                 [&](const AnswerWithin& within) {
-                   const std::optional<double> number = stored_number(first);
-                   return number && (!within.minimum || *number >= *within.minimum) &&
-                          (!within.maximum || *number <= *within.maximum);
-                 }},
-      condition.test);
+      [](const auto& each) -> std::optional<NumberRange> {
+        if constexpr (requires { each.numbers(); }) return each.numbers();
+        return {};
+      },
+      form);
 }
 
-std::optional<std::string> problem_with(const AnswerCondition& condition, const Question& question,
-                                        std::size_t value) {
+int items_of(const AnswerForm& form, int surfaces) {
+  return std::holds_alternative<AssignmentForm>(form) ? surfaces : 1;
+}
+
+std::vector<AnsweredItem> items_of(const Question&, const TextForm&, const WrittenText& answer) {
+  return {{.answer = answer.text}};
+}
+
+std::vector<AnsweredItem> items_of(const Question& question, const Answer& answer) {
   return std::visit(
-      Overloaded{[&](const AnswerIsOneOf& one_of) -> std::optional<std::string> {
-                   if (question.form == FormOfQuestion::multiple_choice) {
-                     return "several options of the question " + quoted_text(question.name) +
-                            " may be chosen; state \"includes\" with one of them";
-                   }
-                   if (question.form == FormOfQuestion::text) {
-                     return "the question " + quoted_text(question.name) +
-                            " is answered by free text, which no condition can refer to; refer to "
-                            "another question";
-                   }
-                   return problem_with_value(one_of.values.at(value), question);
-                 },
-                 [&](const AnswerIncludes& includes) -> std::optional<std::string> {
-                   if (question.form != FormOfQuestion::multiple_choice) {
-                     return "the question " + quoted_text(question.name) + " is answered by " +
-                            form_name(question) +
-                            ", and only a multiple choice includes options; " +
-                            (question.form == FormOfQuestion::text ? "refer to another question"
-                                                                   : "state \"is\" or \"in\"");
-                   }
-                   if (is_option(question, includes.option)) return {};
-                   return quoted_text(includes.option) + " is not an option of the question " +
-                          quoted_text(question.name) + "; " + options_to_use(question);
-                 },
-                 [&](const AnswerWithin& within) { return problem_with_range(within, question); }},
-      condition.test);
+      [&question](const auto& form, const auto& given) -> std::vector<AnsweredItem> {
+        using Form = std::decay_t<decltype(form)>;
+        using Given = std::decay_t<decltype(given)>;
+        if constexpr (belongs_to<Form, Given>()) {
+          return items_of(question, form, given);
+        } else {
+          throw std::logic_error(
+              "the question " + question.name +
+              " has an answer of another form; answer it in the form of the question");
+        }
+      },
+      question.form, answer);
 }
 
-std::string signs_of(const AnswerCondition& condition) {
-  const std::string& name = condition.question;
-  return std::visit(
-      Overloaded{[&](const AnswerIsOneOf& one_of) {
-                   if (one_of.values.size() == 1) {
-                     return name + " = " + plain_text(one_of.values.front());
-                   }
-                   std::string text = name + " ∈ {";
-                   for (std::size_t i = 0; i < one_of.values.size(); ++i) {
-                     text += (i == 0 ? "" : ", ") + plain_text(one_of.values[i]);
-                   }
-                   return text + '}';
-                 },
-                 [&](const AnswerIncludes& includes) { return name + " ∋ " + includes.option; },
-                 [&](const AnswerWithin& within) {
-                   if (!within.minimum) return name + " ≤ " + number_text(*within.maximum);
-                   if (!within.maximum) return name + " ≥ " + number_text(*within.minimum);
-                   return number_text(*within.minimum) + " ≤ " + name + " ≤ " +
-                          number_text(*within.maximum);
-                 }},
-      condition.test);
+FormAnswer texts_of(std::span<const AnsweredItem> items) {
+  FormAnswer texts{};
+  for (const AnsweredItem& item : items) {
+    if (!item.answer.empty()) texts.push_back(item.answer);
+  }
+  return texts;
 }
 
-std::string clause_of(const AnswerCondition& condition) {
-  const std::string answer = "the answer to " + quoted_text(condition.question);
-  return std::visit(Overloaded{[&](const AnswerIsOneOf& one_of) {
-                                 std::string text = answer + " was ";
-                                 const std::size_t count = one_of.values.size();
-                                 for (std::size_t i = 0; i < count; ++i) {
-                                   text += (i == 0           ? ""
-                                            : i + 1 == count ? " or "
-                                                             : ", ") +
-                                           quoted_value(one_of.values[i]);
-                                 }
-                                 return text;
-                               },
-                               [&](const AnswerIncludes& includes) {
-                                 return answer + " included " + quoted_text(includes.option);
-                               },
-                               [&](const AnswerWithin& within) {
-                                 return answer + " was " + range_of(within.minimum, within.maximum);
-                               }},
-                    condition.test);
-}
-
-std::optional<double> number_of(const Question& question, const std::string& value) {
-  return numbers_of(question) ? stored_number(value) : std::nullopt;
+std::string label_of(const Question& question, const std::string& stored) {
+  if (has_options(question.form)) return label_of_option(question, stored);
+  const auto* const scale = std::get_if<ScaleForm>(&question.form);
+  return scale == nullptr ? stored : scale->label_of(stored);
 }
 
 std::vector<std::string> problems_with(const Question& question,
-                                       std::span<const std::string> answer) {
+                                       std::span<const AnsweredItem> stored, int surfaces) {
   std::vector<std::string> problems{};
-  if (answer.empty()) {
+  if (texts_of(stored).empty()) {
     if (!question.optional) {
       problems.emplace_back("it was left empty, and the protocol requires an answer");
     }
     return problems;
   }
-  if (answer.size() > 1 && question.form != FormOfQuestion::multiple_choice) {
-    problems.push_back("it has " + std::to_string(answer.size()) +
-                       " answers, and only one is possible");
+  if (!is_possible_count(question.form, stored.size(), surfaces)) {
+    problems.push_back("its answer has " + std::to_string(stored.size()) +
+                       (stored.size() == 1 ? " item, but " : " items, but ") +
+                       std::string(description_of(question.form)) + " has " +
+                       std::to_string(items_of(question.form, surfaces)) +
+                       "; restore the study from a copy");
   }
-  for (const std::string& value : answer) {
-    switch (question.form) {
-      case FormOfQuestion::choice:
-      case FormOfQuestion::multiple_choice:
-        if (!is_option(question, value)) {
-          problems.push_back(quoted_text(value) + " is not one of its options");
-        }
-        break;
-      case FormOfQuestion::number:
-        if (!stored_number(value)) problems.push_back(quoted_text(value) + " is not a number");
-        break;
-      case FormOfQuestion::scale: {
-        const std::optional<double> number = stored_number(value);
-        const std::optional<int> step = number ? question.scale.step_near(*number) : std::nullopt;
-        if (!step || number_text(question.scale.value_at(*step)) != value) {
-          problems.push_back(quoted_text(value) + " is not a point of its scale");
-        }
-        break;
-      }
-      case FormOfQuestion::text:
-        break;
+  for (const AnsweredItem& item : stored) {
+    for (const std::string& problem : problems_with_item(question, item)) {
+      problems.push_back((stored.size() == 1 ? "" : "item " + std::to_string(item.item) + ": ") +
+                         problem);
     }
   }
   return problems;

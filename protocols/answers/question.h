@@ -1,4 +1,4 @@
-// A question of the questionnaire or about the participant, and the condition under which it is asked.
+// A question of a trial, of the questionnaire or about the participant, and what an answer to it amounts to.
 
 #pragma once
 
@@ -6,93 +6,101 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
+#include "protocols/answers/condition.h"
+#include "protocols/answers/line_form.h"
+#include "protocols/answers/number_form.h"
+#include "protocols/answers/option_forms.h"
 #include "protocols/answers/scale_form.h"
+#include "protocols/answers/text_form.h"
 
 namespace asperity {
 
-/// A value that an answer can have: a number, or an option.
-using AnswerValue = std::variant<double, std::string>;
+/// How a question is answered. A form is a type with its parameters, in a file with its answer.
+using AnswerForm = std::variant<ChoiceForm, AssignmentForm, NumberForm, ScaleForm, LineForm,
+                                MultipleChoiceForm, TextForm>;
 
-/// The answer is one of these values.
-struct AnswerIsOneOf {
-  std::vector<AnswerValue> values{};
-  bool operator==(const AnswerIsOneOf&) const = default;
-};
-/// This option is among those that were chosen.
-struct AnswerIncludes {
-  std::string option{};
-  bool operator==(const AnswerIncludes&) const = default;
-};
-/// The answer is a number in this range, which has at least one end; both ends belong to it.
-struct AnswerWithin {
-  std::optional<double> minimum{};
-  std::optional<double> maximum{};
-  bool operator==(const AnswerWithin&) const = default;
-};
+/// What was answered: the alternative that belongs to the question's form.
+using Answer = std::variant<ChosenOption, AssignedOptions, GivenNumber, ScalePoint, DrawnLength,
+                            ChosenOptions, WrittenText>;
 
-/// A condition on the answer to an earlier question of the questionnaire. A question that was left empty, or was not
-/// asked itself, meets no condition: what depends on it is not asked or shown.
-struct AnswerCondition {
-  std::string question{};  ///< by its name
-  std::variant<AnswerIsOneOf, AnswerIncludes, AnswerWithin> test{};
+/// One option of a question, in the order in which it is shown.
+struct Option {
+  std::string value{};  ///< stored as the response: an item, a texture, "tie", "cannot_tell"
+  /// Of a trial: shown, never a name: a presentation's code, or the place of a picture or word from "1".
+  std::string label{};
+  std::optional<std::string> picture{};  ///< study-relative
+  std::string text{};                    ///< of an option in words: what is shown
 
-  bool operator==(const AnswerCondition&) const = default;
+  bool operator==(const Option&) const = default;
 };
 
-/// A question of the questionnaire or about the participant; the questions of a trial are a TrialQuestion each.
+/// The value of the option that neither of two surfaces is preferred.
+inline constexpr const char* kTieOption = "tie";
+/// The value of the option of a participant who does not choose (`allow_cannot_tell`).
+inline constexpr const char* kCannotTellOption = "cannot_tell";
+
+/// A question, wherever it is asked.
 struct Question {
-  enum class Form {
-    choice,           ///< one of the options
-    multiple_choice,  ///< one or more of the options
-    number,
-    scale,
-    text,
-  };
-  std::string name{};
+  std::string name{};  ///< stored with every response to it
   std::string prompt{};
-  Form form = Form::choice;
-  std::vector<std::string> options{};  ///< the stored values
-  /// The text shown for each option if it differs from the stored value (another language); otherwise empty.
-  std::vector<std::string> option_texts{};
-  std::optional<double> minimum{};  ///< of a number
-  std::optional<double> maximum{};  ///< of a number
-  std::string unit{};               ///< of a number; may be empty
-  ScaleForm scale{};                ///< of a scale
-  bool optional = false;
+  AnswerForm form{};
+  std::vector<Option> options{};  ///< of a form with options; other forms have none
+  /// Of a trial: the correct responses, one per item of the answer; empty where no response is correct or incorrect.
+  std::vector<std::string> correct{};
+  bool optional = false;                       ///< it may be left empty
   std::optional<AnswerCondition> condition{};  ///< asked only if it is met; absent: always asked
 
-  const std::string& text_of_option(std::size_t i) const {
-    return option_texts.empty() ? options.at(i) : option_texts.at(i);
+  template <class Form>
+  bool is_answered_by() const noexcept {
+    return std::holds_alternative<Form>(form);
   }
-  bool has_options() const noexcept {
-    return form == Form::choice || form == Form::multiple_choice;
-  }
+  /// The place of the option with a value.
+  std::optional<std::size_t> option_of(const std::string& value) const noexcept;
 };
 
-/// The answer to a question, as stored: the options of a multiple choice in their order, otherwise one value; none where
-/// the question was left empty.
-using FormAnswer = std::vector<std::string>;
+/// One item of an answer: a row of the tables `response` and `session_answer`.
+struct AnsweredItem {
+  /// 1, or the position of the surface that an assignment's item belongs to, or the place of one of several options.
+  int item = 1;
+  std::string answer{};  ///< the value of an option, a number as text, or a text
+  std::optional<double> number{};
+  std::optional<bool> correct{};
+};
 
-/// `answer`: that of the condition's question; empty also where it was not asked.
-bool is_met(const AnswerCondition& condition, const FormAnswer& answer);
+/// "choice", "assignment", "number", "scale", "line", "multiple_choice", "text": as it is stored in the plan of a session.
+std::string_view name_of(const AnswerForm& form);
+/// The form of that name with its default parameters; a choice where there is none.
+AnswerForm form_named(std::string_view name);
+/// "a choice of one option", "a number": as an answer is described in a message.
+std::string_view description_of(const AnswerForm& form);
 
-/// What prevents an answer to the question from meeting the condition, as a clause with a remedy; nothing where some answer
-/// meets it. `value`: of the values of AnswerIsOneOf, the one that is judged.
-std::optional<std::string> problem_with(const AnswerCondition& condition, const Question& question,
-                                        std::size_t value = 0);
+/// Whether a participant chooses from Question::options.
+bool has_options(const AnswerForm& form) noexcept;
+/// Of the numbers with which a question can be answered; nothing where it is not answered by numbers.
+std::optional<NumberRange> numbers_of(const AnswerForm& form) noexcept;
 
-/// In signs: "pain = yes", "hand ∈ {left, right}", "symptoms ∋ pain", "18 ≤ age ≤ 30".
-std::string signs_of(const AnswerCondition& condition);
-/// In English, after "if": "the answer to "pain" was "yes"".
-std::string clause_of(const AnswerCondition& condition);
+/// How many responses an answer to this form has at least when `surfaces` were felt.
+int items_of(const AnswerForm& form, int surfaces);
 
-/// The number that an answer to the question is; nothing for an answer in words.
-std::optional<double> number_of(const Question& question, const std::string& value);
+/// The items of an answer, in order, marked as correct or incorrect where the question determines it.
+///
+/// Errors: std::logic_error for an answer of another form; std::out_of_range for an option that the
+/// question does not have.
+std::vector<AnsweredItem> items_of(const Question& question, const Answer& answer);
 
-/// What contradicts the question in a stored answer, as clauses of English for `verify`; empty when nothing does.
-std::vector<std::string> problems_with(const Question& question, std::span<const std::string> answer);
+/// The answer of items, as conditions refer to it; empty where the question was left empty or not asked.
+FormAnswer texts_of(std::span<const AnsweredItem> items);
+
+/// A stored answer in short, without names: the label of the option, the number, or the point.
+std::string label_of(const Question& question, const std::string& stored);
+
+/// What contradicts the question in a stored answer, as clauses of English for `verify`; empty when nothing does. An
+/// answer without items, or with one empty text, was left empty. `surfaces`: that were felt.
+std::vector<std::string> problems_with(const Question& question,
+                                       std::span<const AnsweredItem> stored, int surfaces = 0);
 
 }  // namespace asperity

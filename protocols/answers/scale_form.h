@@ -7,10 +7,12 @@
 #include <string_view>
 #include <vector>
 
+#include "protocols/answers/number_range.h"
+
 namespace asperity {
 
 struct AnsweredItem;
-struct TrialQuestion;
+struct Question;
 
 /// The answer is a position on a line from `minimum` to `maximum`.
 ///
@@ -19,6 +21,7 @@ struct TrialQuestion;
 /// Without, every position can be given, in thousandths of the line: a visual analogue scale.
 struct ScaleForm {
   static constexpr std::string_view kName = "scale";
+  static constexpr std::string_view kDescription = "a point on a scale";
   /// Positions of a line without points, less one.
   static constexpr int kFineSteps = 1000;
 
@@ -40,6 +43,12 @@ struct ScaleForm {
   std::optional<int> step_near(double value) const noexcept;
   /// The same for a number that a participant typed: a scale with points takes only their values.
   std::optional<int> step_of(double typed) const noexcept;
+  NumberRange numbers() const noexcept { return {minimum, maximum}; }
+  bool can_be_stored_as(const std::string& text) const { return stored_step(text).has_value(); }
+  /// The step whose value is stored as this text.
+  std::optional<int> stored_step(const std::string& text) const;
+  /// A stored number, followed by the label of its point where every point has one.
+  std::string label_of(const std::string& stored) const;
   bool operator==(const ScaleForm&) const = default;
 };
 
@@ -47,13 +56,7 @@ struct ScalePoint {
   int step = 0;  ///< from 0 at the left end to ScaleForm::steps()
 };
 
-constexpr int items_of(const ScaleForm&, int) noexcept { return 1; }
-std::vector<AnsweredItem> items_of(const TrialQuestion& question, const ScaleForm& form,
+std::vector<AnsweredItem> items_of(const Question& question, const ScaleForm& form,
                                    const ScalePoint& answer);
-std::vector<std::string> problems_with(const TrialQuestion& question, const ScaleForm& form,
-                                       const AnsweredItem& stored);
-/// The stored number, followed by the label of its point where every point has one.
-std::string label_of(const TrialQuestion& question, const ScaleForm& form,
-                     const std::string& stored);
 
 }  // namespace asperity

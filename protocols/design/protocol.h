@@ -13,7 +13,6 @@
 
 #include "analysis/signals/force_features.h"
 #include "protocols/answers/question.h"
-#include "protocols/answers/trial_question.h"
 #include "protocols/design/analysis_declaration.h"
 #include "protocols/design/arrangement.h"
 #include "protocols/design/dimension.h"
@@ -295,16 +294,9 @@ struct Protocol {
     /// The item that it counts as in the responses; empty: the model (selection) or texture shown.
     std::string item{};
   };
-  struct TrialQuestionTemplate {
-    /// An option in words.
-    struct Word {
-      std::string value{};  ///< stored
-      std::string text{};   ///< shown
-    };
-    std::string name{};
-    std::string prompt{};
-    AnswerForm form{};  ///< that of the kind of its block, unless the file states a scale
-    std::vector<Word> words{};
+  /// A question of the trials of a block. Its form is that of the kind of its block, unless the file states another; its
+  /// options are those in words.
+  struct TrialQuestionTemplate : Question {
     /// The text of the option "tie" after those for the surfaces; empty: no such option.
     std::string tie{};
     /// The options are words, pictures of these textures, or otherwise the felt alternatives.

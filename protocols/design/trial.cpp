@@ -7,18 +7,18 @@
 
 namespace asperity {
 
-std::vector<std::span<const TrialQuestion>> pages_of(const Trial& trial) {
-  const std::span<const TrialQuestion> all(trial.questions);
+std::vector<std::span<const Question>> pages_of(const Trial& trial) {
+  const std::span<const Question> all(trial.questions);
   if (trial.on_one_page) return {all};
-  std::vector<std::span<const TrialQuestion>> pages{};
+  std::vector<std::span<const Question>> pages{};
   for (std::size_t i = 0; i < all.size(); ++i) pages.push_back(all.subspan(i, 1));
   return pages;
 }
 
-const TrialQuestion* find_question(const Trial& trial, const std::string& name) noexcept {
+const Question* find_question(const Trial& trial, const std::string& name) noexcept {
   const auto found =
       std::find_if(trial.questions.begin(), trial.questions.end(),
-                   [&name](const TrialQuestion& question) { return question.name == name; });
+                   [&name](const Question& question) { return question.name == name; });
   return found == trial.questions.end() ? nullptr : &*found;
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "protocols/answers/trial_question.h"
+#include "protocols/answers/question.h"
 #include "protocols/design/protocol.h"
 #include "protocols/design/roughness_match.h"
 #include "stimuli/stimulus_description.h"
@@ -68,7 +68,7 @@ struct Trial {
   Material flat{};  ///< of the flat surface between surfaces side by side: that of the protocol
   bool pictures_after_feeling = false;  ///< options stay hidden until every surface was felt
   /// At least one, in the order in which they are asked.
-  std::vector<TrialQuestion> questions{};
+  std::vector<Question> questions{};
   bool on_one_page = false;   ///< all questions are shown together; otherwise one after another
   std::string page_prompt{};  ///< shown above the questions of one page; may be empty
 
@@ -77,9 +77,9 @@ struct Trial {
 };
 
 /// The questions that are shown together, page after page.
-std::vector<std::span<const TrialQuestion>> pages_of(const Trial& trial);
+std::vector<std::span<const Question>> pages_of(const Trial& trial);
 
 /// Null where the trial does not ask a question of that name.
-const TrialQuestion* find_question(const Trial& trial, const std::string& name) noexcept;
+const Question* find_question(const Trial& trial, const std::string& name) noexcept;
 
 }  // namespace asperity

@@ -81,6 +81,11 @@ class Meaning final : private ProblemSink {
   /// `asked`: the questions that the flow asks before.
   void check_condition(const AnswerCondition& condition, const std::set<std::string>& asked,
                        const std::string& pointer);
+  /// Whether the condition at the place states exactly one test.
+  bool states_one_test(const std::string& pointer);
+  /// Whether an answer to the question can meet the condition at the place.
+  void check_test(const AnswerCondition& condition, const Question& question,
+                  const std::string& pointer);
   void check_stimulus(const StimulusTemplate& stimulus, const std::string& pointer);
   void check_bodies();
   void check_body_keys(const std::string& name, const std::string& pointer);
@@ -138,6 +143,9 @@ class Meaning final : private ProblemSink {
   void check_shared_pairs(const Protocol::Block& block, const std::string& pointer);
   void check_pairs(const Protocol::Block& block, const std::string& pointer);
   void check_question(const Protocol::Block& block, const std::string& pointer);
+  void check_condition_in_trial(const Protocol::Block& block, std::size_t question);
+  /// Where the options are known: those of all trials of the block.
+  void check_tests_in_trials(const std::vector<Trial>& possible);
   bool check_question_keys(const Protocol::Block& block, const std::string& pointer);
   void check_direction(const Protocol::TrialQuestionTemplate& question, const std::string& place);
   void check_pictures(const Protocol::Block& block, const Protocol::TrialQuestionTemplate& question,

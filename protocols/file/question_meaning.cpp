@@ -46,6 +46,7 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
     check_same_form(block, question, place);
     check_same_scale(block, question, place);
     check_confidence(block, question, place);
+    if (question.condition) check_condition_in_trial(block, i);
     const ExperimentKind* const of_question = kind_of_question(kind, question.form);
     if (of_question == &kind) ++own;
     if (of_question == nullptr) {
@@ -53,7 +54,7 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
       report(
           place + (is_line ? "/line" : "/scale"),
           "a " + std::string(kind.name) + " needs " + needed_question(kind) + "; remove this key");
-    } else if (!question.words.empty() && !of_question->takes_words) {
+    } else if (!question.options.empty() && !of_question->takes_words) {
       report_key(place + "/options", "the options of a " + std::string(of_question->name) +
                                          " are not words; remove this key");
     } else if (!question.tie.empty() && !of_question->takes_ties) {
@@ -149,7 +150,7 @@ void Meaning::check_pictures(const Block& block, const TrialQuestionTemplate& qu
       report(at, "the picture of " + in_quotes(name) + " is listed twice; list it once");
     }
   }
-  if (!question.pictures.empty() && !question.words.empty()) {
+  if (!question.pictures.empty() && !question.options.empty()) {
     report_key(place + "/options",
                "options are either pictures or words; keep one of the two keys");
   }
@@ -261,6 +262,59 @@ void Meaning::check_confidence(const Block& block, const TrialQuestionTemplate& 
   if (first != block.questions.end() && &*first < &question) {
     report_key(at, "the question " + in_quotes(first->name) +
                        " rates the same confidence; remove one of the two keys");
+  }
+}
+
+/// A question that another one does not decide is asked in every trial: the analysis of its kind, and a procedure, need its
+/// response.
+void Meaning::check_condition_in_trial(const Block& block, std::size_t question) {
+  const TrialQuestionTemplate& asked = block.questions[question];
+  const std::string at = place_of_question(block, question) + "/if";
+  if (!states_one_test(at)) return;
+  const ExperimentKind& kind = kind_of(block);
+  const bool is_rated = std::ranges::any_of(
+      block.questions, [&](const auto& each) { return each.confidence_of == asked.name; });
+  if (kind_of_question(kind, asked.form) == &kind || is_rated || !asked.confidence_of.empty()) {
+    report_key(at, std::string(asked.confidence_of.empty()
+                                   ? "the analysis of a " + std::string(kind.name) +
+                                         " needs the response to this question in every trial"
+                                   : "an ROC needs the rating of confidence in every trial") +
+                       "; remove this key");
+    return;
+  }
+  if (block.on_one_page || block.shuffles_questions) {
+    report_key(
+        at, std::string(block.on_one_page ? "the questions of one page are shown together"
+                                          : "the questions are asked in an order that is drawn") +
+                ", so that the answer is not known before; remove this key, or set " +
+                (block.on_one_page ? "question_layout to \"one_after_another\""
+                                   : "question_order to \"fixed\""));
+    return;
+  }
+  const auto end = block.questions.begin() + static_cast<std::ptrdiff_t>(question);
+  const std::string& needed = asked.condition->question;
+  const bool is_earlier = std::any_of(block.questions.begin(), end,
+                                      [&](const auto& each) { return each.name == needed; });
+  if (is_earlier) return;
+  report(at + "/question", "no earlier question of the trial has the name " + in_quotes(needed) +
+                               "; name one that is listed before this question");
+}
+
+void Meaning::check_tests_in_trials(const std::vector<Trial>& possible) {
+  for (const auto& [name, block] : protocol_.blocks) {
+    for (std::size_t i = 0; i < block.questions.size(); ++i) {
+      const std::optional<AnswerCondition>& condition = block.questions[i].condition;
+      if (!condition) continue;
+      Question needed = *question_named(block, condition->question);
+      needed.options.clear();
+      for (const Trial& trial : possible) {
+        if (trial.block != name) continue;
+        for (const Option& option : find_question(trial, needed.name)->options) {
+          if (!needed.option_of(option.value)) needed.options.push_back(option);
+        }
+      }
+      check_test(*condition, needed, place_of_question(block, i) + "/if");
+    }
   }
 }
 

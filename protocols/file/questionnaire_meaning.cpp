@@ -2,7 +2,9 @@
 // questions and screens can be met.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <span>
 
 #include "protocols/file/meaning_checks.h"
 
@@ -23,55 +25,58 @@ void Meaning::check_question_form(const Question& question, const std::string& p
     if (is_allowed || !object.contains(key)) return;
     report_key(pointer + "/" + key, std::string(reason) + "; remove this key");
   };
-  const bool is_number = question.form == Question::Form::number;
-  allow(question.has_options(), "options",
+  // A key of another form has changed the form of the question.
+  const auto stated = object.at("form").get<std::string>();
+  const bool is_number = stated == NumberForm::kName;
+  const bool is_scale = stated == ScaleForm::kName;
+  const bool has_several = stated == MultipleChoiceForm::kName;
+  const bool needs_options = has_several || stated == ChoiceForm::kName;
+  allow(needs_options, "options",
         "only a question of the form \"choice\" or \"multiple_choice\" has options");
   allow(is_number, "minimum", "only a question of the form \"number\" has limits");
   allow(is_number, "maximum", "only a question of the form \"number\" has limits");
   allow(is_number, "unit", "only a question of the form \"number\" has a unit");
-  allow(question.form == Question::Form::scale, "scale",
-        "only a question of the form \"scale\" has a scale");
-  if (question.form == Question::Form::choice && question.options.empty()) {
-    report(pointer, "a choice needs \"options\"; add this key");
+  allow(is_scale, "scale", "only a question of the form \"scale\" has a scale");
+  if (needs_options && question.options.empty()) {
+    report(pointer, std::string(has_several ? "a multiple choice" : "a choice") +
+                        " needs \"options\"; add this key");
   }
-  if (question.form == Question::Form::multiple_choice && question.options.empty()) {
-    report(pointer, "a multiple choice needs \"options\"; add this key");
-  }
-  if (question.form == Question::Form::scale) {
+  if (is_scale) {
     if (object.contains("scale")) {
-      check_scale_form(question.scale, pointer + "/scale");
+      check_scale_form(std::get<ScaleForm>(question.form), pointer + "/scale");
     } else {
       report(pointer,
              "a scale needs the key \"scale\", such as \"scale\": {\"minimum\": 1, "
              "\"maximum\": 7, \"points\": 7}; add this key");
     }
   }
-  if (is_number && question.minimum && question.maximum && *question.minimum > *question.maximum) {
-    report(pointer + "/minimum", "no number is at least " + digits(*question.minimum) +
-                                     " and at most " + digits(*question.maximum) +
+  const auto* const number = std::get_if<NumberForm>(&question.form);
+  if (number != nullptr && number->minimum && number->maximum &&
+      *number->minimum > *number->maximum) {
+    report(pointer + "/minimum", "no number is at least " + digits(*number->minimum) +
+                                     " and at most " + digits(*number->maximum) +
                                      "; lower the minimum or raise the maximum");
   }
 }
 
 void Meaning::check_options(const Question& question, const std::string& pointer) {
   for (std::size_t i = 0; i < question.options.size(); ++i) {
-    const auto here = question.options.begin() + static_cast<std::ptrdiff_t>(i);
-    if (std::find(question.options.begin(), here, *here) != here) {
-      report(pointer_to(pointer + "/options", i),
-             in_quotes(*here) + " is listed twice; list it once");
+    const Option& here = question.options[i];
+    const std::string at = pointer_to(pointer + "/options", i);
+    const auto earlier = std::span(question.options).first(i);
+    const auto is_in = [](const auto& options, const std::string Option::*what,
+                          const std::string& text) {
+      return std::any_of(options.begin(), options.end(),
+                         [&](const Option& each) { return each.*what == text; });
+    };
+    if (is_in(earlier, &Option::value, here.value)) {
+      report(at, in_quotes(here.value) + " is listed twice; list it once");
+    } else if (is_in(earlier, &Option::text, here.text)) {
+      report(at, in_quotes(here.text) + " is shown for two options; give each its own text");
     }
-    const auto& texts = question.option_texts;
-    if (texts.empty()) continue;
-    const auto text = texts.begin() + static_cast<std::ptrdiff_t>(i);
-    if (std::find(texts.begin(), text, *text) != text) {
-      report(pointer_to(pointer + "/options", i),
-             in_quotes(*text) + " is shown for two options; give each its own text");
-    }
-    const auto value = std::find(question.options.begin(), question.options.end(), *text);
-    if (value != question.options.end() && *value != *here) {
-      report(pointer_to(pointer + "/options", i),
-             in_quotes(*text) + " is shown for " + in_quotes(*here) +
-                 " and stored for another option: give them different words");
+    if (here.text != here.value && is_in(question.options, &Option::value, here.text)) {
+      report(at, in_quotes(here.text) + " is shown for " + in_quotes(here.value) +
+                     " and stored for another option: give them different words");
     }
   }
 }
@@ -97,11 +102,11 @@ void Meaning::check_participant_questions() {
                           "together, before the session" +
                           remedy);
     }
-    if (question.form == Question::Form::scale ||
-        question.form == Question::Form::multiple_choice) {
+    const bool is_scale = question.is_answered_by<ScaleForm>();
+    if (is_scale || question.is_answered_by<MultipleChoiceForm>()) {
       report(pointer,
              "the question " + in_quotes(name) + " is answered by a " +
-                 (question.form == Question::Form::scale ? "scale" : "multiple choice") +
+                 (is_scale ? "scale" : "multiple choice") +
                  ", and a question about the participant by one option, a number or a text" +
                  remedy);
     }
@@ -133,18 +138,7 @@ void Meaning::check_conditions() {
 
 void Meaning::check_condition(const AnswerCondition& condition, const std::set<std::string>& asked,
                               const std::string& pointer) {
-  const auto& object = document_.root().at(nlohmann::json::json_pointer(pointer));
-  std::vector<std::string> tests{};
-  for (const char* const key : {"is", "in", "includes"}) {
-    if (object.contains(key)) tests.emplace_back(key);
-  }
-  const bool has_range = object.contains("at_least") || object.contains("at_most");
-  if (tests.size() + (has_range ? 1U : 0U) != 1U) {
-    report(pointer,
-           "a condition states one of \"is\", \"in\", \"includes\", or a range with "
-           "\"at_least\", \"at_most\" or both; keep one of them");
-    return;
-  }
+  if (!states_one_test(pointer)) return;
   const auto question = protocol_.questions.find(condition.question);
   const std::string at_question = pointer + "/question";
   if (question == protocol_.questions.end()) {
@@ -156,18 +150,35 @@ void Meaning::check_condition(const AnswerCondition& condition, const std::set<s
            "the flow does not ask the question " + in_quotes(condition.question) +
                " before; ask it in an earlier step of the flow, or earlier in the same one");
   }
+  check_test(condition, question->second, pointer);
+}
+
+bool Meaning::states_one_test(const std::string& pointer) {
+  const auto& object = document_.root().at(nlohmann::json::json_pointer(pointer));
+  const auto tests = std::ranges::count_if(std::array{"is", "in", "includes"},
+                                           [&](const char* key) { return object.contains(key); });
+  const bool has_range = object.contains("at_least") || object.contains("at_most");
+  if (tests + (has_range ? 1 : 0) == 1) return true;
+  report(pointer,
+         "a condition states one of \"is\", \"in\", \"includes\", or a range with "
+         "\"at_least\", \"at_most\" or both; keep one of them");
+  return false;
+}
+
+void Meaning::check_test(const AnswerCondition& condition, const Question& question,
+                         const std::string& pointer) {
+  const auto& object = document_.root().at(nlohmann::json::json_pointer(pointer));
   const auto* const one_of = std::get_if<AnswerIsOneOf>(&condition.test);
   const std::size_t values = one_of == nullptr ? 1 : one_of->values.size();
   for (std::size_t i = 0; i < values; ++i) {
-    const std::optional<std::string> problem = problem_with(condition, question->second, i);
+    const std::optional<std::string> problem = problem_with(condition, question, i);
     if (!problem) continue;
-    if (has_range) {
-      report(pointer + (object.contains("at_least") ? "/at_least" : "/at_most"), *problem);
-    } else if (tests.front() == "in") {
-      report(pointer_to(pointer + "/in", i), *problem);
-    } else {
-      report(pointer + "/" + tests.front(), *problem);
+    std::string place = "/at_most";
+    for (const char* const key : {"at_least", "includes", "is"}) {
+      if (object.contains(key)) place = std::string("/") + key;
     }
+    if (object.contains("in")) place = "/in/" + std::to_string(i);
+    report(pointer + place, *problem);
   }
 }
 

@@ -60,6 +60,7 @@ void Meaning::check_trials() {
   if (!found_.empty()) return;
   const std::vector<Trial> possible = possible_trials(protocol_);
   check_matches(possible);
+  check_tests_in_trials(possible);
   std::set<std::string, std::less<>> body_models{};
   for (const auto& [id, model] : models_) {
     if (model->needs_bodies) body_models.insert(id);
@@ -91,12 +92,12 @@ void Meaning::check_trials() {
     const ExperimentKind& kind = kind_of(block);
     for (std::size_t i = 0; i < block.questions.size(); ++i) {
       // In the order of the file, whatever the order in which they are asked.
-      const TrialQuestion& question = *find_question(trial, block.questions[i].name);
+      const Question& question = *find_question(trial, block.questions[i].name);
       std::set<std::string> missing(question.correct.begin(), question.correct.end());
       for (const Option& option : question.options) missing.erase(option.value);
       if (missing.empty()) continue;
       const std::string at_question = place_of_question(block, i);
-      if (block.questions[i].words.empty()) {
+      if (block.questions[i].options.empty()) {
         report(at_question + "/pictures", "the correct response " + in_quotes(*missing.begin()) +
                                               " is not among the pictures; add its picture");
       } else {

@@ -1,9 +1,11 @@
-// Defines the keys of a question of the questionnaire, of its scale, and of conditions on answers.
+// Defines the keys of a question of the questionnaire, of the forms of answer, and of conditions on answers.
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 
+#include "protocols/keys/answer_keys.h"
 #include "protocols/keys/common_shapes.h"
 #include "protocols/keys/keys_of.h"
 #include "protocols/keys/tables.h"
@@ -13,72 +15,62 @@ namespace asperity {
 namespace {
 
 using nlohmann::json;
-using OptionWord = Protocol::TrialQuestionTemplate::Word;
 
 constexpr TextShape kOptionText{};
 
 constexpr auto kOptionKeys =
-    keys_of(required_key(member_key<&OptionWord::value>(
+    keys_of(required_key(member_key<&Option::value>(
                 "value", "Value",
                 "The value that is stored and exported: the same in all languages of a protocol.",
                 kOptionText)),
-            required_key(member_key<&OptionWord::text>(
+            required_key(member_key<&Option::text>(
                 "text", "Text", "The text that is shown for this option.", kShownText)));
 
 constexpr ValueShape kPlainOption = TextShape{.translated = Translated::always, .is_value = true};
 constexpr std::array kOptionForms{kPlainOption, kObjectOf<kOptionTable>};
 constexpr ValueShape kOption = FormsShape{kOptionForms};
 
-/// Fills the option texts only if an option has a separate text.
 void store_options(const json& value, Question& question) {
   for (const json& entry : value) {
-    OptionWord option{};
+    Option& option = question.options.emplace_back();
     if (entry.is_object()) {
       read_keys(kOptionTable, entry, &option);
     } else {
-      option = {entry.get<std::string>(), entry.get<std::string>()};
+      option.value = option.text = entry.get<std::string>();
     }
-    question.options.push_back(std::move(option.value));
-    question.option_texts.push_back(std::move(option.text));
   }
-  if (question.option_texts == question.options) question.option_texts.clear();
 }
 
-using Form = Question::Form;
-constexpr auto kForms =
-    words_of<Form>({{"choice", Form::choice, "one of the options"},
-                    {"multiple_choice", Form::multiple_choice, "one or more of the options"},
-                    {"number", Form::number, "a number"},
-                    {"scale", Form::scale, "a point on a scale"},
-                    {"text", Form::text, "a text"}});
+constexpr std::array kForms{KeyWord{ChoiceForm::kName, 0, "one of the options"},
+                            KeyWord{MultipleChoiceForm::kName, 1, "one or more of the options"},
+                            KeyWord{NumberForm::kName, 2, "a number"},
+                            KeyWord{ScaleForm::kName, 3, "a point on a scale"},
+                            KeyWord{TextForm::kName, 4, "a text"}};
 
-constexpr auto kQuestionKeys = keys_of(
+void store_form(const json& value, Question& question) {
+  question.form = form_named(value.get<std::string>());
+}
+
+constexpr auto kAskedKeys = keys_of(
     required_key(member_key<&Question::prompt>("prompt", "Question", "Text of the question.",
                                                kShownParagraph)),
-    required_key(member_key<&Question::form>(
+    required_key(custom_key<&store_form>(
         "form", "Form",
-        "Form of the response. choice: one of the options; multiple_choice: one or more of the "
-        "options; number; scale: a point on a scale; text.",
-        kForms)),
+        "Form of the response. choice: one of the options; multiple_choice: one or more of "
+        "the options; number; scale: a point on a scale; text.",
+        WordShape{kForms})),
     custom_key<&store_options>(
         "options", "Options", "The options of a choice or a multiple choice.",
         ListShape{.entry = &kOption,
                   .meaning = "An option: the text that is shown and stored, or an object if "
                              "another text is shown, for example in another language.",
                   .shortest = 2,
-                  .longest = 32}),
-    member_key<&Question::minimum>("minimum", "At least", "Smallest number accepted.",
-                                   NumberShape{}),
-    member_key<&Question::maximum>("maximum", "At most", "Largest number accepted.", NumberShape{}),
-    member_key<&Question::unit>("unit", "Unit",
-                                "Unit of the number, shown next to it and exported.",
-                                TextShape{.longest = 32}),
-    member_key<&Question::scale>("scale", "Scale", kScaleTable,
-                                 "The scale of a question of the form `scale`."),
-    member_key<&Question::condition>("if", "Only if", kConditionTable,
-                                     "The condition under which the question is asked."),
-    member_key<&Question::optional>("optional", "Optional",
-                                    "Whether the question may be left unanswered.", TruthShape{}));
+                  .longest = 32}));
+constexpr auto kOptionalKey = keys_of(member_key<&Question::optional>(
+    "optional", "Optional", "Whether the question may be left unanswered.", TruthShape{}));
+
+constexpr auto kQuestionKeys = joined(joined(kAskedKeys, joined(kNumberKeys, kScaleKey)),
+                                      joined(condition_key(kConditionTable), kOptionalKey));
 
 constexpr ValueShape kScaleLabel = kShownText;
 
@@ -95,6 +87,10 @@ constexpr auto kScaleKeys = keys_of(
     member_key<&ScaleForm::labels>(
         "labels", "Labels", "Labels of the two ends, or one for every point; absent: none.",
         ListShape{.entry = &kScaleLabel, .meaning = "One label.", .shortest = 2, .longest = 11}));
+
+constexpr auto kLineKeys = keys_of(member_key<&LineForm::longest>(
+    "longest", "Longest line", "The longest line, as a proportion of the width of the screen.",
+    NumberShape{.minimum = 0.2, .maximum = 0.9}));
 
 constexpr ValueShape kNumberAnswer = NumberShape{};
 constexpr ValueShape kTextAnswer = TextShape{};
@@ -124,10 +120,7 @@ void store_limit(const json& value, AnswerCondition& condition) {
   }
 }
 
-constexpr auto kConditionKeys = keys_of(
-    required_key(custom_key<&store_question>("question", "Question",
-                                             "The question, which the flow asks earlier.",
-                                             NameShape{"questions"})),
+constexpr auto kTestKeys = keys_of(
     custom_key<&store_is>("is", "Answer", "The answer: an option, or a number.", kAnswer),
     custom_key<&store_in>("in", "One of", "Several possible answers.",
                           ListShape{.entry = &kAnswerEntry,
@@ -142,12 +135,23 @@ constexpr auto kConditionKeys = keys_of(
     custom_key<&store_limit<&AnswerWithin::maximum>>(
         "at_most", "At most", "Largest answer, of a number or a scale.", NumberShape{}));
 
+constexpr auto kConditionKeys =
+    joined(keys_of(required_key(custom_key<&store_question>(
+               "question", "Question", "The question, which the flow asks earlier.",
+               NameShape{"questions"}))),
+           kTestKeys);
+constexpr auto kTrialConditionKeys =
+    joined(keys_of(required_key(custom_key<&store_question>(
+               "question", "Question", "The question, which the trial asks earlier.",
+               NameShape{kAnswerNames}))),
+           kTestKeys);
+
 }  // namespace
 
 constexpr KeyTableOf<Question> kQuestionTable = table_of(
     "A question of the questionnaire, or about the participant.", kQuestionKeys, "question");
 
-constexpr KeyTableOf<OptionWord> kOptionTable =
+constexpr KeyTableOf<Option> kOptionTable =
     table_of("An option whose text differs from its stored value.", kOptionKeys);
 
 constexpr KeyTableOf<ScaleForm> kScaleTable = table_of(
@@ -155,9 +159,19 @@ constexpr KeyTableOf<ScaleForm> kScaleTable = table_of(
     "(semantic differential), or a line without points (visual analogue scale).",
     kScaleKeys, "scale");
 
+constexpr KeyTableOf<LineForm> kLineTable = table_of(
+    "Magnitude: the response is the length of a line that the participant draws, in place of a "
+    "number. It is stored as a proportion of the width of the participant's screen.",
+    kLineKeys);
+
 constexpr KeyTableOf<AnswerCondition> kConditionTable = table_of(
     "The answer to an earlier question of the questionnaire on which a question or a screen "
     "depends. Exactly one of is, in, includes, or a range.",
     kConditionKeys, "condition");
+
+constexpr KeyTableOf<AnswerCondition> kTrialConditionTable = table_of(
+    "The answer to an earlier question of the same trial on which a question depends. Exactly one "
+    "of is, in, includes, or a range.",
+    kTrialConditionKeys, "condition");
 
 }  // namespace asperity

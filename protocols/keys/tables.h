@@ -38,9 +38,10 @@ extern const KeyTableOf<EstimationDeclaration> kEstimationTable;
 extern const KeyTableOf<EstimationModulus> kModulusTable;
 
 extern const KeyTableOf<Question> kQuestionTable;
-extern const KeyTableOf<Protocol::TrialQuestionTemplate::Word> kOptionTable;
+extern const KeyTableOf<Option> kOptionTable;
 extern const KeyTableOf<ScaleForm> kScaleTable;
 extern const KeyTableOf<AnswerCondition> kConditionTable;
+extern const KeyTableOf<AnswerCondition> kTrialConditionTable;
 extern const KeyTableOf<Protocol::Step> kStepTable;
 extern const KeyTableOf<Protocol::Break> kBreakTable;
 extern const KeyTableOf<Protocol::Break::DriftCheck> kDriftCheckTable;
@@ -60,7 +61,7 @@ extern const KeyTableOf<Arrangement::Interval> kIntervalTable;
 
 extern const KeyTableOf<Protocol::TrialQuestionTemplate> kListedQuestionTable;
 extern const KeyTableOf<Protocol::Block> kOnlyQuestionTable;
-extern const KeyTableOf<Protocol::TrialQuestionTemplate::Word> kWordTable;
+extern const KeyTableOf<Option> kWordTable;
 extern const KeyTableOf<Protocol::TrialQuestionTemplate> kTieTable;
 extern const KeyTableOf<LineForm> kLineTable;
 

@@ -1,5 +1,6 @@
 // Defines the keys of the questions of a trial.
 
+#include "protocols/keys/answer_keys.h"
 #include "protocols/keys/common_shapes.h"
 #include "protocols/keys/keys_of.h"
 #include "protocols/keys/tables.h"
@@ -10,24 +11,19 @@ namespace {
 
 using nlohmann::json;
 using Template = Protocol::TrialQuestionTemplate;
-using OptionInWords = Template::Word;
 
 constexpr ValueShape kPictureName = NameShape{"textures"};
 
 constexpr auto kWordKeys =
-    keys_of(required_key(member_key<&OptionInWords::value>(
+    keys_of(required_key(member_key<&Option::value>(
                 "value", "Value",
                 "The value that is stored and exported: the same in all languages of a protocol.",
                 NameShape{})),
-            required_key(member_key<&OptionInWords::text>(
+            required_key(member_key<&Option::text>(
                 "text", "Text", "The text that is shown for this option.", kShownText)));
 
 constexpr auto kTieKeys = keys_of(required_key(member_key<&Template::tie>(
     "text", "Text", "The text that is shown for this option.", kShownText)));
-
-constexpr auto kLineKeys = keys_of(member_key<&LineForm::longest>(
-    "longest", "Longest line", "The longest line, as a proportion of the width of the screen.",
-    NumberShape{.minimum = 0.2, .maximum = 0.9}));
 
 constexpr auto kJudgements = words_of<DiscriminationJudgement>(
     {{"performance", DiscriminationJudgement::performance,
@@ -41,19 +37,14 @@ constexpr auto kRated = words_of<RatedQuantity>(
     {{"dissimilarity", RatedQuantity::dissimilarity, "the dissimilarity of the two surfaces"},
      {"similarity", RatedQuantity::similarity, "the similarity of the two surfaces"}});
 
-void store_scale(const json& value, Template& question) {
-  read_keys(kScaleTable, value, &question.form.emplace<ScaleForm>());
-}
-void store_line(const json& value, Template& question) {
-  read_keys(kLineTable, value, &question.form.emplace<LineForm>());
-}
-
-constexpr auto kListedQuestionKeys = keys_of(
+constexpr auto kNameAndPromptKeys = keys_of(
     required_key(
-        member_key<&Template::name>("name", "Name", "Name of the response in the data.",
+        member_key<&Question::name>("name", "Name", "Name of the response in the data.",
                                     NameShape{.registry = kAnswerNames, .is_declared = true})),
-    required_key(member_key<&Template::prompt>(
-        "prompt", "Question", "The question as the participant reads it.", kShownParagraph)),
+    required_key(member_key<&Question::prompt>(
+        "prompt", "Question", "The question as the participant reads it.", kShownParagraph)));
+
+constexpr auto kTrialKeys = keys_of(
     member_key<&Template::pictures>(
         "pictures", "Pictures",
         "Textures whose pictures are the options; absent: the surfaces felt are the options.",
@@ -95,14 +86,27 @@ constexpr auto kListedQuestionKeys = keys_of(
                                      "dissimilarity or with the similarity of the two surfaces.",
                                      kRated),
         [](const ProtocolKey&) { return json("dissimilarity"); }),
-    inner_key("tie", "Tie", kTieTable),
-    list_key<&Template::words, kWordTable>(
-        "options", "Options",
-        "Options in words, in the order in which they are shown; only for kinds of experiment "
-        "that permit them.",
-        {.shortest = 2, .longest = 9}),
-    custom_key<&store_scale>("scale", "Scale", "", ObjectShape{&kScaleTable}),
-    custom_key<&store_line>("line", "Line", "", ObjectShape{&kLineTable}));
+    inner_key("tie", "Tie", kTieTable));
+
+constexpr auto kTrialFormKeys =
+    joined(keys_of(list_key<&Question::options, kWordTable>(
+               "options", "Options",
+               "Options in words, in the order in which they are shown; only for kinds of "
+               "experiment that permit them.",
+               {.shortest = 2, .longest = 9})),
+           joined(joined(kScaleKey, kLineKey), condition_key(kTrialConditionTable)));
+
+/// The keys of a question in the table of an object that contains it.
+template <class Owner>
+consteval auto question_keys_of(void* (*question)(void* owner), void* (*as_template)(void* owner)) {
+  return joined(
+      in_part<Owner>(kNameAndPromptKeys, question),
+      joined(in_part<Owner>(kTrialKeys, as_template), in_part<Owner>(kTrialFormKeys, question)));
+}
+
+constexpr auto kListedQuestionKeys = question_keys_of<Template>(
+    [](void* owner) -> void* { return static_cast<Question*>(static_cast<Template*>(owner)); },
+    nullptr);
 
 void store_revisits(const json& value, Protocol::Block& block) {
   if (!value.get<bool>()) block.arrangement.maximum_visits = 1;
@@ -123,13 +127,16 @@ constexpr auto kOfTheTrialKeys = keys_of(
                   [](const ProtocolKey&) { return json(true); }));
 
 /// The one question of a block that has no list of them.
-void* only_question(void* block) {
+Template& only_question(void* block) {
   auto& questions = static_cast<Protocol::Block*>(block)->questions;
-  return questions.empty() ? &questions.emplace_back() : &questions.back();
+  return questions.empty() ? questions.emplace_back() : questions.back();
 }
 
 constexpr auto kOnlyQuestionKeys =
-    joined(in_part<Protocol::Block>(kListedQuestionKeys, &only_question), kOfTheTrialKeys);
+    joined(question_keys_of<Protocol::Block>(
+               [](void* owner) -> void* { return static_cast<Question*>(&only_question(owner)); },
+               [](void* owner) -> void* { return &only_question(owner); }),
+           kOfTheTrialKeys);
 
 }  // namespace
 
@@ -139,17 +146,12 @@ constexpr KeyTableOf<Template> kListedQuestionTable =
 constexpr KeyTableOf<Protocol::Block> kOnlyQuestionTable = table_of(
     "The question of every trial; \"questions\" lists several questions.", kOnlyQuestionKeys);
 
-constexpr KeyTableOf<OptionInWords> kWordTable =
+constexpr KeyTableOf<Option> kWordTable =
     table_of("One option, as an object {\"value\": \"yes\", \"text\": \"Yes\"}.", kWordKeys);
 
 constexpr KeyTableOf<Template> kTieTable = table_of(
     "Paired comparison: an option after those for the surfaces, stored as \"tie\"; absent: one of "
     "the surfaces has to be chosen.",
     kTieKeys);
-
-constexpr KeyTableOf<LineForm> kLineTable = table_of(
-    "Magnitude: the response is the length of a line that the participant draws, in place of a "
-    "number. It is stored as a proportion of the width of the participant's screen.",
-    kLineKeys);
 
 }  // namespace asperity

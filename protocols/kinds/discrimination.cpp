@@ -36,7 +36,7 @@ std::string item_of_discrimination(const PlannedPresentation& surface) { return 
 
 /// The design whose options the question has; null where a surface is chosen.
 const DiscriminationDesign* design_answered_by(const Protocol::TrialQuestionTemplate& question) {
-  return question.words.empty() ? nullptr : design_with_option(question.words.front().value);
+  return question.options.empty() ? nullptr : design_with_option(question.options.front().value);
 }
 
 std::vector<std::string> correct_of_discrimination(const Protocol::TrialQuestionTemplate& question,
@@ -104,7 +104,7 @@ void check_design(const BlockOfKind& checked, ProblemSink& problems) {
   const DiscriminationDesign& design = *checked.block.design;
   const Protocol::TrialQuestionTemplate& question = checked.question;
   const std::string a_design = design.with_article();
-  if (!design.has_noise() && !question.words.empty()) {
+  if (!design.has_noise() && !question.options.empty()) {
     problems.report_key(checked.at_question + "/options",
                         "in " + a_design +
                             " the options are the surfaces felt; "
@@ -116,10 +116,10 @@ void check_design(const BlockOfKind& checked, ProblemSink& problems) {
   }
   if (!design.has_noise()) return;
   std::set<std::string_view> options{};
-  for (const Protocol::TrialQuestionTemplate::Word& word : question.words) {
+  for (const Option& word : question.options) {
     options.insert(word.value);
   }
-  if (question.words.size() != 2 || options != std::set{design.yes, design.no}) {
+  if (question.options.size() != 2 || options != std::set{design.yes, design.no}) {
     problems.report(checked.at_question, a_design + " has the \"options\" " +
                                              in_quotes(design.yes) + " and " +
                                              in_quotes(design.no) + "; list these two values");

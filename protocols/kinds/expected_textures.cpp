@@ -14,8 +14,7 @@ std::vector<ForceFeatures> expected_of(const Expectations& expectations,
   return expected;
 }
 
-std::vector<std::size_t> options_with_textures(const Protocol& protocol,
-                                               const TrialQuestion& question) {
+std::vector<std::size_t> options_with_textures(const Protocol& protocol, const Question& question) {
   std::vector<std::size_t> options{};
   for (std::size_t i = 0; i < question.options.size(); ++i) {
     if (protocol.textures.contains(question.options[i].value)) options.push_back(i);
@@ -23,7 +22,7 @@ std::vector<std::size_t> options_with_textures(const Protocol& protocol,
   return options;
 }
 
-std::vector<std::string> textures_of(const TrialQuestion& question,
+std::vector<std::string> textures_of(const Question& question,
                                      const std::vector<std::size_t>& options) {
   std::vector<std::string> textures{};
   for (const std::size_t option : options) textures.push_back(question.options.at(option).value);

@@ -12,7 +12,7 @@
 
 #include "analysis/numbers/random.h"
 #include "analysis/signals/force_features.h"
-#include "protocols/answers/trial_question.h"
+#include "protocols/answers/question.h"
 #include "protocols/design/problem_sink.h"
 #include "protocols/design/protocol.h"
 #include "protocols/design/trial.h"
@@ -61,7 +61,7 @@ struct VirtualResponse {
 struct Judgement {
   const Protocol& protocol;
   const Trial& trial;
-  const TrialQuestion& question;
+  const Question& question;
   std::span<const ForceFeatures> felt{};  ///< by position
   const Expectations& expectations;       ///< by texture
   VirtualObserver& observer;

@@ -149,7 +149,7 @@ const ExperimentKind& magnitude_kind() {
   static const ExperimentKind kKind{.id = "magnitude",
                                     .name = "magnitude estimation",
                                     .roles = kMagnitudeRoles,
-                                    .form = NumberForm{},
+                                    .form = NumberForm{.is_estimate = true},
                                     .takes_lines = true,
                                     .has_anchor_role = true,
                                     .tests = kMagnitudeTests,

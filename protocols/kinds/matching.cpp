@@ -58,7 +58,7 @@ void check_block_of_matching(const BlockOfKind& checked, ProblemSink& problems) 
 }
 
 VirtualResponse judge_matching(const Judgement& judgement) {
-  const TrialQuestion& question = judgement.question;
+  const Question& question = judgement.question;
   const std::vector<std::size_t> open = options_with_textures(judgement.protocol, question);
   const std::vector<ForceFeatures> expected =
       expected_of(judgement.expectations, textures_of(question, open));

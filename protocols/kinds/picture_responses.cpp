@@ -76,7 +76,7 @@ double sensitivity_to(const TabulatedTrial& trial, const std::string& texture) {
 }
 
 /// How many of the options are pictures: all but "cannot tell", which is the last one.
-std::size_t pictures_in(const TrialQuestion& question) {
+std::size_t pictures_in(const Question& question) {
   return question.options.size() - (question.options.back().value == kCannotTellOption ? 1U : 0U);
 }
 

@@ -72,7 +72,7 @@ void check_trial_of_recognition(const BlockOfKind& checked, const Trial& trial,
 }
 
 VirtualResponse judge_recognition(const Judgement& judgement) {
-  const TrialQuestion& question = judgement.question;
+  const Question& question = judgement.question;
   const std::vector<std::size_t> open = options_with_textures(judgement.protocol, question);
   const std::vector<ForceFeatures> expected =
       expected_of(judgement.expectations, textures_of(question, open));

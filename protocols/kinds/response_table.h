@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "analysis/numbers/random.h"
-#include "protocols/answers/trial_question.h"
+#include "protocols/answers/question.h"
 #include "protocols/design/protocol.h"
 #include "protocols/design/trial.h"
 
@@ -89,7 +89,7 @@ class ResponseValues final {
 struct TabulatedTrial {
   const TabulatedQuestion& asked;
   const Trial& trial;
-  const TrialQuestion& question;  ///< as planned, with its options
+  const Question& question;  ///< as planned, with its options
   const ResponseValues& values;
   Random of_study;
   Random of_participant;

@@ -69,7 +69,7 @@ void check_trial_of_selection(const BlockOfKind& checked, const Trial& trial,
   }
 }
 
-std::size_t option_with(const TrialQuestion& question, const std::string& value) {
+std::size_t option_with(const Question& question, const std::string& value) {
   for (std::size_t option = 0; option < question.options.size(); ++option) {
     if (question.options[option].value == value) return option;
   }

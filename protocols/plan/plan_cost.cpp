@@ -123,7 +123,7 @@ class CostSum final {
     cost_.contact_s += felt_s;
     contact_since_break_s_ += felt_s;
     double answers = 0.0;
-    for (const TrialQuestion& question : trial.questions) {
+    for (const Question& question : trial.questions) {
       answers += items_of(question.form, static_cast<int>(trial.presentations.size()));
     }
     const double pause_s =

@@ -191,7 +191,7 @@ void add_parameters(JsonLine& line, const AnswerForm& form) {
   line.field("points", scale->points);
 }
 
-void add_options_and_correct(JsonLine& line, const TrialQuestion& question) {
+void add_options_and_correct(JsonLine& line, const Question& question) {
   line.key("options");
   line.open('[');
   for (const Option& option : question.options) {
@@ -213,12 +213,13 @@ void add_questions(JsonLine& line, const Trial& trial) {
   line.field("layout", trial.on_one_page ? "one_page" : "one_after_another");
   line.key("questions");
   line.open('[');
-  for (const TrialQuestion& question : trial.questions) {
+  for (const Question& question : trial.questions) {
     line.open('{');
     line.field("name", question.name);
     line.field("form", name_of(question.form));
     add_parameters(line, question.form);
     add_options_and_correct(line, question);
+    if (question.condition) line.field("if", signs_of(*question.condition));
     line.close('}');
   }
   line.close(']');
@@ -266,7 +267,7 @@ AnchorPlace anchor_place_in(const nlohmann::json& trial) {
   return *stated == text_of(AnchorPlace::middle) ? AnchorPlace::middle : AnchorPlace::end;
 }
 
-std::string options_json_of(const TrialQuestion& question) {
+std::string options_json_of(const Question& question) {
   JsonLine line{};
   line.open('[');
   for (const Option& option : question.options) line.add(option.value);

@@ -4,11 +4,11 @@
 
 #include <string>
 
-#include "protocols/answers/trial_question.h"
+#include "protocols/answers/question.h"
 
 namespace asperity {
 
 /// The JSON of the values of a question's options, in the order in which they are shown; "[]" if it has none.
-std::string options_json_of(const TrialQuestion& question);
+std::string options_json_of(const Question& question);
 
 }  // namespace asperity

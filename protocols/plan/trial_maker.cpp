@@ -151,18 +151,15 @@ const Texture* texture_of(const Protocol& protocol, const Trial& trial) {
   return texture == protocol.textures.end() ? nullptr : &texture->second;
 }
 
-TrialQuestion planned_question(const Protocol& protocol,
-                               const Protocol::TrialQuestionTemplate& source, const Trial& trial,
-                               const std::vector<std::string>& pictures) {
-  TrialQuestion question{};
-  question.name = source.name;
-  question.prompt = source.prompt;
-  question.form = source.form;
+Question planned_question(const Protocol& protocol, const Protocol::TrialQuestionTemplate& source,
+                          const Trial& trial, const std::vector<std::string>& pictures) {
+  Question question = source;  // without what only the plan needs
+  question.options.clear();
   if (!has_options(question.form)) return question;
-  if (!source.words.empty()) {
-    for (const Protocol::TrialQuestionTemplate::Word& word : source.words) {
-      const std::string label = std::to_string(question.options.size() + 1);
-      question.options.push_back({word.value, label, std::nullopt, word.text});
+  if (!source.options.empty()) {
+    for (Option option : source.options) {
+      option.label = std::to_string(question.options.size() + 1);
+      question.options.push_back(std::move(option));
     }
   } else if (pictures.empty()) {
     for (const PlannedPresentation& planned : trial.presentations) {
@@ -271,7 +268,7 @@ Trial TrialMaker::make(Trial trial, const BlockRun& run,
   trial.page_prompt = block.page_prompt;
   if (block.shuffles_questions) {
     Random order = of_trial.split("question order");
-    order.shuffle(std::span<TrialQuestion>(trial.questions));
+    order.shuffle(std::span<Question>(trial.questions));
   }
   return trial;
 }

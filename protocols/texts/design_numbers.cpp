@@ -38,7 +38,7 @@ std::optional<int> agreed(const Block& block, const Count& count) {
 
 int options_of(const Block& block, const QuestionTemplate& question) {
   if (!has_options(question.form)) return 0;
-  if (!question.words.empty()) return static_cast<int>(question.words.size());
+  if (!question.options.empty()) return static_cast<int>(question.options.size());
   if (!question.pictures.empty()) return static_cast<int>(question.pictures.size());
   return static_cast<int>(surfaces_in_trial(block)) + (question.tie.empty() ? 0 : 1);
 }

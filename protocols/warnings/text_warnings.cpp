@@ -46,7 +46,8 @@ bool has_scale(const Protocol& protocol, bool without_points) {
     return !without_points || !scale.points;
   };
   for (const auto& [name, question] : protocol.questions) {
-    if (question.form == Question::Form::scale && fits(question.scale)) return true;
+    const auto* const scale = std::get_if<ScaleForm>(&question.form);
+    if (scale != nullptr && fits(*scale)) return true;
   }
   for (const auto& [name, block] : protocol.blocks) {
     for (const auto& question : block.questions) {
@@ -193,7 +194,7 @@ class TextWarnings final {
       if (ask == nullptr) continue;
       session_["questions"].insert(static_cast<int>(ask->questions.size()));
       for (const std::string& name : ask->questions) {
-        if (protocol_.questions.at(name).form == Question::Form::scale) ++scales;
+        if (protocol_.questions.at(name).is_answered_by<ScaleForm>()) ++scales;
       }
     }
     if (scales > 0) session_["scales"].insert(scales);

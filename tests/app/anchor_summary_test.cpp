@@ -68,7 +68,7 @@ struct MadeUpAnchors {
       trial.block = "main";
       trial.block_ordinal = 1;
       trial.anchor = trial.ordinal == 1 ? AnchorPlace::start : AnchorPlace::end;
-      TrialQuestion question{.name = "which", .form = form};
+      Question question{.name = "which", .form = form};
       if (has_options(form)) {
         question.options = {{"metal", "1", std::nullopt, ""}, {"stone", "2", std::nullopt, ""}};
       }

@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 
 #include "app/session/attempt_measures.h"
-#include "app/session/respondents/form_answer.h"
 #include "app/session/respondents/terminal_respondent.h"
+#include "app/session/respondents/typed_answer.h"
 #include "app/session/rig/contact_reader.h"
 #include "app/session/rig/recording_columns.h"
 #include "app/words/coded_phrases.h"
@@ -798,7 +798,7 @@ TEST(TerminalRespondent, AsksForANumberUntilItIsOneAboveZero) {
   TerminalRespondent person(ends[0], shown, {}, {});
   Trial trial{};
   trial.questions.resize(1);
-  trial.questions.front().form = NumberForm{};
+  trial.questions.front().form = NumberForm{.is_estimate = true};
   trial.questions.front().prompt = "How rough was it?";
   trial.arrangement.maximum_visits = 1;
   const Reply reply = person.ask(trial, trial.questions, {}, {}, [](double) {});

@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/respondents/dialogues/line_dialogue.h"
+#include "app/session/respondents/dialogues/answer_dialogue.h"
 
 namespace asperity {
 namespace {
@@ -21,7 +21,7 @@ using Kind = ParticipantInput::Kind;
 class DrawnLineSheet : public testing::Test {
  protected:
   DrawnLineSheet() {
-    TrialQuestion question{};
+    Question question{};
     question.name = "size";
     question.prompt = "How strong?";
     question.form = LineForm{};
@@ -93,9 +93,12 @@ TEST_F(DrawnLineSheet, IsExtendedByTheButtonOfTheDevice) {
   EXPECT_EQ(drawn(take(Kind::device_button, 2)), 50);
 }
 
-TEST(LineDialogue, CountsTheSignsOfATypedLine) {
-  LineDialogue dialogue{};
-  EXPECT_EQ(std::get<DrawnLength>(std::get<Answer>(dialogue.take("-----"))).step, 100);
+TEST(AnswerDialogue, CountsTheSignsOfATypedLine) {
+  const Question question{.form = LineForm{}};
+  AnswerDialogue dialogue(question);
+  EXPECT_EQ(
+      std::get<DrawnLength>(std::get<std::optional<Answer>>(dialogue.take("-----")).value()).step,
+      100);
   EXPECT_THAT(std::get<NextLine>(dialogue.take("5")).complaint, HasSubstr("signs \"-\""));
   EXPECT_THAT(std::get<NextLine>(dialogue.take(std::string(51, '-'))).complaint,
               HasSubstr("1 to 50"));

@@ -4,7 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/respondents/form_answer.h"
+#include "app/session/respondents/typed_answer.h"
+#include "tests/support/questions.h"
 namespace asperity {
 namespace {
 
@@ -16,13 +17,52 @@ std::vector<ParticipantRow> people(const std::vector<std::string>& labels) {
   return rows;
 }
 
-TEST(FormAnswer, IsTheValueOfAnOptionWhoseTextWasTyped) {
-  const Question question{.form = Question::Form::choice,
-                          .options = {"right", "left"},
-                          .option_texts = {"rechts", "links"}};
-  EXPECT_EQ(std::get<FormAnswer>(form_answer(question, "links")), FormAnswer{"left"});
-  EXPECT_EQ(std::get<FormAnswer>(form_answer(question, "1")), FormAnswer{"right"});
-  EXPECT_TRUE(std::holds_alternative<ParticipantMessage>(form_answer(question, "beide")));
+/// How the typed text is stored.
+FormAnswer typed(const Question& question, const std::string& text) {
+  return stored(question, std::get<std::optional<Answer>>(typed_answer(question, text)));
+}
+bool is_refused(const Question& question, const std::string& text) {
+  return std::holds_alternative<ParticipantMessage>(typed_answer(question, text));
+}
+
+TEST(TypedAnswer, IsTheValueOfAnOptionWhoseTextWasTyped) {
+  const Question question{
+      .options = {{.value = "right", .text = "rechts"}, {.value = "left", .text = "links"}}};
+  EXPECT_EQ(typed(question, "links"), FormAnswer{"left"});
+  EXPECT_EQ(typed(question, "left"), FormAnswer{"left"});
+  EXPECT_EQ(typed(question, "1"), FormAnswer{"right"});
+  EXPECT_TRUE(is_refused(question, "beide"));
+}
+
+TEST(TypedAnswer, IsHeldToTheFormOfTheQuestion) {
+  Question question{.name = "asked", .options = in_words({"a", "b", "c"})};
+  EXPECT_TRUE(is_refused(question, "4"));
+  question.form = MultipleChoiceForm{};
+  EXPECT_EQ(typed(question, "3, 1"), (FormAnswer{"a", "c"}));
+  EXPECT_TRUE(is_refused(question, "1 4"));
+  question.form = ScaleForm{.minimum = 1, .maximum = 7, .points = 7};
+  EXPECT_EQ(typed(question, " 5 "), FormAnswer{"5"});
+  EXPECT_TRUE(is_refused(question, "5.5"));
+  question.form = NumberForm{.is_estimate = true};
+  EXPECT_EQ(typed(question, "0,5"), FormAnswer{"0.5"});
+  EXPECT_TRUE(is_refused(question, "0"));
+  EXPECT_TRUE(is_refused(question, "1,000"));
+  question.form = NumberForm{};
+  EXPECT_EQ(typed(question, "-3"), FormAnswer{"-3"});
+  question.form = LineForm{};
+  EXPECT_EQ(typed(question, std::string(25, '-')), FormAnswer{"0.4"});
+  EXPECT_TRUE(is_refused(question, std::string(51, '-')));
+  question.form = TextForm{};
+  EXPECT_EQ(typed(question, " it hurts "), FormAnswer{"it hurts"});
+  for (const AnswerForm& form :
+       {AnswerForm{ChoiceForm{}}, AnswerForm{MultipleChoiceForm{}}, AnswerForm{ScaleForm{}},
+        AnswerForm{NumberForm{}}, AnswerForm{LineForm{}}, AnswerForm{TextForm{}}}) {
+    question.form = form;
+    question.optional = false;
+    EXPECT_TRUE(is_refused(question, "")) << name_of(form);
+    question.optional = true;
+    EXPECT_EQ(typed(question, ""), FormAnswer{}) << name_of(form);
+  }
 }
 
 TEST(SuggestedLabel, ContinuesThePatternOfTheStudy) {
@@ -41,8 +81,8 @@ TEST(SuggestedLabel, PassesOverVirtualParticipants) {
 }
 
 TEST(AnswerOfAParticipant, IsHeldToItsQuestion) {
-  const Question age{
-      .prompt = "How old are you?", .form = Question::Form::number, .minimum = 18, .maximum = 120};
+  const Question age{.prompt = "How old are you?",
+                     .form = NumberForm{.minimum = 18, .maximum = 120}};
   EXPECT_FALSE(complaint_about_answer(age, "18"));
   EXPECT_EQ(complaint_about_answer(age, ""),
             "\"How old are you?\" has not been answered; enter an answer.");
@@ -50,11 +90,10 @@ TEST(AnswerOfAParticipant, IsHeldToItsQuestion) {
             "The answer to \"How old are you?\" must be 18 or more.");
   EXPECT_TRUE(complaint_about_answer(age, "121"));
   EXPECT_TRUE(complaint_about_answer(age, "old"));
-  const Question hand{
-      .prompt = "Which hand?", .form = Question::Form::choice, .options = {"left", "right"}};
+  const Question hand{.prompt = "Which hand?", .options = in_words({"left", "right"})};
   EXPECT_FALSE(complaint_about_answer(hand, "left"));
   EXPECT_TRUE(complaint_about_answer(hand, "both"));
-  const Question free_text{.prompt = "Else?", .form = Question::Form::text, .optional = true};
+  const Question free_text{.prompt = "Else?", .form = TextForm{}, .optional = true};
   EXPECT_FALSE(complaint_about_answer(free_text, ""));
 }
 
@@ -64,11 +103,10 @@ TEST(AnswerOfAParticipant, MayHaveADecimalComma) {
   EXPECT_EQ(with_decimal_point("1,750"), "1,750") << "thousands, perhaps";
   EXPECT_EQ(with_decimal_point("1,7,5"), "1,7,5");
   EXPECT_EQ(with_decimal_point("tall, I think"), "tall, I think");
-  const Question height{
-      .prompt = "How tall are you, m?", .form = Question::Form::number, .minimum = 1, .maximum = 3};
-  EXPECT_EQ(std::get<FormAnswer>(form_answer(height, "1,75")), FormAnswer{"1.75"})
-      << "as it is stored";
-  EXPECT_TRUE(std::holds_alternative<ParticipantMessage>(form_answer(height, "1,750")));
+  const Question height{.prompt = "How tall are you, m?",
+                        .form = NumberForm{.minimum = 1, .maximum = 3}};
+  EXPECT_EQ(typed(height, "1,75"), FormAnswer{"1.75"}) << "as it is stored";
+  EXPECT_TRUE(is_refused(height, "1,750"));
 }
 
 TEST(PersonWithAnswers, HasThemWhereTheStoreKeepsThem) {

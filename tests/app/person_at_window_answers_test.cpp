@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/app/scripted_person.h"
+#include "tests/support/questions.h"
 
 namespace asperity {
 namespace {
@@ -18,7 +19,7 @@ class ANumber : public PersonAtWindowTest {
   ANumber() {
     trial_.presentations.resize(1);
     trial_.questions = {{}};
-    trial_.questions.front().form = NumberForm{};
+    trial_.questions.front().form = NumberForm{.is_estimate = true};
     trial_.questions.front().prompt = "How rough did it feel?";
     trial_.arrangement.maximum_visits = 1;
   }
@@ -356,15 +357,13 @@ class AForm : public PersonAtWindowTest {
   static Question number(double minimum, double maximum) {
     Question question{};
     question.prompt = "How old are you?";
-    question.form = Question::Form::number;
-    question.minimum = minimum;
-    question.maximum = maximum;
+    question.form = NumberForm{.minimum = minimum, .maximum = maximum};
     return question;
   }
   static Question choice() {
     Question question{};
-    question.form = Question::Form::choice;
-    question.options = {"good", "tired", "5"};
+    question.form = ChoiceForm{};
+    question.options = in_words({"good", "tired", "5"});
     return question;
   }
 };
@@ -384,78 +383,122 @@ TEST_F(AForm, TakesANumberWithinItsLimits) {
     EXPECT_EQ(scene.cue_number, 4U);
   });
   type(3.0, " 42 ");
-  EXPECT_EQ(person_.answer(number(18, 120), wait_), FormAnswer{"42"});
+  EXPECT_EQ(stored(number(18, 120), person_.answer(number(18, 120), wait_)), FormAnswer{"42"});
   EXPECT_EQ(sound_.count(Cue::refused), 4);
 }
 
-TEST_F(AForm, TakesAnOptionByItsWordsOrItsNumber) {
-  type(1.0, "awful");
-  type(2.0, "tired");
-  EXPECT_EQ(person_.answer(choice(), wait_), FormAnswer{"tired"});
-  press(1.0, Kind::option, 9);
-  press(2.0, Kind::option, 1);
-  EXPECT_EQ(person_.answer(choice(), wait_), FormAnswer{"good"});
-  type(1.0, "5");
-  EXPECT_EQ(person_.answer(choice(), wait_), FormAnswer{"5"});
+TEST_F(AForm, TakesTheOptionThatWasChosenLast) {
+  press(1.0, Kind::confirm);
+  press(2.0, Kind::option, 9);
+  press(3.0, Kind::option, 1);
+  press(4.0, Kind::option, 2);
+  look(4.5, [](const ParticipantScene& scene) {
+    EXPECT_EQ(scene.choices.at(1).text, "tired");
+    EXPECT_TRUE(scene.choices.at(1).chosen);
+    EXPECT_TRUE(scene.can_confirm);
+  });
+  press(5.0, Kind::confirm);
+  EXPECT_EQ(stored(choice(), person_.answer(choice(), wait_)), FormAnswer{"tired"});
   EXPECT_EQ(events("refused").size(), 1U);
+}
+
+TEST_F(AForm, LeavesAnOptionalChoiceEmptyWhenItsOptionIsWithdrawn) {
+  Question question = choice();
+  question.optional = true;
+  press(1.0, Kind::option, 1);
+  press(2.0, Kind::option, 1);
+  press(3.0, Kind::confirm);
+  EXPECT_EQ(stored(question, person_.answer(question, wait_)), FormAnswer{});
+}
+
+TEST_F(AForm, HasNoSurfaceToFeelAgain) {
+  press(1.0, Kind::next);
+  press(1.5, Kind::surface, 1);
+  press(2.0, Kind::option, 3);
+  press(3.0, Kind::confirm);
+  EXPECT_EQ(stored(choice(), person_.answer(choice(), wait_)), FormAnswer{"5"});
+  EXPECT_EQ(events("refused").size(), 0U);
 }
 
 TEST_F(AForm, TakesSeveralOptionsInTheirOrder) {
   Question question = choice();
-  question.form = Question::Form::multiple_choice;
+  question.form = MultipleChoiceForm{};
   type(1.0, "3 1");
-  EXPECT_EQ(person_.answer(question, wait_), (FormAnswer{"good", "5"}));
+  EXPECT_EQ(stored(question, person_.answer(question, wait_)), (FormAnswer{"good", "5"}));
   type(1.0, "2, 2");
-  EXPECT_EQ(person_.answer(question, wait_), FormAnswer{"tired"});
+  EXPECT_EQ(stored(question, person_.answer(question, wait_)), FormAnswer{"tired"});
   type(1.0, "1 4");
   type(2.0, "");
   type(3.0, "good");
-  EXPECT_EQ(person_.answer(question, wait_), FormAnswer{"good"});
+  EXPECT_EQ(stored(question, person_.answer(question, wait_)), FormAnswer{"good"});
   EXPECT_EQ(events("refused").size(), 2U);
 }
 
-TEST_F(AForm, TakesOnlyThePointsOfAScale) {
+TEST_F(AForm, TakesTheMarkOfAScaleAndNoneWhereItIsOptional) {
   Question question{};
-  question.form = Question::Form::scale;
-  question.scale = {.minimum = 1.0, .maximum = 7.0, .points = 7};
-  type(1.0, "2.5");
+  question.form = ScaleForm{.minimum = 1.0, .maximum = 7.0, .points = 7};
+  press(0.5, Kind::step, 1);  // shows the mark in the middle, which is not an answer yet
+  press(1.0, Kind::confirm);
   look(1.5, [](const ParticipantScene& scene) {
-    EXPECT_EQ(scene.cue, "Please enter a number from 1 to 7.");
+    EXPECT_EQ(scene.cue, "Please mark a point on the scale first.");
   });
-  type(2.0, "8");
-  type(3.0, "5");
-  EXPECT_EQ(person_.answer(question, wait_), FormAnswer{"5"});
-  EXPECT_EQ(events("refused").size(), 2U);
+  press(2.0, Kind::step, 1);
+  press(3.0, Kind::confirm);
+  EXPECT_EQ(stored(question, person_.answer(question, wait_)), FormAnswer{"5"});
+  EXPECT_EQ(events("refused").size(), 1U);
+  question.optional = true;
+  press(1.0, Kind::confirm);
+  EXPECT_EQ(stored(question, person_.answer(question, wait_)), FormAnswer{});
+}
+
+TEST_F(AForm, TakesTheLengthOfALine) {
+  Question question{};
+  question.form = LineForm{.longest = 0.5};
+  press(1.0, Kind::confirm);
+  press(2.0, {.kind = Kind::mark, .number = 1, .position = 0.4, .source = "mouse"});
+  press(3.0, Kind::confirm);
+  EXPECT_EQ(stored(question, person_.answer(question, wait_)), FormAnswer{"0.2"});
+  EXPECT_EQ(events("refused").size(), 1U);
 }
 
 TEST_F(AForm, MayBeLeftEmptyWhereItIsOptional) {
   Question question{};
-  question.form = Question::Form::text;
+  question.form = TextForm{};
   question.optional = true;
   press(1.0, Kind::confirm);
-  EXPECT_EQ(person_.answer(question, wait_), FormAnswer{});
+  EXPECT_EQ(stored(question, person_.answer(question, wait_)), FormAnswer{});
   question.optional = false;
   press(1.0, Kind::confirm);
   type(2.0, "yes");
-  EXPECT_EQ(person_.answer(question, wait_), FormAnswer{"yes"});
+  EXPECT_EQ(stored(question, person_.answer(question, wait_)), FormAnswer{"yes"});
   EXPECT_EQ(events("refused").size(), 1U);
 }
 
 TEST_F(AForm, IsAnsweredAtTheStampOfTheKeyNotWhenItIsHeard) {
   EXPECT_FALSE(person_.answered_ns());
   const std::int64_t pressed_ns = now_ns_ + nanoseconds(1.0);
+  press(0.5, Kind::option, 2);
   script_.emplace(now_ns_ + nanoseconds(1.4),
-                  ParticipantInput{.kind = Kind::text, .text = "tired", .time_ns = pressed_ns});
+                  ParticipantInput{.kind = Kind::confirm, .time_ns = pressed_ns});
   person_.answer(choice(), wait_);
   EXPECT_EQ(now_ns_, pressed_ns + nanoseconds(0.4));
   EXPECT_EQ(person_.answered_ns(), pressed_ns);
 }
 
+TEST_F(AForm, KeepsWhatWasChosenOutOfTheEvents) {
+  press(1.0, Kind::option, 2);
+  press(2.0, Kind::confirm);
+  person_.answer(choice(), wait_);
+  for (const EventRow& event : events("input")) EXPECT_EQ(event.text, "answer");
+  EXPECT_EQ(events("input").size(), 2U);
+}
+
 TEST_F(AForm, KeepsWhatWasTypedOutOfTheEvents) {
   Question question{};
-  question.form = Question::Form::text;
+  question.form = TextForm{};
   type(1.0, "numbness in the left hand");
-  EXPECT_EQ(person_.answer(question, wait_), FormAnswer{"numbness in the left hand"});
+  EXPECT_EQ(stored(question, person_.answer(question, wait_)),
+            FormAnswer{"numbness in the left hand"});
   for (const EventRow& event : events("input")) {
     EXPECT_EQ((event.text + event.data_json).find("numbness"), std::string::npos);
   }

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/app/scripted_person.h"
+#include "tests/support/questions.h"
 
 namespace asperity {
 namespace {
@@ -138,13 +139,13 @@ TEST_F(DeviceButtons, GivePicturesToOneSurfaceAfterTheOther) {
 
 TEST_F(DeviceButtons, AnswerTheChoicesOfAForm) {
   Question question{};
-  question.form = Question::Form::choice;
-  question.options = {"good", "tired"};
+  question.form = ChoiceForm{};
+  question.options = in_words({"good", "tired"});
   hold_button(1.0, 2, 0.1);
   hold_button(2.0, 1, 0.1);
   hold_button(3.0, 1, 0.1);
   hold_button(4.0, 2, 0.1);
-  EXPECT_EQ(person_.answer(question, wait_), FormAnswer{"tired"});
+  EXPECT_EQ(stored(question, person_.answer(question, wait_)), FormAnswer{"tired"});
   EXPECT_EQ(events("refused").size(), 1U) << "nothing was chosen yet";
 }
 

@@ -12,11 +12,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/exports/export_study.h"
-#include "app/session/questionnaire_rows.h"
 #include "app/session/respondents/virtual_participant.h"
+#include "app/session/response_rows.h"
 #include "app/tasks/verify/verify_questionnaire.h"
 #include "results_schema/files/atomic_file.h"
+#include "results_schema/tables/table.h"
 #include "tests/app/scripted_session.h"
+#include "tests/support/questions.h"
 
 namespace asperity {
 namespace {
@@ -123,7 +125,10 @@ TEST_F(Questionnaire, GoesOnAfterAnInterruptionWithTheAnswersFromBefore) {
 TEST_F(Questionnaire, IsVerified) {
   begin(questioned_protocol());
   const auto row = [](const char* question, const char* answer, const char* source) {
-    return ResponseRow{.question = question, .answer = answer, .source = source};
+    return ResponseRow{.question = question,
+                       .answer = answer,
+                       .answer_number = number_in(answer),
+                       .source = source};
   };
   const auto found = [&](const std::vector<ResponseRow>& rows) {
     return questionnaire_problems(session_.row, protocol_, rows);
@@ -134,7 +139,7 @@ TEST_F(Questionnaire, IsVerified) {
   EXPECT_THAT(found({row("pain", "yes", "keyboard"), row("strength", "", "not_asked")}),
               ElementsAre(HasSubstr("it was not asked, but the answer to \"pain\" was \"yes\"")));
   EXPECT_THAT(found({row("pain", "maybe", "keyboard")}),
-              ElementsAre(HasSubstr("\"maybe\" is not one of its options")));
+              ElementsAre(HasSubstr("not among the options")));
   EXPECT_THAT(found({row("pain", "", "keyboard")}), ElementsAre(HasSubstr("left empty")));
   EXPECT_THAT(found({row("hunger", "yes", "keyboard")}),
               ElementsAre(HasSubstr("no such question")));
@@ -197,10 +202,11 @@ std::set<FormAnswer> virtual_answers(const Question& question) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     VirtualParticipant participant(protocol, {}, {}, Random(seed));
     VirtualParticipant again(protocol, {}, {}, Random(seed));
-    const FormAnswer answer = participant.answer(question, [](double) {});
-    EXPECT_EQ(again.answer(question, [](double) {}), answer);
-    EXPECT_TRUE(problems_with(question, answer).empty());
-    answers.insert(answer);
+    const std::optional<Answer> answer = participant.answer(question, [](double) {});
+    const std::vector<AnsweredItem> items = items_of(question, answer.value());
+    EXPECT_EQ(stored(question, again.answer(question, [](double) {})), texts_of(items));
+    EXPECT_TRUE(problems_with(question, items).empty());
+    answers.insert(texts_of(items));
   }
   return answers;
 }
@@ -208,20 +214,17 @@ std::set<FormAnswer> virtual_answers(const Question& question) {
 TEST(VirtualAnswers, AreRandomAndReproducible) {
   const auto of = [](Question question) {
     question.name = "asked";
-    question.options = {"a", "b", "c"};
+    question.options = in_words({"a", "b", "c"});
     return virtual_answers(question);
   };
-  using Form = Question::Form;
-  EXPECT_EQ(of({.form = Form::choice}).size(), 3U);
-  EXPECT_EQ(of({.form = Form::multiple_choice}).size(), 7U) << "every subset but the empty one";
-  EXPECT_EQ(virtual_answers({.name = "age", .form = Form::number, .minimum = 18, .maximum = 20}),
+  EXPECT_EQ(of({.form = ChoiceForm{}}).size(), 3U);
+  EXPECT_EQ(of({.form = MultipleChoiceForm{}}).size(), 7U) << "every subset but the empty one";
+  EXPECT_EQ(virtual_answers({.name = "age", .form = NumberForm{.minimum = 18, .maximum = 20}}),
             (std::set<FormAnswer>{{"18"}, {"19"}, {"20"}}));
-  EXPECT_EQ(
-      virtual_answers({.name = "share", .form = Form::number, .minimum = 0.2, .maximum = 0.4}),
-      (std::set<FormAnswer>{{"0.3"}}));
-  EXPECT_EQ(virtual_answers({.name = "tired",
-                             .form = Form::scale,
-                             .scale = {.minimum = 1, .maximum = 4, .points = 4}}),
+  EXPECT_EQ(virtual_answers({.name = "share", .form = NumberForm{.minimum = 0.2, .maximum = 0.4}}),
+            (std::set<FormAnswer>{{"0.3"}}));
+  EXPECT_EQ(virtual_answers(
+                {.name = "tired", .form = ScaleForm{.minimum = 1, .maximum = 4, .points = 4}}),
             (std::set<FormAnswer>{{"1"}, {"2"}, {"3"}, {"4"}}));
 }
 

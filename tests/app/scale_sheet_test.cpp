@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/respondents/dialogues/scale_dialogue.h"
+#include "app/session/respondents/dialogues/answer_dialogue.h"
 
 namespace asperity {
 namespace {
@@ -15,8 +15,8 @@ namespace {
 using ::testing::HasSubstr;
 using Kind = ParticipantInput::Kind;
 
-TrialQuestion scale(const std::string& name, const ScaleForm& form) {
-  TrialQuestion question{};
+Question scale(const std::string& name, const ScaleForm& form) {
+  Question question{};
   question.name = name;
   question.prompt = "How " + name + "?";
   question.form = form;
@@ -30,9 +30,9 @@ const ScaleForm kLine{};
 /// A page of scales about one surface that may be felt again.
 class ScalePage : public testing::Test {
  protected:
-  explicit ScalePage(std::vector<TrialQuestion> questions = {scale("rough", kSevenPoints),
-                                                             scale("hard", kSevenPoints),
-                                                             scale("pleasant", kLine)}) {
+  explicit ScalePage(std::vector<Question> questions = {scale("rough", kSevenPoints),
+                                                        scale("hard", kSevenPoints),
+                                                        scale("pleasant", kLine)}) {
     trial_.questions = std::move(questions);
     trial_.on_one_page = true;
     trial_.presentations.resize(1);
@@ -161,12 +161,17 @@ TEST_F(ScalePage, LetsTheSurfaceBeFeltAgain) {
 }
 
 TEST(Scale, StoresItsPointsAndNothingBetween) {
-  const TrialQuestion question = scale("rough", kSevenPoints);
-  EXPECT_TRUE(problems_with(question, {.answer = "-3", .number = -3.0}).empty());
-  EXPECT_TRUE(problems_with(question, {.answer = "0", .number = 0.0}).empty());
-  EXPECT_FALSE(problems_with(question, {.answer = "0.5", .number = 0.5}).empty());
-  EXPECT_FALSE(problems_with(question, {.answer = "4", .number = 4.0}).empty());
-  EXPECT_FALSE(problems_with(question, {.answer = "1", .number = 2.0}).empty());
+  const Question question = scale("rough", kSevenPoints);
+  EXPECT_TRUE(
+      problems_with(question, std::vector<AnsweredItem>{{.answer = "-3", .number = -3.0}}).empty());
+  EXPECT_TRUE(
+      problems_with(question, std::vector<AnsweredItem>{{.answer = "0", .number = 0.0}}).empty());
+  EXPECT_FALSE(
+      problems_with(question, std::vector<AnsweredItem>{{.answer = "0.5", .number = 0.5}}).empty());
+  EXPECT_FALSE(
+      problems_with(question, std::vector<AnsweredItem>{{.answer = "4", .number = 4.0}}).empty());
+  EXPECT_FALSE(
+      problems_with(question, std::vector<AnsweredItem>{{.answer = "1", .number = 2.0}}).empty());
   EXPECT_THROW(items_of(question, Answer(ScalePoint{7})), std::out_of_range);
   const ScaleForm likert{
       .minimum = 1, .maximum = 3, .points = 3, .labels = {"no", "partly", "yes"}};
@@ -176,20 +181,26 @@ TEST(Scale, StoresItsPointsAndNothingBetween) {
 TEST(Scale, EndsAtItsMaximumWhateverRoundingDoes) {
   for (const double maximum : {0.4, 0.8, 1.0}) {
     const ScaleForm form{.minimum = maximum == 1.0 ? 0.2 : 0.0, .maximum = maximum, .points = 7};
-    const TrialQuestion question = scale("rough", form);
+    const Question question = scale("rough", form);
     const AnsweredItem item = items_of(question, Answer(ScalePoint{6})).front();
     EXPECT_EQ(item.number, maximum);
-    EXPECT_TRUE(problems_with(question, item).empty());
+    EXPECT_TRUE(problems_with(question, std::vector{item}).empty());
   }
 }
 
 TEST(Scale, IsTypedAtATerminalAsItsNumber) {
-  ScaleDialogue points(kSevenPoints);
+  const auto step_in = [](AnswerDialogue& dialogue, const std::string& typed) {
+    return std::get<ScalePoint>(std::get<std::optional<Answer>>(dialogue.take(typed)).value()).step;
+  };
+  const Question of_points = scale("rough", kSevenPoints);
+  AnswerDialogue points(of_points);
   EXPECT_EQ(points.introduction(), "  -3  low\n  …\n  3  high\n");
-  EXPECT_EQ(std::get<ScalePoint>(std::get<Answer>(points.take("2"))).step, 5);
-  EXPECT_THAT(std::get<NextLine>(points.take("2.5")).complaint, HasSubstr("in steps of 1"));
-  ScaleDialogue line(kLine);
-  EXPECT_EQ(std::get<ScalePoint>(std::get<Answer>(line.take("41,26"))).step, 413);
+  EXPECT_EQ(step_in(points, "2"), 5);
+  EXPECT_EQ(std::get<NextLine>(points.take("2.5")).complaint,
+            "Please enter a number from -3 to 3, in steps of 1.");
+  const Question of_line = scale("rough", kLine);
+  AnswerDialogue line(of_line);
+  EXPECT_EQ(step_in(line, "41,26"), 413);
   EXPECT_EQ(std::get<NextLine>(line.take("101")).complaint, "Please enter a number from 0 to 100.");
 }
 

@@ -111,7 +111,7 @@ class TalkativeSession : public WatchedSession {
     person_.at_form = [this](const Question& question, const Wait& wait) {
       person_.form_answered_ns = rig_->clock().now_ns() + 300'000'000;
       wait(0.5);
-      return question.options.empty() ? FormAnswer{} : FormAnswer{question.options.front()};
+      return question.options.empty() ? FormAnswer{} : FormAnswer{question.options.front().value};
     };
   }
 };

@@ -45,8 +45,8 @@ GatheredAnswers textures_rated_by(const ObserverDeclaration& declared, std::uint
   GatheredAnswers gathered{};
   gathered.kind = "rating";
   gathered.words.place("");
-  gathered.questions = {
-      {.name = "rough", .form = ScaleForm{.minimum = 0.0, .maximum = kGreatestRating}}};
+  gathered.questions.emplace_back().name = "rough";
+  gathered.questions.back().form = ScaleForm{.minimum = 0.0, .maximum = kGreatestRating};
   gathered.factor_levels.emplace_back();
   for (std::uint32_t person = 0; person < participants; ++person) {
     gathered.people.push_back({.label = "P" + std::to_string(person)});
@@ -65,7 +65,7 @@ GatheredAnswers textures_rated_by(const ObserverDeclaration& declared, std::uint
                             .first_surface = gathered.surfaces.size(),
                             .first_reply = gathered.replies.size()};
       gathered.surfaces.push_back({.item = gathered.words.place(item)});
-      const TrialQuestion& question = trial.questions.front();
+      const Question& question = trial.questions.front();
       const VirtualResponse response =
           kind.judge({protocol, trial, question, felt, none, observer, of_trial, of_person});
       gathered.replies.push_back(

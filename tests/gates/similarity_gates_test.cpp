@@ -57,7 +57,8 @@ GatheredAnswers rated_by(const ObserverDeclaration& declared, std::uint32_t part
   GatheredAnswers gathered{};
   gathered.kind = "similarity";
   gathered.words.place("");
-  gathered.questions = {{.name = "different", .form = ScaleForm{.minimum = 0.0, .maximum = 100.0}}};
+  gathered.questions.emplace_back().name = "different";
+  gathered.questions.back().form = ScaleForm{.minimum = 0.0, .maximum = 100.0};
   gathered.factor_levels.emplace_back();
   for (std::uint32_t person = 0; person < participants; ++person) {
     gathered.people.push_back({.label = "P" + std::to_string(person)});
@@ -77,7 +78,7 @@ GatheredAnswers rated_by(const ObserverDeclaration& declared, std::uint32_t part
         felt.push_back(planted.at(surface.item));
         gathered.surfaces.push_back({.item = gathered.words.place(surface.item)});
       }
-      const TrialQuestion& question = trial.questions.front();
+      const Question& question = trial.questions.front();
       const VirtualResponse response =
           kind.judge({protocol, trial, question, felt, none, observer, of_trial, of_person});
       gathered.replies.push_back(

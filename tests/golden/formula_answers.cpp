@@ -17,7 +17,7 @@ namespace asperity::test {
 
 namespace {
 
-std::size_t option_of(const TrialQuestion& question, const std::string& value) {
+std::size_t option_of(const Question& question, const std::string& value) {
   const auto found = std::find_if(question.options.begin(), question.options.end(),
                                   [&value](const Option& option) { return option.value == value; });
   if (found == question.options.end()) {
@@ -104,7 +104,7 @@ double FormulaAnswers::difference(const Trial& trial) const {
 }
 
 /// About 0 to 1: what numbers, lines and scales follow.
-double FormulaAnswers::sensation(const Trial& trial, const TrialQuestion& question,
+double FormulaAnswers::sensation(const Trial& trial, const Question& question,
                                  const FormulaPlace& place) const {
   double felt = intensity(trial.presentations.front());
   if (trial.presentations.size() > 1) {
@@ -119,7 +119,7 @@ double FormulaAnswers::sensation(const Trial& trial, const TrialQuestion& questi
       1.0);
 }
 
-bool FormulaAnswers::is_correct(const Trial& trial, const TrialQuestion& question,
+bool FormulaAnswers::is_correct(const Trial& trial, const Question& question,
                                 const FormulaPlace& place) const {
   const double felt =
       trial.presentations.size() > 1 ? difference(trial) : intensity(trial.presentations.front());
@@ -129,7 +129,7 @@ bool FormulaAnswers::is_correct(const Trial& trial, const TrialQuestion& questio
   return formula_number(place, question.name) < proportion;
 }
 
-std::size_t FormulaAnswers::chosen_option(const Trial& trial, const TrialQuestion& question,
+std::size_t FormulaAnswers::chosen_option(const Trial& trial, const Question& question,
                                           const FormulaPlace& place) const {
   const bool is_right = !question.correct.empty() && is_correct(trial, question, place);
   if (is_right) return option_of(question, question.correct.front());
@@ -150,7 +150,7 @@ std::size_t FormulaAnswers::chosen_option(const Trial& trial, const TrialQuestio
 
 /// The correct assignment, or two surfaces exchanged.
 std::vector<std::size_t> FormulaAnswers::assigned_options(const Trial& trial,
-                                                          const TrialQuestion& question,
+                                                          const Question& question,
                                                           const FormulaPlace& place) const {
   std::vector<std::size_t> options{};
   for (std::size_t i = 0; i < trial.presentations.size(); ++i) {
@@ -164,7 +164,7 @@ std::vector<std::size_t> FormulaAnswers::assigned_options(const Trial& trial,
   return options;
 }
 
-Answer FormulaAnswers::answer(const Trial& trial, const TrialQuestion& question,
+Answer FormulaAnswers::answer(const Trial& trial, const Question& question,
                               const FormulaPlace& place) const {
   const auto step_up_to = [&](int steps) {
     return static_cast<int>(std::lround(sensation(trial, question, place) * steps));
@@ -186,26 +186,23 @@ Answer FormulaAnswers::answer(const Trial& trial, const TrialQuestion& question,
   return GivenNumber{std::max(1, step_up_to(60 * unit)) * 0.5};
 }
 
-FormAnswer FormulaAnswers::answer(const Question& question, const FormulaPlace& place) const {
+std::optional<Answer> FormulaAnswers::answer(const Question& question,
+                                             const FormulaPlace& place) const {
   const double chance = formula_number(place, question.name);
-  switch (question.form) {
-    case Question::Form::choice:
-    case Question::Form::multiple_choice:
-      return {question.options.at(
-          static_cast<std::size_t>(chance * static_cast<double>(question.options.size())))};
-    case Question::Form::number: {
-      const double least = std::ceil(question.minimum.value_or(0.0));
-      return {number_text(
-          std::min(question.maximum.value_or(least + 20.0), least + std::floor(20.0 * chance)))};
-    }
-    case Question::Form::scale:
-      return {number_text(
-          question.scale.value_at(static_cast<int>(chance * (question.scale.steps() + 1))))};
-    case Question::Form::text:
-      if (question.optional) return {};
-      return {"Answer of participant " + std::to_string(place.participant)};
+  const auto option =
+      static_cast<std::size_t>(chance * static_cast<double>(question.options.size()));
+  if (question.is_answered_by<ChoiceForm>()) return ChosenOption{option};
+  if (question.is_answered_by<MultipleChoiceForm>()) return ChosenOptions{{option}};
+  if (const auto* const scale = std::get_if<ScaleForm>(&question.form)) {
+    return ScalePoint{static_cast<int>(chance * (scale->steps() + 1))};
   }
-  return {};
+  if (const auto* const number = std::get_if<NumberForm>(&question.form)) {
+    const double least = std::ceil(number->minimum.value_or(0.0));
+    return GivenNumber{
+        std::min(number->maximum.value_or(least + 20.0), least + std::floor(20.0 * chance))};
+  }
+  if (question.optional) return std::nullopt;
+  return WrittenText{"Answer of participant " + std::to_string(place.participant)};
 }
 
 }  // namespace asperity::test

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -34,9 +35,9 @@ class FormulaAnswers final {
  public:
   explicit FormulaAnswers(const Protocol& protocol);
 
-  Answer answer(const Trial& trial, const TrialQuestion& question, const FormulaPlace& place) const;
+  Answer answer(const Trial& trial, const Question& question, const FormulaPlace& place) const;
   /// None of an optional question.
-  FormAnswer answer(const Question& question, const FormulaPlace& place) const;
+  std::optional<Answer> answer(const Question& question, const FormulaPlace& place) const;
 
  private:
   using Numbers = std::map<std::string, double, std::less<>>;
@@ -45,13 +46,11 @@ class FormulaAnswers final {
   double intensity(const PlannedPresentation& surface) const;
   double difference(const Trial& trial) const;
   double rank(const std::string& item) const;
-  double sensation(const Trial& trial, const TrialQuestion& question,
-                   const FormulaPlace& place) const;
-  bool is_correct(const Trial& trial, const TrialQuestion& question,
-                  const FormulaPlace& place) const;
-  std::size_t chosen_option(const Trial& trial, const TrialQuestion& question,
+  double sensation(const Trial& trial, const Question& question, const FormulaPlace& place) const;
+  bool is_correct(const Trial& trial, const Question& question, const FormulaPlace& place) const;
+  std::size_t chosen_option(const Trial& trial, const Question& question,
                             const FormulaPlace& place) const;
-  std::vector<std::size_t> assigned_options(const Trial& trial, const TrialQuestion& question,
+  std::vector<std::size_t> assigned_options(const Trial& trial, const Question& question,
                                             const FormulaPlace& place) const;
 
   const Protocol& protocol_;

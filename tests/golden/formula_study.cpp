@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/records/participant_answers.h"
-#include "app/session/questionnaire_rows.h"
+#include "app/session/response_rows.h"
 #include "app/session/session_setup.h"
 #include "app/session/trial_outcome.h"
 #include "app/session/trial_tally.h"
@@ -23,7 +23,6 @@
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "protocols/plan/groups.h"
-#include "protocols/plan/shown_options.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/study.h"
 #include "tests/golden/formula_answers.h"
@@ -245,20 +244,13 @@ class FormulaSession final {
 
   void add_responses(AttemptRow& attempt, const Trial& trial) const {
     const std::int64_t cue_ns = attempt.onset_ns + kTrial_ns / 2;
-    for (const TrialQuestion& question : trial.questions) {
+    for (const Question& question : trial.questions) {
       const double from_cue_s = between(0.4, 2.4, chance("time " + question.name));
-      for (const AnsweredItem& item :
-           items_of(question, answers_.answer(trial, question, place_))) {
-        ResponseRow response{.question = question.name,
-                             .item = item.item,
-                             .answer = item.answer,
-                             .answer_number = item.number,
-                             .correct = item.correct,
-                             .options_json = options_json_of(question),
-                             .time_ns = cue_ns + ns_of(from_cue_s),
-                             .from_cue_s = from_cue_s,
-                             .source = "keyboard"};
-        attempt.responses.push_back(std::move(response));
+      for (ResponseRow& row : rows_of(question, answers_.answer(trial, question, place_),
+                                      {.time_ns = cue_ns + ns_of(from_cue_s),
+                                      .from_cue_s = from_cue_s,
+                                      .source = "keyboard"})) {
+        attempt.responses.push_back(std::move(row));
       }
     }
   }
@@ -273,10 +265,9 @@ class FormulaSession final {
 
   void answer_question(const Question& question) {
     now_ns_ += kTrial_ns;
-    const QuestionnaireAnswers earlier(study_.session_answers(open_.row.id));
+    const StoredAnswers earlier(study_.session_answers(open_.row.id));
     if (earlier.has(question.name)) return;
-    const bool is_asked = !question.condition ||
-                          is_met(*question.condition, earlier.to(question.condition->question));
+    const bool is_asked = earlier.meet(question.condition);
     study_.add_session_answer(
         open_.row.id, is_asked
                           ? rows_of(question, answers_.answer(question, place_),
@@ -310,9 +301,9 @@ class FormulaSession final {
 ParticipantRow person(const Protocol& protocol, const FormulaAnswers& answers, int number) {
   ParticipantAnswers given{};
   for (const Question& question : questions_about_participant(protocol)) {
-    const FormAnswer answer =
+    const std::optional<Answer> answer =
         answers.answer(question, {.participant = number, .session = 0, .trial = 0});
-    given[question.name] = answer.empty() ? std::string() : answer.front();
+    given[question.name] = answer ? items_of(question, *answer).front().answer : std::string();
   }
   ParticipantRow row = person_of("P0" + std::to_string(number), protocol, given, kCreated);
   row.sex = number % 2 == 0 ? "M" : "F";  // groups of equal size

@@ -260,7 +260,7 @@ TEST_F(Verify, FindsAColumnThatIsNotAsThePlanHasIt) {
   for (const char* options : {"[]", "{}", "[\"other\"]"}) {
     expect_found_after("DROP TRIGGER response_no_update; UPDATE response SET options_json = '" +
                            std::string(options) + "' WHERE attempt_id = 2",
-                       "attempt virtual0001/1/2/1, item 1: the options stored with the response "
+                       "the options stored with the response "
                        "differ from those of the planned trial");
   }
   expect_found_after(

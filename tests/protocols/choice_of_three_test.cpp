@@ -259,7 +259,7 @@ JudgedCounts judged_of_three(const Protocol& protocol, std::uint64_t seed) {
           {.size = std::log(amplitude_of_surface(planned) / kStandardOfThree_m), .roughness = 0.0});
     }
     const Expectations none{};
-    const TrialQuestion& question = trial.questions.front();
+    const Question& question = trial.questions.front();
     const VirtualResponse response = kind.judge({.protocol = protocol,
                                                  .trial = trial,
                                                  .question = question,

@@ -188,7 +188,7 @@ std::vector<PsychometricBlock> judged(const Protocol& protocol, std::uint64_t se
       difference = std::max(difference, ratio - 1.0);
     }
     const Expectations none{};
-    const TrialQuestion& question = trial.questions.front();
+    const Question& question = trial.questions.front();
     const VirtualResponse response = kind.judge({.protocol = protocol,
                                                  .trial = trial,
                                                  .question = question,

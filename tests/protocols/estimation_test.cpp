@@ -226,16 +226,19 @@ TEST(Estimation, TakesALineInPlaceOfANumber) {
 }
 
 TEST(LineForm, StoresALengthAsAProportionOfTheScreen) {
-  TrialQuestion question{};
+  Question question{};
   question.name = "size";
   question.form = LineForm{.longest = 0.8};
   const std::vector<AnsweredItem> stored = items_of(question, DrawnLength{250});
   ASSERT_EQ(stored.size(), 1U);
   EXPECT_EQ(stored.front().number, 0.2);
   EXPECT_EQ(stored.front().answer, "0.2");
-  EXPECT_THAT(problems_with(question, stored.front()), IsEmpty());
-  EXPECT_THAT(problems_with(question, {.answer = "0.9", .number = 0.9}), testing::SizeIs(1));
-  EXPECT_THAT(problems_with(question, {.answer = "0.2004", .number = 0.2004}), testing::SizeIs(1));
+  EXPECT_THAT(problems_with(question, stored), IsEmpty());
+  const auto problems = [&question](const AnsweredItem& item) {
+    return problems_with(question, std::vector{item});
+  };
+  EXPECT_THAT(problems({.answer = "0.9", .number = 0.9}), testing::SizeIs(1));
+  EXPECT_THAT(problems({.answer = "0.2004", .number = 0.2004}), testing::SizeIs(1));
   EXPECT_THROW(items_of(question, DrawnLength{0}), std::out_of_range);
   EXPECT_THROW(items_of(question, DrawnLength{1001}), std::out_of_range);
 }

@@ -84,7 +84,8 @@ const json kEverything = json::parse(R"({
          "reshuffle_pictures": true, "allow_cannot_tell": true, "correct_factor": "a",
          "judgement": "comparison", "asks_for": "less", "confidence_of": "z", "rates": "similarity",
          "tie": {"text": "Same"}, "options": [{"value": "y", "text": "Yes"}, {"value": "n", "text": "No"}],
-         "scale": {"minimum": 1}},
+         "scale": {"minimum": 1},
+         "if": {"question": "z", "is": "y", "in": ["y", 3], "includes": "y", "at_least": 1, "at_most": 2}},
         {"name": "second", "prompt": "How long?", "line": {"longest": 0.5}}],
       "question_order": "shuffle", "question_layout": "one_page", "page_prompt": "All",
       "experimenter_prompt": "Sample {code}", "pictures_after_feeling": true, "allow_revisit": false,
@@ -107,7 +108,7 @@ const json kEverything = json::parse(R"({
         "judgement": "performance", "asks_for": "more", "confidence_of": "z",
         "rates": "dissimilarity", "tie": {"text": "Same"},
         "options": [{"value": "y", "text": "Yes"}, {"value": "n", "text": "No"}], "scale": {},
-        "line": {}, "experimenter_prompt": "E", "pictures_after_feeling": true,
+        "line": {}, "if": {"question": "z", "is": 4}, "experimenter_prompt": "E", "pictures_after_feeling": true,
         "allow_revisit": true}}},
   "estimation": {
     "spacing": "s", "factor": "model", "predictor": "values", "values": {"2": 0.5},
@@ -421,17 +422,15 @@ TEST(Keys, OfQuestionsGoToTheirMembers) {
   const Question& age = protocol.questions.at("age");
   EXPECT_EQ(age.name, "age");
   EXPECT_EQ(age.prompt, "How old?");
-  EXPECT_EQ(age.form, Question::Form::number);
-  EXPECT_EQ(age.minimum, 18.0);
-  EXPECT_EQ(age.maximum, 99.0);
-  EXPECT_EQ(age.unit, "years");
+  EXPECT_EQ(std::get<NumberForm>(age.form),
+            (NumberForm{.minimum = 18.0, .maximum = 99.0, .unit = "years"}));
   EXPECT_TRUE(age.optional);
   EXPECT_FALSE(age.condition);
   const Question& hand = protocol.questions.at("hand");
-  EXPECT_THAT(hand.options, ElementsAre("left", "right"));
-  EXPECT_THAT(hand.option_texts, ElementsAre("left", "R"));
+  EXPECT_THAT(hand.options, ElementsAre(Option{.value = "left", .text = "left"},
+                                        Option{.value = "right", .text = "R"}));
   const Question& ease = protocol.questions.at("ease");
-  EXPECT_EQ(ease.scale,
+  EXPECT_EQ(std::get<ScaleForm>(ease.form),
             (ScaleForm{.minimum = 1.0, .maximum = 7.0, .points = 7, .labels = {"hard", "easy"}}));
   EXPECT_EQ(ease.condition, (AnswerCondition{"hand", AnswerIsOneOf{{"left"}}}));
   EXPECT_EQ(protocol.questions.at("why").condition,
@@ -563,9 +562,9 @@ TEST(Keys, OfQuestionsOfTrialsGoToTheirMembers) {
   EXPECT_EQ(questions[0].confidence_of, "z");
   EXPECT_EQ(questions[0].rates, RatedQuantity::similarity);
   EXPECT_EQ(questions[0].tie, "Same");
-  ASSERT_EQ(questions[0].words.size(), 2U);
-  EXPECT_EQ(questions[0].words[1].value, "n");
-  EXPECT_EQ(questions[0].words[1].text, "No");
+  ASSERT_EQ(questions[0].options.size(), 2U);
+  EXPECT_EQ(questions[0].options[1].value, "n");
+  EXPECT_EQ(questions[0].options[1].text, "No");
   EXPECT_EQ(std::get<ScaleForm>(questions[0].form).minimum, 1.0);
   EXPECT_EQ(std::get<LineForm>(questions[1].form).longest, 0.5);
   const Protocol::Block& other = protocol.blocks.at("other");
@@ -573,6 +572,7 @@ TEST(Keys, OfQuestionsOfTrialsGoToTheirMembers) {
   ASSERT_EQ(other.questions.size(), 1U);
   EXPECT_EQ(other.questions[0].name, "only");
   EXPECT_EQ(other.questions[0].judgement, DiscriminationJudgement::performance);
+  EXPECT_EQ(other.questions[0].condition, (AnswerCondition{"z", AnswerIsOneOf{{4.0}}}));
   EXPECT_EQ(other.experimenter_prompt, "E");
   EXPECT_TRUE(other.pictures_after_feeling);
 }

@@ -464,6 +464,16 @@ const Fault kRecognition[] = {
     {"impossible_order", R"("maximum_in_a_row": {"texture": 1})",
      R"("maximum_in_a_row": {"texture": -7})", "-7}", "/blocks/practice/maximum_in_a_row/texture",
      "at least 1"},
+    {"condition_on_the_question_of_the_kind", R"("correct_factor": "texture",)",
+     R"("correct_factor": "texture", "if": {"question": "recognised", "is": "metal"},)",
+     R"("if": {)", "/blocks/familiarisation/question/if",
+     "a recognition needs the response to this question in every trial; remove this key"},
+    {"condition_without_a_test", R"("correct_factor": "texture",)",
+     R"("correct_factor": "texture", "if": {"question": "recognised"},)", R"({"question": "recogn)",
+     "/blocks/familiarisation/question/if", "keep one of them"},
+    {"condition_with_an_unknown_key", R"("correct_factor": "texture",)",
+     R"("correct_factor": "texture", "if": {"question": "recognised", "equals": "metal"},)",
+     R"("equals")", "/blocks/familiarisation/question/if/equals", "equals"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Syntax, PlantedInSelection, testing::ValuesIn(kSyntax), fault_name);

@@ -10,6 +10,7 @@
 #include "protocols/answers/question.h"
 #include "protocols/file/stored_protocol.h"
 #include "tests/protocols/protocol_files.h"
+#include "tests/support/questions.h"
 
 namespace asperity {
 namespace {
@@ -40,13 +41,13 @@ json questioned() {
 
 TEST(Questionnaire, IsReadWithItsFormsAndConditions) {
   const Protocol protocol = test::valid(questioned());
-  EXPECT_EQ(protocol.questions.at("strength").scale.points, 11);
+  EXPECT_EQ(std::get<ScaleForm>(protocol.questions.at("strength").form).points, 11);
   EXPECT_EQ(protocol.questions.at("strength").condition,
             (AnswerCondition{.question = "pain", .test = AnswerIsOneOf{{"yes"}}}));
-  EXPECT_EQ(protocol.questions.at("kinds").form, Question::Form::multiple_choice);
+  EXPECT_TRUE(protocol.questions.at("kinds").is_answered_by<MultipleChoiceForm>());
   EXPECT_EQ(protocol.questions.at("kinds").condition,
             (AnswerCondition{.question = "strength", .test = AnswerWithin{.minimum = 5.0}}));
-  EXPECT_EQ(protocol.questions.at("since").unit, "min");
+  EXPECT_EQ(std::get<NumberForm>(protocol.questions.at("since").form).unit, "min");
   EXPECT_EQ(protocol.questions.at("since").condition,
             (AnswerCondition{.question = "kinds", .test = AnswerIncludes{"burning"}}));
   EXPECT_EQ(std::get<Protocol::Screen>(protocol.flow.back()).condition,
@@ -189,27 +190,56 @@ TEST(AnswerCondition, IsStatedInSignsAndInWords) {
 
 TEST(StoredAnswer, IsComparedWithItsQuestion) {
   Question question{
-      .name = "kinds", .form = Question::Form::multiple_choice, .options = {"sharp", "dull"}};
-  const auto problems = [&question](const FormAnswer& answer) {
-    return problems_with(question, answer);
+      .name = "kinds", .form = MultipleChoiceForm{}, .options = in_words({"sharp", "dull"})};
+  const auto problems = [&question](const std::vector<AnsweredItem>& stored) {
+    return problems_with(question, stored);
   };
-  EXPECT_THAT(problems({"sharp", "dull"}), IsEmpty());
-  EXPECT_THAT(problems({"sharp", "blunt"}), ElementsAre("\"blunt\" is not one of its options"));
+  const std::vector<AnsweredItem> both{{.item = 1, .answer = "sharp"},
+                                       {.item = 2, .answer = "dull"}};
+  EXPECT_THAT(problems(both), IsEmpty());
+  EXPECT_THAT(problems({both[0], {.item = 2, .answer = "blunt"}}),
+              ElementsAre(HasSubstr("item 2: the response is not among the options")));
   EXPECT_THAT(problems({}), ElementsAre(HasSubstr("left empty")));
+  EXPECT_THAT(problems({{.answer = ""}}), ElementsAre(HasSubstr("left empty")));
   question.optional = true;
   EXPECT_THAT(problems({}), IsEmpty());
-  question.form = Question::Form::choice;
-  EXPECT_THAT(problems({"sharp", "dull"}), ElementsAre(HasSubstr("2 answers")));
-  question.form = Question::Form::scale;
-  question.scale = {.minimum = 1.0, .maximum = 7.0, .points = 7};
-  EXPECT_THAT(problems({"3"}), IsEmpty());
-  EXPECT_THAT(problems({"3.5"}), ElementsAre(HasSubstr("not a point of its scale")));
+  question.form = ChoiceForm{};
+  EXPECT_THAT(problems(both), ElementsAre(HasSubstr("its answer has 2 items, but a choice of one "
+                                                    "option has 1")));
+  question.correct = {"dull"};
+  EXPECT_THAT(problems({{.answer = "dull", .correct = true}}), IsEmpty());
+  EXPECT_THAT(problems({{.answer = "dull", .correct = false}}),
+              ElementsAre(HasSubstr("not marked correct or incorrect")));
+  question.form = ScaleForm{.minimum = 1.0, .maximum = 7.0, .points = 7};
+  EXPECT_THAT(problems({{.answer = "3", .number = 3.0}}), IsEmpty());
+  EXPECT_THAT(problems({{.answer = "3.5", .number = 3.5}}),
+              ElementsAre(HasSubstr("3.5 is not a point on a scale that the question permits")));
+  EXPECT_THAT(problems({{.answer = "3", .number = 4.0}}),
+              ElementsAre(HasSubstr("differs from the number stored with it")));
+  question.form = NumberForm{.minimum = 18.0, .maximum = 99.0};
+  EXPECT_THAT(problems({{.answer = "18", .number = 18.0}}), IsEmpty());
+  EXPECT_THAT(problems({{.answer = "17", .number = 17.0}}), ElementsAre(HasSubstr("17 is not")));
+  EXPECT_THAT(problems({{.answer = "100", .number = 100.0}}), ElementsAre(HasSubstr("100 is not")));
+  question.form = NumberForm{.is_estimate = true};
+  EXPECT_THAT(problems({{.answer = "0", .number = 0.0}}), ElementsAre(HasSubstr("0 is not")));
+  question.form = TextForm{};
+  EXPECT_THAT(problems({{.answer = "numbness"}}), IsEmpty());
+}
+
+TEST(StoredAnswer, HasAnItemForEverySurfaceOfAnAssignment) {
+  const Question question{
+      .name = "which", .form = AssignmentForm{}, .options = in_words({"stone", "wood"})};
+  const std::vector<AnsweredItem> both{{.item = 1, .answer = "wood"},
+                                       {.item = 2, .answer = "stone"}};
+  EXPECT_THAT(problems_with(question, both, 2), IsEmpty());
+  EXPECT_THAT(problems_with(question, both, 3),
+              ElementsAre(HasSubstr("2 items, but an assignment has 3")));
 }
 
 TEST(StoredProtocol, KnowsTheFormsAndConditionsOfAQuestionnaire) {
   const Protocol read = stored_protocol(questioned().dump()).protocol;
-  EXPECT_EQ(read.questions.at("since").unit, "min");
-  EXPECT_EQ(read.questions.at("strength").scale.maximum, 10.0);
+  EXPECT_EQ(std::get<NumberForm>(read.questions.at("since").form).unit, "min");
+  EXPECT_EQ(std::get<ScaleForm>(read.questions.at("strength").form).maximum, 10.0);
   ASSERT_TRUE(read.questions.at("kinds").condition);
   EXPECT_EQ(signs_of(*read.questions.at("kinds").condition), "strength ≥ 5");
 }

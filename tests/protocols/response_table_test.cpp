@@ -71,7 +71,7 @@ class Tabulated {
       const auto own = stated.find(parameter.name);
       values.set(parameter.name, own == stated.end() ? parameter.value.value_or(0.0) : own->second);
     }
-    const TrialQuestion& question = *find_question(trial, asked_.question.name);
+    const Question& question = *find_question(trial, asked_.question.name);
     return items_of(question,
                     table_.respond({.asked = asked_,
                                     .trial = trial,

@@ -11,13 +11,14 @@
 #include <vector>
 
 #include "app/session/respondents/respondent.h"
+#include "tests/support/questions.h"
 #include "tests/support/replies.h"
 
 namespace asperity {
 
 /// The first option that is correct, or the first that is not.
 inline Reply reply_that_is(const Trial& trial, bool correct) {
-  const TrialQuestion& question = trial.questions.front();
+  const Question& question = trial.questions.front();
   for (std::size_t i = 0; i < question.options.size(); ++i) {
     if ((question.options[i].value == question.correct[0]) == correct) return chooses(i);
   }
@@ -70,9 +71,8 @@ class ScriptedPerson : public Respondent {
     calls.push_back("surface " + std::to_string(surface.position));
     felt_positions.push_back(surface.position);
   }
-  Reply ask(const Trial& trial, std::span<const TrialQuestion> page,
-            std::span<const ForceFeatures> felt, std::optional<double> deadline_s,
-            const Wait& wait) override {
+  Reply ask(const Trial& trial, std::span<const Question> page, std::span<const ForceFeatures> felt,
+            std::optional<double> deadline_s, const Wait& wait) override {
     calls.push_back("ask");
     last_felt.assign(felt.begin(), felt.end());
     deadlines_s.push_back(deadline_s);
@@ -89,11 +89,12 @@ class ScriptedPerson : public Respondent {
     texts.push_back(text);
     if (at_tell) at_tell();
   }
-  FormAnswer answer(const Question& question, const Wait& wait) override {
+  std::optional<Answer> answer(const Question& question, const Wait& wait) override {
     calls.push_back("answer");
     forms.push_back(question.name);
-    if (at_form) return at_form(question, wait);
-    return question.options.empty() ? FormAnswer{} : FormAnswer{question.options.front()};
+    if (at_form) return answer_with(question, at_form(question, wait));
+    if (question.options.empty()) return std::nullopt;
+    return answer_with(question, {question.options.front().value});
   }
   std::optional<std::int64_t> answered_ns() const override { return form_answered_ns; }
   std::string source() const override { return "keyboard"; }

@@ -45,8 +45,9 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
              [](const Place& at) { return at.response->answer; }));
   columns.back().publication = Publication::without_questionnaires;
   columns.back().missing =
-      "a question of a questionnaire was left empty or not asked (see source), or the response is an "
-      "answer to a questionnaire in a public export";
+      "a question of a questionnaire was left empty, or a question was not asked (see source), or "
+      "the "
+      "response is an answer to a questionnaire in a public export";
   add(missing("the response is not a number, or is an answer to a questionnaire in a public export",
               column("answer_number", "number", "",
                      "the response as a number: an estimate, a point of a scale, or a number in "
@@ -77,7 +78,7 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
   add(column("source", "text", "",
              "how the response was given: keyboard; virtual, by a virtual participant; "
              "virtual_guess, by one that ignores the surface or has no expectation; not_asked, a "
-             "question of a questionnaire whose condition was not met",
+             "question whose condition was not met",
              [](const Place& at) { return at.response->source; }));
   // That a question was not asked states something about the answer on which it depends.
   columns.back().publication = Publication::without_questionnaires;

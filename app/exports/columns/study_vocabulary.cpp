@@ -34,20 +34,23 @@ void learn_questions(const ProtocolRow& protocol, const Protocol& specified,
   for (const auto& [name, asked] : specified.questions) {
     StudyVocabulary::AnswerMeaning meaning{};
     meaning.prompt = asked.prompt;
-    meaning.free_text = asked.form == Question::Form::text;
-    meaning.has_several = asked.form == Question::Form::multiple_choice;
-    meaning.unit = asked.unit;
+    meaning.free_text = asked.is_answered_by<TextForm>();
+    meaning.has_several = asked.is_answered_by<MultipleChoiceForm>();
     if (asked.condition) {
       meaning.condition = clause_of(*asked.condition);
       meaning.asked_after = asked.condition->question;
     }
-    meaning.minimum = asked.minimum;
-    meaning.maximum = asked.maximum;
-    if (asked.form == Question::Form::scale) add_scale(asked.scale, meaning);
-    meaning.options = asked.options;
-    for (std::size_t i = 0; i < asked.option_texts.size(); ++i) {
-      const std::string& text = asked.option_texts[i];
-      if (text != asked.options[i]) meaning.option_meanings[asked.options[i]].description = text;
+    if (const auto* const number = std::get_if<NumberForm>(&asked.form)) {
+      meaning.unit = number->unit;
+      meaning.minimum = number->minimum;
+      meaning.maximum = number->maximum;
+    }
+    if (const auto* const scale = std::get_if<ScaleForm>(&asked.form)) add_scale(*scale, meaning);
+    for (const Option& option : asked.options) {
+      meaning.options.push_back(option.value);
+      if (option.text != option.value) {
+        meaning.option_meanings[option.value].description = option.text;
+      }
     }
     meaning.source = place_in(protocol, "/questions/" + name);
     vocabulary.questions_of_source[{protocol.source_sha256, name}] = meaning;
@@ -78,6 +81,7 @@ void learn_questions(const ProtocolRow& protocol, const Protocol& specified,
       if (const auto* const scale = std::get_if<ScaleForm>(&asked.form)) {
         add_scale(*scale, meaning);
       }
+      if (asked.condition) meaning.condition = clause_of(*asked.condition);
       meaning.free_text = false;
       meaning.questionnaire = false;
       meaning.source = place_in(protocol, "/blocks/" + name);

@@ -399,7 +399,7 @@ class Gathering {
     return static_cast<std::uint32_t>(gathered.people.size() - 1);
   }
 
-  /// The replies to one question, which stand together.
+  /// The replies to one question that was asked, which stand together.
   struct RepliesToQuestion {
     std::uint32_t question = 0;
     std::span<const SessionAnswers::Reply> replies{};
@@ -412,7 +412,8 @@ class Gathering {
     for (std::size_t from = 0; from < all.size();) {
       std::size_t to = from + 1;
       while (to < all.size() && all[to].question == all[from].question) ++to;
-      if (session.questions.has(block, session.answers.words[all[from].question])) {
+      const bool was_asked = !session.answers.words[all[from].answer].empty();
+      if (was_asked && session.questions.has(block, session.answers.words[all[from].question])) {
         found.push_back({all[from].question, all.subspan(from, to - from)});
       }
       from = to;
@@ -429,6 +430,7 @@ class Gathering {
     std::size_t items = 0;
     for (const SessionAnswers::Reply& reply : session.answers.replies_of(attempt)) {
       if (session.questions.has(block, session.answers.words[reply.question])) continue;
+      if (session.answers.words[reply.answer].empty()) continue;  // not asked
       response.question = word(session, reply.question);
       response.answer = ++items == 1 && !reply.number ? word(session, reply.answer) : kNoWord;
       if (reply.correct) response.correct = response.correct.value_or(true) && *reply.correct;

@@ -18,7 +18,7 @@
 #include "app/findings/gathering/gathered_exploration.h"
 #include "app/records/felt_octaves.h"
 #include "app/records/presented_matches.h"
-#include "protocols/answers/trial_question.h"
+#include "protocols/answers/question.h"
 #include "protocols/design/analysis_declaration.h"
 #include "protocols/design/protocol.h"
 #include "protocols/file/stored_protocol.h"

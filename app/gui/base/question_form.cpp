@@ -13,7 +13,7 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/look/words.h"
-#include "app/session/respondents/form_answer.h"
+#include "app/session/respondents/typed_answer.h"
 
 namespace asperity {
 
@@ -39,7 +39,6 @@ QString field_name(const Question& question) {
 /// So that two forms can be compared.
 auto comparable(const Question& question) {
   return std::tie(question.name, question.prompt, question.form, question.options,
-                  question.option_texts, question.minimum, question.maximum, question.unit,
                   question.optional);
 }
 
@@ -79,16 +78,18 @@ void QuestionForm::set_questions(const std::vector<Question>& questions) {
 
 void QuestionForm::add_row(const Question& question, int row) {
   QString text = QString::fromStdString(question.prompt);
-  if (!question.unit.empty()) text += " (" + QString::fromStdString(question.unit) + ')';
+  const auto* const number = std::get_if<NumberForm>(&question.form);
+  if (number != nullptr && !number->unit.empty()) {
+    text += " (" + QString::fromStdString(number->unit) + ')';
+  }
   // The star never begins a line of its own.
   const QString starred = tr("%1 *").replace(' ', QChar::Nbsp).arg(text);
   QLabel* prompt = make_text(question.optional ? text : starred, this);
   QWidget* field = nullptr;
-  if (question.form == Question::Form::choice) {
+  if (question.is_answered_by<ChoiceForm>()) {
     auto* box = new ChoiceBox(this);
-    for (std::size_t i = 0; i < question.options.size(); ++i) {
-      box->addItem(QString::fromStdString(question.text_of_option(i)),
-                   QString::fromStdString(question.options[i]));
+    for (const Option& option : question.options) {
+      box->addItem(QString::fromStdString(option.text), QString::fromStdString(option.value));
     }
     box->setPlaceholderText(tr("Choose"));
     box->setCurrentIndex(-1);
@@ -97,7 +98,7 @@ void QuestionForm::add_row(const Question& question, int row) {
     field = box;
   } else {
     auto* line = new QLineEdit(this);
-    if (question.form == Question::Form::number) line->setAlignment(Qt::AlignRight);
+    if (number != nullptr) line->setAlignment(Qt::AlignRight);
     connect(line, &QLineEdit::textChanged, this, &QuestionForm::answered);
     field = line;
   }
@@ -118,7 +119,7 @@ ParticipantAnswers QuestionForm::answers() const {
     } else if (const auto* line = findChild<QLineEdit*>(field_name(question))) {
       text = line->text().trimmed();
     }
-    const bool is_number = question.form == Question::Form::number;
+    const bool is_number = question.is_answered_by<NumberForm>();
     answers[question.name] =
         is_number ? with_decimal_point(text.toStdString()) : text.toStdString();
   }

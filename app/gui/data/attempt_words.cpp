@@ -55,7 +55,7 @@ QString AttemptWords::summary(const AttemptDetail& detail) {
                     tr("%1 %2").arg(text(detail.protocol_name), text(detail.protocol_version)),
                     tr("block %1").arg(text(detail.planned.block)),
                     answers.isEmpty() ? outcome : tr("%1: %2").arg(outcome, answers)};
-  if (!attempt.responses.empty()) {
+  if (!attempt.responses.empty() && attempt.responses.back().source != kNotAsked) {
     parts << tr("answered %1 after the first contact")
                  .arg(of_seconds(attempt.responses.back().from_contact_s));
   }

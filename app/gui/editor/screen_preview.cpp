@@ -12,7 +12,7 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/participant/participant_view.h"
-#include "protocols/answers/trial_question.h"
+#include "protocols/answers/question.h"
 
 namespace asperity {
 

@@ -71,6 +71,7 @@ QString OutcomeWords::of_response(const std::string& label) {
 QString OutcomeWords::of_responses(const std::vector<ResponseRow>& responses) {
   QStringList shown{};
   for (const ResponseRow& response : responses) {
+    if (response.source == kNotAsked) continue;
     const QString answer = of_response(response.answer);
     shown << (responses.size() > 1 ? QString("%1 %2").arg(response.item).arg(answer) : answer);
   }

@@ -31,16 +31,13 @@ constexpr std::chrono::seconds kCueShown{5};
 constexpr QSizeF kUsualPage(1366.0, 768.0);
 
 bool same_question(const Scene& one, const Scene& other) {
-  const auto name = [](const Scene& scene) {
-    return scene.question ? scene.question->name : std::string();
-  };
   const auto is_number = [](const Scene& scene) {
     return scene.kind == Scene::Kind::question &&
            page_for(scene).typing(scene) == ParticipantPage::Typing::number;
   };
   // A number that is to be checked stays in its field under other words.
   const bool same_text = one.text == other.text || (is_number(one) && is_number(other));
-  return one.kind == other.kind && same_text && name(one) == name(other);
+  return one.kind == other.kind && same_text && one.question == other.question;
 }
 
 bool same_answer(const Scene& one, const Scene& other) {
@@ -170,7 +167,11 @@ bool ParticipantView::waits() const {
 }
 
 bool ParticipantView::would_leave_out() const {
-  return scene_page().would_leave_out(*scene_, draft_);
+  return scene_->optional && scene_page().is_empty(*scene_, draft_);
+}
+
+bool ParticipantView::keys_are_private() const {
+  return scene_->kind == Scene::Kind::form || scene_page().is_private();
 }
 
 const ParticipantPage& ParticipantView::scene_page() const { return page_for(*scene_); }

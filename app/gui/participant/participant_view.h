@@ -144,6 +144,8 @@ class ParticipantView final : public QWidget {
   QPointF to_page(QPointF point) const;
   void act(const ParticipantAction& action, std::int64_t time_ns, const char* source);
   void tell(ParticipantInput input, std::int64_t time_ns, const char* source);
+  /// Releases of keys and buttons are not stored.
+  bool keys_are_private() const;
   const ParticipantPage& scene_page() const;  ///< of the scene
 
   const SessionMonitor& monitor_;

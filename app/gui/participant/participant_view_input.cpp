@@ -82,7 +82,7 @@ void ParticipantView::mouseReleaseEvent(QMouseEvent* event) {
   } else {
     return;
   }
-  if (scene_page().is_private()) return;
+  if (keys_are_private()) return;
   tell({.kind = ParticipantInput::Kind::released,
         .text = "mouse button",
         .held_s = static_cast<double>(released_ns - press.time_ns) * 1e-9},
@@ -157,7 +157,7 @@ void ParticipantView::act(const ParticipantAction& action, std::int64_t time_ns,
 }
 
 void ParticipantView::release(const QString& key, std::int64_t pressed_ns, double held_s) {
-  if (scene_page().is_private()) return;
+  if (keys_are_private()) return;
   tell({.kind = ParticipantInput::Kind::released, .text = key.toStdString(), .held_s = held_s},
        pressed_ns, "keyboard");
 }

@@ -62,8 +62,7 @@ void ParticipantWindow::follow() {
   if (!ended) thanks_->stop();
   // What is typed as a text has to go to one field: this window's, from the moment that it is asked
   // for.
-  const auto& question = view_->scene().question;
-  const bool asks_for_text = question && question->form == Question::Form::text;
+  const bool asks_for_text = view_->scene().is_answered_by<TextForm>();
   if (asks_for_text && !asked_for_text_ && isVisible() && !keys_->own_keyboard()) {
     activateWindow();
   }

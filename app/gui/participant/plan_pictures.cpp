@@ -20,7 +20,7 @@ std::map<int, std::vector<QString>> pictures_of_plan(const Plan& plan,
     for (const PlannedPresentation& surface : trial.presentations) felt.push_back(surface.position);
     std::vector<QString> names{};
     std::vector<std::pair<int, QString>> wanted{};
-    for (const std::span<const TrialQuestion> page : pages_of(trial)) {
+    for (const std::span<const Question> page : pages_of(trial)) {
       for (const ParticipantItem& item : lay_out(scene_of_question(trial, page, felt), inputs)) {
         if (item.picture.isEmpty()) continue;
         names.push_back(item.picture);

@@ -9213,10 +9213,6 @@
         <translation>Einheit der Zahl, neben ihr gezeigt und exportiert.</translation>
     </message>
     <message>
-        <source>The scale of a question of the form `scale`.</source>
-        <translation>Die Skala einer Frage der Form `scale`.</translation>
-    </message>
-    <message>
         <source>Only if</source>
         <translation>Nur wenn</translation>
     </message>
@@ -9879,6 +9875,14 @@
     <message>
         <source>The tests and measures that were decided before the data exist.</source>
         <translation>Die Tests und Maße, die festgelegt wurden, bevor Daten vorliegen.</translation>
+    </message>
+    <message>
+        <source>The question, which the trial asks earlier.</source>
+        <translation>Die Frage, die der Durchgang früher stellt.</translation>
+    </message>
+    <message>
+        <source>The answer to an earlier question of the same trial on which a question depends. Exactly one of is, in, includes, or a range.</source>
+        <translation>Die Antwort auf eine frühere Frage desselben Durchgangs, von der eine Frage abhängt. Genau eines von is, in, includes oder einem Bereich.</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "analysis/numbers/number_text.h"
+#include "analysis/numbers/overloaded.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/study_analysis.h"
@@ -82,6 +83,7 @@ ReportList blocks_list(const Protocol& protocol, const ReportFacts& facts) {
     text += questions.size() == 1 ? ". Question: " : ". Questions: ";
     for (std::size_t i = 0; i < questions.size(); ++i) {
       text += (i == 0 ? "" : "; ") + quoted(questions[i].prompt);
+      if (questions[i].condition) text += " (asked if " + clause_of(*questions[i].condition) + ")";
     }
     if (std::any_of(questions.begin(), questions.end(),
                     [](const auto& question) { return question.allow_cannot_tell; })) {
@@ -101,23 +103,21 @@ ReportList blocks_list(const Protocol& protocol, const ReportFacts& facts) {
 
 /// "a scale from 0 to 10", with its article.
 std::string form_text(const Question& question) {
-  switch (question.form) {
-    case Question::Form::choice:
-      return "one of " + counted(question.options.size(), "option", "options");
-    case Question::Form::multiple_choice:
-      return "one or more of " + counted(question.options.size(), "option", "options");
-    case Question::Form::number:
-      return "a number" + (question.unit.empty() ? "" : " in " + question.unit);
-    case Question::Form::scale:
-      return "a scale from " + number_text(question.scale.minimum) + " to " +
-             number_text(question.scale.maximum) +
-             (question.scale.points == 0
-                  ? ""
-                  : " with " + std::to_string(question.scale.points) + " points");
-    case Question::Form::text:
-      return "free text";
-  }
-  return {};
+  const auto options = [&] { return counted(question.options.size(), "option", "options"); };
+  return std::visit(
+      Overloaded{[&](const ChoiceForm&) { return "one of " + options(); },
+                 [&](const MultipleChoiceForm&) { return "one or more of " + options(); },
+                 [](const NumberForm& number) {
+                   return "a number" + (number.unit.empty() ? "" : " in " + number.unit);
+                 },
+                 [](const ScaleForm& scale) {
+                   return "a scale from " + number_text(scale.minimum) + " to " +
+                          number_text(scale.maximum) +
+                          (scale.points == 0 ? ""
+                                             : " with " + std::to_string(scale.points) + " points");
+                 },
+                 []<class Form>(const Form&) { return std::string(Form::kDescription); }},
+      question.form);
 }
 
 /// The questions that the flow asks, with their conditions; no items where it asks none.

@@ -9,7 +9,7 @@ namespace asperity {
 namespace {
 
 bool has_scales_with_words(const Protocol& protocol) {
-  const auto has_words = [](const auto& question) {
+  const auto has_words = [](const Question& question) {
     const auto* const scale = std::get_if<ScaleForm>(&question.form);
     return scale != nullptr && !scale->labels.empty();
   };
@@ -17,7 +17,7 @@ bool has_scales_with_words(const Protocol& protocol) {
     const auto& questions = named.second.questions;
     return std::any_of(questions.begin(), questions.end(), has_words);
   };
-  const auto is_question = [](const auto& named) { return !named.second.scale.labels.empty(); };
+  const auto is_question = [&](const auto& named) { return has_words(named.second); };
   return std::any_of(protocol.blocks.begin(), protocol.blocks.end(), is_in_block) ||
          std::any_of(protocol.questions.begin(), protocol.questions.end(), is_question);
 }

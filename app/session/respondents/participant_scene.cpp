@@ -24,8 +24,7 @@ std::vector<ParticipantScene::Surface> surfaces_of(const Trial& trial,
   return surfaces;
 }
 
-std::vector<ParticipantScene::Choice> choices_of(const Trial& trial,
-                                                 const TrialQuestion& question) {
+std::vector<ParticipantScene::Choice> choices_of(const Trial& trial, const Question& question) {
   std::vector<ParticipantScene::Choice> choices{};
   for (const Option& option : question.options) {
     ParticipantScene::Choice choice{};
@@ -36,7 +35,8 @@ std::vector<ParticipantScene::Choice> choices_of(const Trial& trial,
     if (option.picture || is_surface) {
       choice.key = option.label;
     } else if (!option.text.empty()) {
-      choice.key = option.label;
+      choice.key =
+          option.label.empty() ? key_of_option(static_cast<int>(choices.size()) + 1) : option.label;
       choice.text = option.text;
     } else {
       choice.key = "0";
@@ -48,7 +48,7 @@ std::vector<ParticipantScene::Choice> choices_of(const Trial& trial,
   return choices;
 }
 
-bool is_answered_by_pictures(const TrialQuestion& question) {
+bool is_answered_by_pictures(const Question& question) {
   return std::any_of(question.options.begin(), question.options.end(),
                      [](const Option& option) { return option.picture.has_value(); });
 }
@@ -62,6 +62,12 @@ ParticipantScene scene_that_says(ParticipantScene::Kind kind, ParticipantMessage
 }
 
 }  // namespace
+
+std::string key_of_option(int number) {
+  constexpr int kDigits = 9;
+  if (number <= kDigits) return std::to_string(number);
+  return {static_cast<char>('A' + (number - kDigits - 1))};
+}
 
 Phrase phrase_of(const ParticipantMessage& message) {
   switch (message.what) {
@@ -278,12 +284,30 @@ ParticipantScene scene_between_surfaces(const Trial& trial, const std::vector<in
   return scene;
 }
 
-ParticipantScene scene_of_question(const Trial& trial, std::span<const TrialQuestion> page,
-                                   const std::vector<int>& felt) {
-  const TrialQuestion& question = page.front();
+namespace {
+
+/// The questions of a page, without the options.
+ParticipantScene scene_that_asks(ParticipantScene::Kind kind, std::span<const Question> page) {
+  const Question& question = page.front();
   ParticipantScene scene{};
-  scene.kind = ParticipantScene::Kind::question;
+  scene.kind = kind;
   scene.text = question.prompt;
+  scene.question = question.name;
+  scene.form = question.form;
+  scene.optional = question.optional;
+  for (const Question& each : page) {
+    const auto* const scale = std::get_if<ScaleForm>(&each.form);
+    if (scale == nullptr) continue;
+    scene.scales.push_back({.prompt = page.size() == 1 ? "" : each.prompt, .form = *scale});
+  }
+  return scene;
+}
+
+}  // namespace
+
+ParticipantScene scene_of_question(const Trial& trial, std::span<const Question> page,
+                                   const std::vector<int>& felt) {
+  ParticipantScene scene = scene_that_asks(ParticipantScene::Kind::question, page);
   scene.surfaces = surfaces_of(trial, felt);
   scene.can_switch = trial.arrangement.allows_revisits();
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
@@ -296,21 +320,15 @@ ParticipantScene scene_of_question(const Trial& trial, std::span<const TrialQues
   const bool all_felt =
       std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
                   [](const ParticipantScene::Surface& surface) { return surface.felt; });
-  if (all_felt || !trial.pictures_after_feeling) scene.choices = choices_of(trial, question);
-  scene.form = question.form;
+  if (all_felt || !trial.pictures_after_feeling) scene.choices = choices_of(trial, page.front());
   if (scene.is_answered_by<AssignmentForm>()) scene.assigning = 0;
-  for (const TrialQuestion& each : page) {
-    const auto* const scale = std::get_if<ScaleForm>(&each.form);
-    if (scale == nullptr) continue;
-    scene.scales.push_back({.prompt = page.size() == 1 ? "" : each.prompt, .form = *scale});
-  }
   if (page.size() > 1) scene.text = trial.page_prompt;
   scene.standard_picture = trial.standard_picture;
   scene.response_open = true;
   return scene;
 }
 
-ParticipantScene scene_of_doubt(const Trial& trial, std::span<const TrialQuestion> page,
+ParticipantScene scene_of_doubt(const Trial& trial, std::span<const Question> page,
                                 const std::vector<int>& felt, double estimate) {
   ParticipantScene scene = scene_of_question(trial, page, felt);
   scene.text_message = {.what = ParticipantMessage::What::check_estimate,
@@ -320,10 +338,8 @@ ParticipantScene scene_of_doubt(const Trial& trial, std::span<const TrialQuestio
 }
 
 ParticipantScene scene_of_form(const Question& question) {
-  ParticipantScene scene{};
-  scene.kind = ParticipantScene::Kind::form;
-  scene.text = question.prompt;
-  scene.question = question;
+  ParticipantScene scene = scene_that_asks(ParticipantScene::Kind::form, {&question, 1});
+  scene.choices = choices_of({}, question);
   return scene;
 }
 

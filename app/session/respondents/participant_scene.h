@@ -92,7 +92,7 @@ struct ParticipantScene {
     question,  ///< the answer to the trial
     feedback,  ///< after an answer; ends by itself
     rest,      ///< a break; continues after a confirmation, not before `rest_until_ns`
-    form,      ///< a question about the participant or the session (`question`)
+    form,      ///< a question about the participant or the session
     mask_on,   ///< the eye mask is to be put on, and that confirmed
     mask_off,
     paused,  ///< the experimenter paused the session, or a problem is being corrected
@@ -107,8 +107,8 @@ struct ParticipantScene {
   };
   /// An option of the question.
   struct Choice {
-    /// The key that chooses it, shown as its label: "1" … for pictures, "A" … for surfaces, "0" for
-    /// "I cannot tell".
+    /// The key that chooses it, shown as its label: "1" … for pictures and words (of a form also letters), "A" … for
+    /// surfaces, "0" for "I cannot tell".
     std::string key{};
     std::optional<std::string> picture{};  ///< study-relative; a surface or "cannot tell" has none
     /// For an option that is neither a picture nor a surface ("I cannot tell").
@@ -149,7 +149,9 @@ struct ParticipantScene {
   std::vector<Surface> surfaces{};
   std::vector<Choice> choices{};
   std::vector<Scale> scales{};
-  AnswerForm form{};               ///< of the question
+  std::string question{};          ///< the name of the first question of the page
+  AnswerForm form{};               ///< of that question
+  bool optional = false;           ///< the question may be left empty
   std::optional<int> line_step{};  ///< of a line: as DrawnLength::step; nothing: no line yet
   /// Of an assignment: the surface (index in `surfaces`) that receives the next picture.
   std::optional<std::size_t> assigning{};
@@ -160,7 +162,6 @@ struct ParticipantScene {
   /// The picture of the standard, for judgements of realism.
   std::optional<std::string> standard_picture{};
 
-  std::optional<Question> question{};           ///< of a form
   std::optional<std::int64_t> rest_until_ns{};  ///< on the session's clock
   /// While a surface is felt: the participant ends it; otherwise a number of strokes or a contact time does.
   bool can_finish = true;
@@ -183,6 +184,9 @@ struct ParticipantScene {
   }
 };
 
+/// The key that chooses an option in words, by its place in the list from 1: "1" … "9", then "A" ….
+std::string key_of_option(int number);
+
 /// The scenes of a session; the conductor shows them to every kind of respondent.
 ParticipantScene scene_to_read(const std::string& text);
 /// Shown before practice trials that are made again after an interruption.
@@ -204,10 +208,10 @@ ParticipantScene scene_of_lifting_from_patches(const Trial& trial);
 /// Shows nothing until the next surface is presented; keys are accepted only to be refused.
 ParticipantScene scene_between_surfaces(const Trial& trial, const std::vector<int>& felt);
 /// `page`: one of pages_of(trial).
-ParticipantScene scene_of_question(const Trial& trial, std::span<const TrialQuestion> page,
+ParticipantScene scene_of_question(const Trial& trial, std::span<const Question> page,
                                    const std::vector<int>& felt);
 /// The question again, for a number that is to be confirmed or replaced.
-ParticipantScene scene_of_doubt(const Trial& trial, std::span<const TrialQuestion> page,
+ParticipantScene scene_of_doubt(const Trial& trial, std::span<const Question> page,
                                 const std::vector<int>& felt, double estimate);
 ParticipantScene scene_of_form(const Question& question);
 ParticipantScene scene_of_mask(bool on);

@@ -15,7 +15,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/session/respondents/form_answer.h"
 #include "app/session/respondents/sheets/answer_sheet.h"
 #include "app/session/respondents/visit_tally.h"
 
@@ -87,6 +86,10 @@ struct PersonAtWindow::Desk {
   /// Marks a change of meaning at `time_ns`: inputs that follow it too closely do not count.
   void change_meaning(std::int64_t time_ns) {
     perceived_ns = time_ns + std::llround(1e9 * kTooSoon_s);
+  }
+  /// An input as the store has it: what is done in a form is private, and only its answer is stored.
+  std::string described(const ParticipantInput& input) const {
+    return shown == ParticipantScene::Kind::form ? "answer" : description_of(input);
   }
   /// The next input that is meant for the present scene.
   std::optional<ParticipantInput> hear();
@@ -184,7 +187,7 @@ std::optional<ParticipantInput> PersonAtWindow::Desk::hear() {
     if (is_late) data["after_the_deadline"] = true;
     const auto held_ns = static_cast<std::int64_t>(std::llround(1e9 * input.held_s));
     events.push_back({is_release ? input.time_ns + held_ns : input.time_ns,
-                      is_release ? "input_released" : "input", description_of(input), data.dump()});
+                      is_release ? "input_released" : "input", described(input), data.dump()});
     if (!is_release && !is_stale && !is_too_soon && !is_late) return input;
   }
 }
@@ -200,7 +203,7 @@ void PersonAtWindow::Desk::remind(ParticipantMessage message) {
 
 void PersonAtWindow::Desk::refuse(const ParticipantInput& input, ParticipantMessage message) {
   events.push_back({input.time_ns, "refused", text_of(message),
-                    nlohmann::ordered_json{{"input", description_of(input)}}.dump()});
+                    nlohmann::ordered_json{{"input", described(input)}}.dump()});
   remind(std::move(message));
   play(Cue::refused);
 }
@@ -272,7 +275,7 @@ std::optional<int> PersonAtWindow::Desk::other_unfelt() const {
   return {};
 }
 
-// --- the question of a trial ---------------------------------------------------------------------
+// --- a page of questions -------------------------------------------------------------------------
 
 void PersonAtWindow::Desk::show_sheet(const Trial& trial) {
   change([&](ParticipantScene& scene) {
@@ -319,6 +322,7 @@ std::optional<Reply> PersonAtWindow::Desk::hear_answer(const Trial& trial,
 /// A wish to feel a surface (again): the one that was named, or the one that is meant without a name.
 std::optional<Reply> PersonAtWindow::Desk::hear_wish(const Trial& trial,
                                                      const ParticipantInput& input) {
+  if (trial.presentations.empty()) return {};
   if (!trial.arrangement.allows_revisits()) {
     refuse(input, {.what = ParticipantMessage::What::no_going_back});
     return {};
@@ -479,7 +483,7 @@ void PersonAtWindow::refuse_answers() {
   }
 }
 
-Reply PersonAtWindow::ask(const Trial& trial, std::span<const TrialQuestion> page,
+Reply PersonAtWindow::ask(const Trial& trial, std::span<const Question> page,
                           std::span<const ForceFeatures>, std::optional<double> deadline_s,
                           const Wait& wait) {
   desk_->leave_surface();
@@ -520,40 +524,20 @@ void PersonAtWindow::tell(const std::string& text, const Wait& wait) {
   desk_->listen(wait, desk_->after_shown_ns(kFeedback_s), continues);
 }
 
-FormAnswer PersonAtWindow::answer(const Question& question, const Wait& wait) {
+std::optional<Answer> PersonAtWindow::answer(const Question& question, const Wait& wait) {
+  static const Trial kWithoutSurfaces{.arrangement = {.maximum_visits = 1}};
+  desk_->sheet = sheet_for(kWithoutSurfaces, {&question, 1});
   desk_->face({ParticipantScene::Kind::form}, scene_of_form(question));
-  FormAnswer given{};
-  std::optional<std::size_t> pointed{};
+  desk_->show_sheet(kWithoutSurfaces);
+  std::optional<Reply> reply{};
   desk_->listen(wait, {}, [&](const ParticipantInput& input) {
-    if (steps_by_button(input)) {
-      if (question.form != Question::Form::choice) return false;
-      pointed = pointed ? (*pointed + 1) % question.options.size() : 0;
-      desk_->play(Cue::option, static_cast<int>(*pointed) + 1);
-      return false;
-    }
-    std::string text{};
-    if (input.kind == Kind::text) {
-      text = trimmed(input.text);
-    } else if (input.kind == Kind::option) {
-      const std::optional<std::size_t> option = index_of(input.number, question.options.size());
-      if (!option) return false;
-      text = question.options[*option];
-    } else if (continues(input)) {
-      if (pointed) text = question.options[*pointed];
-    } else {
-      return false;
-    }
-    std::variant<ParticipantMessage, FormAnswer> read = form_answer(question, text);
-    if (auto* const refusal = std::get_if<ParticipantMessage>(&read)) {
-      desk_->refuse(input, std::move(*refusal));
-      return false;
-    }
-    given = std::get<FormAnswer>(std::move(read));
-    desk_->source = input.source;
-    desk_->answered_ns = input.time_ns;
-    return true;
+    reply = desk_->hear_answer(kWithoutSurfaces, input);
+    return reply.has_value();
   });
-  return given;
+  desk_->sheet.reset();
+  desk_->answered_ns = reply->answered_ns;
+  const Answer* const answer = reply->answer();
+  return answer == nullptr ? std::nullopt : std::optional(*answer);
 }
 
 std::optional<std::int64_t> PersonAtWindow::answered_ns() const { return desk_->answered_ns; }

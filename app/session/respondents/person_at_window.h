@@ -77,11 +77,10 @@ class PersonAtWindow final : public Respondent {
 
   void read(const std::string& text, double minimum_s, const Wait& wait) override;
   void announce(const Trial& trial, const PlannedPresentation& surface) override;
-  Reply ask(const Trial& trial, std::span<const TrialQuestion> page,
-            std::span<const ForceFeatures> felt, std::optional<double> deadline_s,
-            const Wait& wait) override;
+  Reply ask(const Trial& trial, std::span<const Question> page, std::span<const ForceFeatures> felt,
+            std::optional<double> deadline_s, const Wait& wait) override;
   void tell(const std::string& text, const Wait& wait) override;
-  FormAnswer answer(const Question& question, const Wait& wait) override;
+  std::optional<Answer> answer(const Question& question, const Wait& wait) override;
   std::optional<std::int64_t> answered_ns() const override;
   std::string source() const override;
   void begin_attempt(int trial, int attempt) override;

@@ -38,7 +38,7 @@ struct GivenAnswer {
   /// of its page, or where only the time at which `ask` returned is known.
   std::optional<std::int64_t> given_ns{};
 };
-/// The answers to the questions of a page, in their order.
+/// The answers to the questions of a page, in their order; none where an optional question is left empty.
 using GivenAnswers = std::vector<GivenAnswer>;
 /// The answer to a page with one question.
 inline GivenAnswers only_answer(Answer answer) { return {{std::move(answer), {}}}; }
@@ -92,14 +92,13 @@ class Respondent {
   virtual void announce(const Trial& trial, const PlannedPresentation& surface) = 0;
   /// Asks one page of questions of the trial (pages_of). `felt` are the features of the force of
   /// each surface, by position. `deadline_s` is the remaining time to answer, from now on.
-  virtual Reply ask(const Trial& trial, std::span<const TrialQuestion> page,
+  virtual Reply ask(const Trial& trial, std::span<const Question> page,
                     std::span<const ForceFeatures> felt, std::optional<double> deadline_s,
                     const Wait& wait) = 0;
   /// Gives feedback after a practice trial.
   virtual void tell(const std::string& text, const Wait& wait) = 0;
-  /// Asks a question about the participant or the session; returns the answer as it is stored, none
-  /// where optional and left empty.
-  virtual FormAnswer answer(const Question& question, const Wait& wait) = 0;
+  /// Asks a question about the participant or the session; returns nothing where it was left empty.
+  virtual std::optional<Answer> answer(const Question& question, const Wait& wait) = 0;
   /// When the last `answer` was given, as in Reply. Absent where only the time at which it returned
   /// is known.
   virtual std::optional<std::int64_t> answered_ns() const { return {}; }

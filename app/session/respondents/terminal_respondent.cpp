@@ -14,8 +14,7 @@
 #include <termios.h>
 
 #include "app/session/respondents/dialogues/answer_dialogue.h"
-#include "app/session/respondents/dialogues/scale_dialogue.h"
-#include "app/session/respondents/form_answer.h"
+#include "app/session/respondents/typed_answer.h"
 #include "app/study_files/height_field_files.h"
 #include "app/words/reason.h"
 #include "app/words/text_parts.h"
@@ -142,7 +141,7 @@ void TerminalRespondent::announce(const Trial& trial, const PlannedPresentation&
   if (!unechoed_) unechoed_.emplace(input_);
 }
 
-Reply TerminalRespondent::ask(const Trial& trial, std::span<const TrialQuestion> page,
+Reply TerminalRespondent::ask(const Trial& trial, std::span<const Question> page,
                               std::span<const ForceFeatures>, std::optional<double> deadline_s,
                               const Wait& wait) {
   // Text typed while the surfaces were felt does not answer the question; text typed after the
@@ -156,23 +155,24 @@ Reply TerminalRespondent::ask(const Trial& trial, std::span<const TrialQuestion>
     if (left_s) left_s = std::max(0.0, *left_s - duration_s);
   };
   GivenAnswers given{};
-  for (const TrialQuestion& question : page) {
-    std::variant<NoAnswer, FeelAgain, Answer> heard = ask(trial, question, left_s, timed);
+  for (const Question& question : page) {
+    Heard heard = ask(trial, question, left_s, timed);
     if (std::holds_alternative<NoAnswer>(heard)) return {};
     if (const auto* const again = std::get_if<FeelAgain>(&heard)) {
       if (!given.empty())
         output_ << "After that, please answer all questions on this page again.\n";
       return {*again};
     }
-    given.push_back({std::get<Answer>(std::move(heard)), {}});
+    given.push_back({std::get<std::optional<Answer>>(std::move(heard)).value(), {}});
   }
   return {std::move(given)};
 }
 
-std::variant<NoAnswer, FeelAgain, Answer> TerminalRespondent::ask(
-    const Trial& trial, const TrialQuestion& question, const std::optional<double>& left_s,
-    const Wait& timed) {
-  output_ << '\n' << wrapped_text(question.prompt, columns_of_terminal(input_)) << '\n';
+void TerminalRespondent::put(const Question& question) {
+  output_ << '\n'
+          << wrapped_text(question.prompt + (question.optional ? " (may be left empty)" : ""),
+                          columns_of_terminal(input_))
+          << '\n';
   std::vector<std::string> pictures{};
   for (std::size_t i = 0; i < question.options.size(); ++i) {
     const Option& option = question.options[i];
@@ -180,39 +180,49 @@ std::variant<NoAnswer, FeelAgain, Answer> TerminalRespondent::ask(
     output_ << "  " << i + 1 << "  " << (option.picture ? "picture " : "")
             << (option.text.empty() ? option.label : option.text) << '\n';
   }
-  if (!pictures.empty()) {
-    output_ << std::flush;
-    show(pictures);
-    output_ << "The pictures are in " << sheet_.string() << ", numbered 1 to " << pictures.size()
-            << " from left to right.\n";
-  }
+  if (pictures.empty()) return;
+  output_ << std::flush;
+  show(pictures);
+  output_ << "The pictures are in " << sheet_.string() << ", numbered 1 to " << pictures.size()
+          << " from left to right.\n";
+}
+
+TerminalRespondent::Heard TerminalRespondent::ask(const Trial& trial, const Question& question,
+                                                  const std::optional<double>& left_s,
+                                                  const Wait& timed) {
+  put(question);
   if (visits_.owed(trial)) {
     output_ << "To feel a surface, type feel and its letter, for example: feel A\n";
   } else if (trial.arrangement.allows_revisits() && visits_.next(trial, 0)) {
     output_ << "To feel a surface again, type feel and its letter, for example: feel A\n";
   }
-  const std::unique_ptr<AnswerDialogue> dialogue = dialogue_for(trial, question);
-  output_ << dialogue->introduction();
+  return hear(*dialogue_for(question, trial.presentations), &trial, left_s, timed);
+}
+
+TerminalRespondent::Heard TerminalRespondent::hear(AnswerDialogue& dialogue, const Trial* trial,
+                                                   const std::optional<double>& left_s,
+                                                   const Wait& timed) {
+  output_ << dialogue.introduction();
   for (;;) {
-    output_ << dialogue->prompt() << std::flush;
+    output_ << dialogue.prompt() << std::flush;
     const std::optional<std::string> typed = line(timed, left_s);
     if (!typed) return NoAnswer{};
     bool is_wish = false;
-    if (const std::optional<int> again = wish_in(*typed, trial, is_wish)) {
-      const std::string note = dialogue->note_on_discarding();
+    if (const std::optional<int> again = trial ? wish_in(*typed, *trial, is_wish) : std::nullopt) {
+      const std::string note = dialogue.note_on_discarding();
       if (!note.empty()) output_ << note << '\n';
       return FeelAgain{*again};
     }
     if (is_wish) continue;
-    if (const std::optional<int> owed = visits_.owed(trial)) {
+    if (const std::optional<int> owed = trial ? visits_.owed(*trial) : std::nullopt) {
       const PlannedPresentation& first =
-          trial.presentations.at(static_cast<std::size_t>(*owed - 1));
+          trial->presentations.at(static_cast<std::size_t>(*owed - 1));
       output_ << text_of({.what = ParticipantMessage::What::feel_first, .code = first.code})
               << '\n';
       continue;
     }
-    std::variant<NextLine, Answer> taken = dialogue->take(*typed);
-    if (auto* const answer = std::get_if<Answer>(&taken)) return std::move(*answer);
+    std::variant<NextLine, std::optional<Answer>> taken = dialogue.take(*typed);
+    if (auto* const answer = std::get_if<std::optional<Answer>>(&taken)) return std::move(*answer);
     const std::string& complaint = std::get<NextLine>(taken).complaint;
     if (!complaint.empty()) output_ << complaint << '\n';
   }
@@ -245,35 +255,9 @@ void TerminalRespondent::tell(const std::string& text, const Wait&) {
   output_ << text << std::endl;
 }
 
-FormAnswer TerminalRespondent::answer(const Question& question, const Wait& wait) {
-  output_ << '\n'
-          << wrapped_text(question.prompt + (question.optional ? " (may be left empty)" : ""),
-                          columns_of_terminal(input_))
-          << '\n';
-  for (std::size_t i = 0; i < question.options.size(); ++i) {
-    output_ << "  " << i + 1 << "  " << question.text_of_option(i) << '\n';
-  }
-  if (question.form == Question::Form::multiple_choice) {
-    output_ << "Enter the numbers of all that apply, separated by blanks.\n";
-  }
-  if (question.form == Question::Form::scale) {
-    output_ << ScaleDialogue(question.scale).introduction();
-  }
-  const std::string unit = question.unit.empty() ? "" : " (" + question.unit + ")";
-  for (;;) {
-    output_ << "Your answer" << unit << ": " << std::flush;
-    const std::string typed = line(wait).value_or(std::string());
-    std::variant<ParticipantMessage, FormAnswer> read = form_answer(question, typed);
-    const auto* const refusal = std::get_if<ParticipantMessage>(&read);
-    if (refusal == nullptr) return std::get<FormAnswer>(std::move(read));
-    if (refusal->what == ParticipantMessage::What::option_needed) {
-      output_ << "Please enter a number from 1 to " << question.options.size() << ".\n";
-    } else if (refusal->what == ParticipantMessage::What::options_needed) {
-      output_ << "Please enter one or more numbers from 1 to " << question.options.size() << ".\n";
-    } else {
-      output_ << text_of(*refusal) << '\n';
-    }
-  }
+std::optional<Answer> TerminalRespondent::answer(const Question& question, const Wait& wait) {
+  put(question);
+  return std::get<std::optional<Answer>>(hear(*dialogue_for(question), nullptr, {}, wait));
 }
 
 }  // namespace asperity

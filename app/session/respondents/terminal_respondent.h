@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/respondents/dialogues/answer_dialogue.h"
 #include "app/session/respondents/respondent.h"
 #include "app/session/respondents/unechoed_input.h"
 #include "app/session/respondents/visit_tally.h"
@@ -37,11 +38,10 @@ class TerminalRespondent final : public Respondent {
 
   void read(const std::string& text, double minimum_s, const Wait& wait) override;
   void announce(const Trial& trial, const PlannedPresentation& surface) override;
-  Reply ask(const Trial& trial, std::span<const TrialQuestion> page,
-            std::span<const ForceFeatures> felt, std::optional<double> deadline_s,
-            const Wait& wait) override;
+  Reply ask(const Trial& trial, std::span<const Question> page, std::span<const ForceFeatures> felt,
+            std::optional<double> deadline_s, const Wait& wait) override;
   void tell(const std::string& text, const Wait& wait) override;
-  FormAnswer answer(const Question& question, const Wait& wait) override;
+  std::optional<Answer> answer(const Question& question, const Wait& wait) override;
   std::string source() const override { return "keyboard"; }
   /// At a terminal there is no experimenter's window: Return states that the fault is corrected.
   void hear_of_fault(const std::string& what) override;
@@ -58,10 +58,14 @@ class TerminalRespondent final : public Respondent {
   bool wants_next(bool may_go) override { return felt_side_by_side_ && may_go; }
 
  private:
+  using Heard = std::variant<NoAnswer, FeelAgain, std::optional<Answer>>;
   /// Asks one question. `left_s` follows the time that passes in `timed`.
-  std::variant<NoAnswer, FeelAgain, Answer> ask(const Trial& trial, const TrialQuestion& question,
-                                                const std::optional<double>& left_s,
-                                                const Wait& timed);
+  Heard ask(const Trial& trial, const Question& question, const std::optional<double>& left_s,
+            const Wait& timed);
+  void put(const Question& question);
+  /// Asks for lines until the dialogue is complete. `trial`: null for a question of the session.
+  Heard hear(AnswerDialogue& dialogue, const Trial* trial, const std::optional<double>& left_s,
+             const Wait& timed);
   /// The position of the surface that the line requests to feel again; nothing for other lines. `said` is true for
   /// every such request; an unknown surface is reported on the terminal.
   std::optional<int> wish_in(const std::string& typed, const Trial& trial, bool& said);

@@ -137,7 +137,7 @@ void VirtualParticipant::read(const std::string&, double minimum_s, const Wait& 
 
 void VirtualParticipant::tell(const std::string&, const Wait& wait) { wait(1.0); }
 
-Reply VirtualParticipant::ask(const Trial& trial, std::span<const TrialQuestion> page,
+Reply VirtualParticipant::ask(const Trial& trial, std::span<const Question> page,
                               std::span<const ForceFeatures> felt, std::optional<double> deadline_s,
                               const Wait& wait) {
   if (const std::optional<int> owed = visits_.owed(trial)) {
@@ -149,7 +149,7 @@ Reply VirtualParticipant::ask(const Trial& trial, std::span<const TrialQuestion>
   std::optional<double> left_s = deadline_s;
   bool is_guess = false;
   GivenAnswers given{};
-  for (const TrialQuestion& question : page) {
+  for (const Question& question : page) {
     // The first question of a trial has the stream of the attempt, every other its own.
     const Random random = question.name == trial.questions.front().name
                               ? attempt_random_
@@ -182,47 +182,63 @@ Reply VirtualParticipant::ask(const Trial& trial, std::span<const TrialQuestion>
 }
 
 const VirtualResponse* VirtualParticipant::response_rated_by(const Trial& trial,
-                                                             const TrialQuestion& question) const {
+                                                             const Question& question) const {
   const auto* const asked = question_named(protocol_.blocks.at(trial.block), question.name);
   if (asked == nullptr) return nullptr;
   const auto rated = responses_.find(asked->confidence_of);
   return rated == responses_.end() ? nullptr : &rated->second;
 }
 
-FormAnswer VirtualParticipant::answer(const Question& question, const Wait& wait) {
+namespace {
+
+/// An answer that is independent of everything else. Virtual participants write no texts.
+struct RandomAnswer {
+  const Question& question;
+  Random draws;
+
+  std::optional<Answer> operator()(const ChoiceForm&) {
+    if (question.options.empty()) return std::nullopt;
+    return ChosenOption{static_cast<std::size_t>(draws.below(question.options.size()))};
+  }
+  std::optional<Answer> operator()(const MultipleChoiceForm&) {
+    ChosenOptions chosen{};
+    for (std::size_t i = 0; i < question.options.size(); ++i) {
+      if (draws.below(2) == 0) chosen.options.push_back(i);
+    }
+    if (chosen.options.empty() && !question.options.empty()) {
+      chosen.options.push_back(question.options.size() - 1);
+    }
+    return chosen;
+  }
+  std::optional<Answer> operator()(const NumberForm& form) {
+    const double low = form.minimum.value_or(form.is_estimate ? 1.0 : 0.0);
+    const double high = form.maximum.value_or(low + 10.0);
+    const double first = std::ceil(low);
+    const double last = std::floor(high);
+    if (first > last) return GivenNumber{std::stod(rounded_text(0.5 * (low + high)))};
+    const auto count = static_cast<std::uint64_t>(std::min(last - first, kMostNumbers)) + 1;
+    return GivenNumber{first + static_cast<double>(draws.below(count))};
+  }
+  std::optional<Answer> operator()(const ScaleForm& form) {
+    return ScalePoint{static_cast<int>(draws.below(static_cast<std::uint64_t>(form.steps()) + 1))};
+  }
+  std::optional<Answer> operator()(const LineForm&) {
+    return DrawnLength{static_cast<int>(draws.below(LineForm::kSteps)) + 1};
+  }
+  std::optional<Answer> operator()(const TextForm&) { return std::nullopt; }
+  std::optional<Answer> operator()(const AssignmentForm&) {
+    throw std::logic_error("an assignment is answered by its kind of experiment; add its `judge`");
+  }
+};
+
+}  // namespace
+
+std::optional<Answer> VirtualParticipant::answer(const Question& question, const Wait& wait) {
   wait(kReading_s);
   source_ = "virtual";
   // A resumed session gives the same answers.
-  Random draws = random_.split("questionnaire").split(question.name);
-  switch (question.form) {
-    case Question::Form::choice:
-      if (question.options.empty()) return {};
-      return {question.options[static_cast<std::size_t>(draws.below(question.options.size()))]};
-    case Question::Form::multiple_choice: {
-      FormAnswer chosen{};
-      for (const std::string& option : question.options) {
-        if (draws.below(2) == 0) chosen.push_back(option);
-      }
-      if (chosen.empty() && !question.options.empty()) chosen.push_back(question.options.back());
-      return chosen;
-    }
-    case Question::Form::number: {
-      const double low = question.minimum.value_or(0.0);
-      const double high = question.maximum.value_or(low + 10.0);
-      const double first = std::ceil(low);
-      const double last = std::floor(high);
-      if (first > last) return {rounded_text(0.5 * (low + high))};
-      const auto count = static_cast<std::uint64_t>(std::min(last - first, kMostNumbers)) + 1;
-      return {number_text(first + static_cast<double>(draws.below(count)))};
-    }
-    case Question::Form::scale: {
-      const auto points = static_cast<std::uint64_t>(question.scale.steps()) + 1;
-      return {number_text(question.scale.value_at(static_cast<int>(draws.below(points))))};
-    }
-    case Question::Form::text:
-      return {};
-  }
-  return {};
+  return std::visit(RandomAnswer{question, random_.split("questionnaire").split(question.name)},
+                    question.form);
 }
 
 ParticipantRow virtual_person(int number, const Random& random, const std::string& created_utc) {

@@ -63,11 +63,10 @@ class VirtualParticipant final : public Respondent {
 
   void read(const std::string& text, double minimum_s, const Wait& wait) override;
   void announce(const Trial& trial, const PlannedPresentation& surface) override;
-  Reply ask(const Trial& trial, std::span<const TrialQuestion> page,
-            std::span<const ForceFeatures> felt, std::optional<double> deadline_s,
-            const Wait& wait) override;
+  Reply ask(const Trial& trial, std::span<const Question> page, std::span<const ForceFeatures> felt,
+            std::optional<double> deadline_s, const Wait& wait) override;
   void tell(const std::string& text, const Wait& wait) override;
-  FormAnswer answer(const Question& question, const Wait& wait) override;
+  std::optional<Answer> answer(const Question& question, const Wait& wait) override;
   std::string source() const override { return source_; }
   void begin_attempt(int trial, int attempt) override;
 
@@ -76,7 +75,7 @@ class VirtualParticipant final : public Respondent {
 
  private:
   /// The earlier response of the attempt whose confidence the question rates; null for all other questions.
-  const VirtualResponse* response_rated_by(const Trial& trial, const TrialQuestion& question) const;
+  const VirtualResponse* response_rated_by(const Trial& trial, const Question& question) const;
 
   const Protocol& protocol_;
   ExpectationsByExploration expectations_{};

@@ -1,10 +1,10 @@
-// Follows the conditions of the questions, and compares each answer with the options.
+// Follows the conditions of the questions, and compares each answer with its question.
 
 #include "app/tasks/verify/verify_questionnaire.h"
 
 #include <algorithm>
 
-#include "app/session/questionnaire_rows.h"
+#include "app/session/response_rows.h"
 
 namespace asperity {
 namespace {
@@ -17,9 +17,26 @@ bool is_of_virtual_participant(const std::vector<ResponseRow>& rows, const std::
 
 }  // namespace
 
+std::vector<std::string> answer_problems(const Question& question,
+                                         std::span<const AnsweredItem> stored, bool was_asked,
+                                         bool is_condition_met, int surfaces) {
+  std::vector<std::string> problems{};
+  if (was_asked) problems = problems_with(question, stored, surfaces);
+  if (!was_asked && !texts_of(stored).empty()) {
+    problems.emplace_back("it was not asked, and an answer is stored");
+  }
+  if (was_asked == is_condition_met) return problems;
+  problems.push_back(was_asked ? "it was asked, but the condition that " +
+                                     clause_of(*question.condition) + " is not met"
+                     : question.condition
+                         ? "it was not asked, but " + clause_of(*question.condition)
+                         : "it was not asked, but it has no condition");
+  return problems;
+}
+
 std::vector<std::string> questionnaire_problems(const SessionRow& session, const Protocol& protocol,
                                                 const std::vector<ResponseRow>& rows) {
-  const QuestionnaireAnswers stored(rows);
+  const StoredAnswers stored(rows);
   std::vector<std::string> problems{};
   const auto report = [&](const std::string& name, const std::string& what) {
     problems.push_back("session " + std::to_string(session.session) + " of participant " +
@@ -32,27 +49,14 @@ std::vector<std::string> questionnaire_problems(const SessionRow& session, const
       continue;
     }
     const Question& question = found->second;
-    const bool should_be_asked =
-        !question.condition || is_met(*question.condition, stored.to(question.condition->question));
     const bool was_asked = !stored.was_not_asked(name);
-    if (was_asked && !should_be_asked) {
-      report(name, "it was asked, but the condition that " + clause_of(*question.condition) +
-                       " is not met");
-    }
-    if (!was_asked && should_be_asked) {
-      report(name, question.condition ? "it was not asked, but " + clause_of(*question.condition)
-                                      : std::string("it was not asked, but it has no condition"));
-    }
-    if (!was_asked) {
-      if (!stored.to(name).empty()) report(name, "it was not asked, and an answer is stored");
-      continue;
-    }
     // Virtual participants write no texts, whether or not the protocol requires one.
-    if (question.form == Question::Form::text && stored.to(name).empty() &&
+    if (was_asked && question.is_answered_by<TextForm>() && stored.to(name).empty() &&
         is_of_virtual_participant(rows, name)) {
       continue;
     }
-    for (const std::string& problem : problems_with(question, stored.to(name))) {
+    for (const std::string& problem : answer_problems(question, stored.items(name), was_asked,
+                                                      stored.meet(question.condition))) {
       report(name, problem);
     }
   }

@@ -159,27 +159,37 @@ void check_answers(const SessionRow& session, const Plan& plan, const SessionAns
     if (!are_as_planned(answers.surfaces_of(attempt), answers.words, planned)) {
       problems.push_back(where() + ": its surfaces differ from those of the planned trial");
     }
+    std::map<std::string, std::vector<AnsweredItem>> stored{};
     for (const SessionAnswers::Reply& reply : answers.replies_of(attempt)) {
-      const std::string& answer = answers.words[reply.answer];
       const std::string& name = answers.words[reply.question];
-      const auto item = [&] {
-        return where() + (planned.questions.size() > 1 ? ", question " + name : std::string()) +
-               ", item " + std::to_string(reply.item) + ": ";
-      };
-      const TrialQuestion* const question = find_question(planned, name);
+      std::vector<AnsweredItem>& items = stored[name];
+      items.push_back({.item = reply.item,
+                       .answer = answers.words[reply.answer],
+                       .number = reply.number,
+                       .correct = reply.correct});
+      const Question* const question = find_question(planned, name);
       if (question == nullptr) {
-        problems.push_back(item() + "the planned trial has no question " + name);
-        continue;
+        problems.push_back(where() + ": the planned trial has no question " + name);
+      } else if (answers.words[reply.options_json] != options_json_of(*question)) {
+        problems.push_back(where() + ", question " + name +
+                           ": the options stored with the response differ from those of the "
+                           "planned trial");
       }
-      if (answers.words[reply.options_json] != options_json_of(*question)) {
-        problems.push_back(item() +
-                           "the options stored with the response differ from those of the planned "
-                           "trial");
-      }
-      const AnsweredItem stored{
-          .item = reply.item, .answer = answer, .number = reply.number, .correct = reply.correct};
-      for (const std::string& problem : problems_with(*question, stored)) {
-        problems.push_back(item() + problem);
+    }
+    const int surfaces = static_cast<int>(planned.presentations.size());
+    const auto meets = [&stored](const AnswerCondition& condition) {
+      const auto needed = stored.find(condition.question);
+      return needed != stored.end() && is_met(condition, texts_of(needed->second));
+    };
+    for (const Question& question : planned.questions) {
+      const auto items = stored.find(question.name);
+      if (items == stored.end()) continue;
+      // No question of a trial may be left empty.
+      const bool was_asked = !texts_of(items->second).empty();
+      const bool is_condition_met = !question.condition || meets(*question.condition);
+      for (const std::string& problem :
+           answer_problems(question, items->second, was_asked, is_condition_met, surfaces)) {
+        problems.push_back(where() + ", question " + question.name + ": " + problem);
       }
     }
   }

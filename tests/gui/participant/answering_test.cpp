@@ -14,6 +14,7 @@
 #include "renderers/force/force_model.h"
 #include "tests/gui/participant/scenes.h"
 #include "tests/gui/support/widgets.h"
+#include "tests/support/questions.h"
 #include "tests/support/replies.h"
 
 namespace asperity {
@@ -168,11 +169,10 @@ TEST(Answering, AsksAgainForANumberThatIsOutOfRange) {
   Question question{};
   question.name = "age";
   question.prompt = "How old are you, in years?";
-  question.form = Question::Form::number;
-  question.minimum = 18.0;
+  question.form = NumberForm{.minimum = 18.0};
   Room room{};
-  auto answer =
-      room.on_thread<FormAnswer>([&] { return room.person.answer(question, Room::wait()); });
+  auto answer = room.on_thread<std::optional<Answer>>(
+      [&] { return room.person.answer(question, Room::wait()); });
   ASSERT_TRUE(room.sees(
       [](const ParticipantScene& scene) { return scene.kind == ParticipantScene::Kind::form; }));
   room.key(Qt::Key_7);
@@ -182,7 +182,7 @@ TEST(Answering, AsksAgainForANumberThatIsOutOfRange) {
   EXPECT_TRUE(room.view().drawn_texts().contains("Please enter a number of at least 18."));
   room.key(Qt::Key_0);
   room.key(Qt::Key_Return);
-  EXPECT_EQ(answer.get(), FormAnswer{"70"});
+  EXPECT_EQ(stored(question, answer.get()), FormAnswer{"70"});
 }
 
 // A hand that holds the device reads with its button.

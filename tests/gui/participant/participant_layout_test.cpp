@@ -243,10 +243,11 @@ TEST(ParticipantLayout, AsksOnPagesOfItsOwnWhereAQuestionLeavesNoRoomForItsAnswe
 
 TEST(ParticipantLayout, ShowsEveryOptionOfALongListOnceAndTheChosenOnesPage) {
   ParticipantScene scene = scenes::form_choice();
-  scene.question->options.clear();
+  scene.choices.clear();
   for (int i = 1; i <= 20; ++i) {
-    scene.question->options.push_back("a rather long answer, which has the number " +
-                                      std::to_string(i));
+    scene.choices.push_back(
+        {.key = key_of_option(i),
+         .text = "a rather long answer, which has the number " + std::to_string(i)});
   }
   ParticipantLayoutInputs inputs{.size = {683.0, 768.0}};
   std::vector<int> seen{};
@@ -260,7 +261,8 @@ TEST(ParticipantLayout, ShowsEveryOptionOfALongListOnceAndTheChosenOnesPage) {
   EXPECT_EQ(seen, all);
   for (const int chosen : all) {
     inputs.page = 0;
-    inputs.draft.option = chosen;
+    for (ParticipantScene::Choice& choice : scene.choices) choice.chosen = false;
+    scene.choices.at(static_cast<std::size_t>(chosen) - 1).chosen = true;
     const auto items = lay_out(scene, inputs);
     EXPECT_EQ(std::count_if(
                   items.begin(), items.end(),
@@ -395,8 +397,7 @@ TEST(ParticipantLayout, SpeaksTheLanguageOfTheProtocol) {
   EXPECT_NE(find(lay_out(rest, {}), Item::Kind::control, "Continue"), nullptr);
   ParticipantScene number = scenes::form_number();
   number.language = "de";
-  number.question->minimum = 0.5;
-  number.question->maximum = 120.0;
+  number.form = NumberForm{.minimum = 0.5, .maximum = 120.0};
   EXPECT_NE(find(lay_out(number, {}), Item::Kind::words, "Von 0,5 bis 120"), nullptr);
 }
 

@@ -20,6 +20,7 @@
 #include "app/gui/participant/participant_window.h"
 #include "tests/gui/participant/scenes.h"
 #include "tests/gui/support/widgets.h"
+#include "tests/support/questions.h"
 
 namespace asperity {
 namespace {
@@ -278,7 +279,7 @@ struct UnrelatedWindow {
 
 ParticipantScene optional_text() {
   ParticipantScene scene = scenes::form_text();
-  scene.question->optional = true;
+  scene.optional = true;
   return scene;
 }
 
@@ -338,10 +339,10 @@ TEST(ResponseKeys, LeavesAQuestionOutOnlyFromTheWindowsOfTheSession) {
   UnrelatedWindow other{};
   desk.window.keys().set_session_window(&desk.experimenter);
   ParticipantScene number = optional_text();
-  number.question->form = Question::Form::number;
+  number.form = NumberForm{};
   ParticipantScene choice = optional_text();
-  choice.question->form = Question::Form::choice;
-  choice.question->options = {"good", "tired"};
+  choice.form = ChoiceForm{};
+  choice.choices = {{.key = "1", .text = "good"}, {.key = "2", .text = "tired"}};
   std::size_t left_out = 0;
   for (const ParticipantScene& scene : {optional_text(), number, choice}) {
     desk.show(scene);

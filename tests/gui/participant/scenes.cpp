@@ -5,6 +5,8 @@
 #include <QtCore/QDir>
 #include <QtGui/QImage>
 
+#include "tests/support/questions.h"
+
 namespace asperity::scenes {
 
 namespace {
@@ -26,13 +28,6 @@ std::vector<ParticipantScene::Surface> surfaces(int count) {
     all.push_back({.code = std::string(1, static_cast<char>('A' + i)), .felt = true});
   }
   return all;
-}
-
-ParticipantScene of_question(const Question& question) {
-  ParticipantScene scene = in_block(ParticipantScene::Kind::form, question.prompt);
-  scene.block = 0;
-  scene.question = question;
-  return scene;
 }
 
 }  // namespace
@@ -176,60 +171,55 @@ ParticipantScene magnitude() {
   ParticipantScene scene =
       in_block(ParticipantScene::Kind::question, "How rough did this surface feel?");
   scene.surfaces = surfaces(1);
-  scene.form = NumberForm{};
+  scene.form = NumberForm{.is_estimate = true};
   scene.response_open = true;
   return scene;
 }
 
 ParticipantScene form_choice() {
-  return of_question({.name = "hand_problems",
-                      .prompt = "Do you have any problems with your sense of touch, or with the "
-                                "hand or arm that you will use (for example numbness, pain or an "
-                                "injury)?",
-                      .form = Question::Form::choice,
-                      .options = {"no", "yes", "I would rather not say"}});
+  return scene_of_form({.name = "hand_problems",
+                        .prompt = "Do you have any problems with your sense of touch, or with the "
+                                  "hand or arm that you will use (for example numbness, pain or an "
+                                  "injury)?",
+                        .form = ChoiceForm{},
+                        .options = in_words({"no", "yes", "I would rather not say"})});
 }
 
 ParticipantScene form_number() {
-  return of_question({.name = "age",
-                      .prompt = "How old are you, in years?",
-                      .form = Question::Form::number,
-                      .minimum = 18.0,
-                      .maximum = 120.0});
+  return scene_of_form({.name = "age",
+                        .prompt = "How old are you, in years?",
+                        .form = NumberForm{.minimum = 18.0, .maximum = 120.0}});
 }
 
 ParticipantScene form_choices() {
-  return of_question({.name = "places",
-                      .prompt = "Where does your hand hurt?",
-                      .form = Question::Form::multiple_choice,
-                      .options = {"fingers", "palm", "wrist", "elsewhere"},
-                      .optional = true});
+  return scene_of_form({.name = "places",
+                        .prompt = "Where does your hand hurt?",
+                        .form = MultipleChoiceForm{},
+                        .options = in_words({"fingers", "palm", "wrist", "elsewhere"}),
+                        .optional = true});
 }
 
 ParticipantScene form_unit() {
-  return of_question({.name = "since",
-                      .prompt = "For how long has your hand hurt?",
-                      .form = Question::Form::number,
-                      .minimum = 0.0,
-                      .unit = "min"});
+  return scene_of_form({.name = "since",
+                        .prompt = "For how long has your hand hurt?",
+                        .form = NumberForm{.minimum = 0.0, .unit = "min"}});
 }
 
 ParticipantScene form_scale(int points) {
-  return of_question({.name = "strength",
-                      .prompt = "How strong is the pain?",
-                      .form = Question::Form::scale,
-                      .scale = {.minimum = 0.0,
-                                .maximum = 10.0,
-                                .points = points,
-                                .labels = {"no pain", "the worst pain"}},
-                      .optional = true});
+  return scene_of_form({.name = "strength",
+                        .prompt = "How strong is the pain?",
+                        .form = ScaleForm{.minimum = 0.0,
+                                          .maximum = 10.0,
+                                          .points = points,
+                                          .labels = {"no pain", "the worst pain"}},
+                        .optional = true});
 }
 
 ParticipantScene form_text() {
-  return of_question({.name = "remarks",
-                      .prompt = "Is there anything else that we should know?",
-                      .form = Question::Form::text,
-                      .optional = true});
+  return scene_of_form({.name = "remarks",
+                        .prompt = "Is there anything else that we should know?",
+                        .form = TextForm{},
+                        .optional = true});
 }
 
 ParticipantScene rest(std::int64_t until_ns) {
@@ -334,7 +324,7 @@ std::vector<std::pair<std::string, ParticipantScene>> all() {
   scenes.emplace_back("form-choice", form_choice());
   scenes.emplace_back("form-number", form_number());
   ParticipantScene signed_number = form_number();
-  signed_number.question->minimum.reset();
+  signed_number.form = NumberForm{.maximum = 120.0};
   scenes.emplace_back("form-number-signed", signed_number);
   scenes.emplace_back("form-choices", form_choices());
   scenes.emplace_back("form-unit", form_unit());
@@ -388,23 +378,21 @@ std::vector<std::pair<std::string, ParticipantScene>> demanding() {
   ParticipantScene selected = selection(9);
   selected.standard_picture.reset();
   scenes.emplace_back("selection-9", selected);
-  ParticipantScene choice = form_choice();
-  choice.question->options = {"never or hardly ever in all my life",
-                              "less than once in a year",
-                              "some times in a year, on average",
-                              "about once in a month",
-                              "about once in a week",
-                              "on most days, for a short while",
-                              "on most days, for an hour or more",
-                              "every day, and it is my profession"};
+  const ParticipantScene choice = scene_of_form(
+      {.name = "experience",
+       .prompt = "How often do you work with your hands?",
+       .options =
+           in_words({"never or hardly ever in all my life", "less than once in a year",
+                     "some times in a year, on average", "about once in a month",
+                     "about once in a week", "on most days, for a short while",
+                     "on most days, for an hour or more", "every day, and it is my profession"})});
   scenes.emplace_back("form-choice-long", choice);
-  ParticipantScene asked = form_choice();
-  asked.text = sentences(6) + "Do you agree?";
-  asked.question->options = {"yes", "no"};
+  const ParticipantScene asked = scene_of_form({.name = "agreement",
+                                                .prompt = sentences(6) + "Do you agree?",
+                                                .options = in_words({"yes", "no"})});
   scenes.emplace_back("form-question-long", asked);
   ParticipantScene number = form_number();
-  number.question->minimum = -1234567.125;
-  number.question->maximum = 1234567.125;
+  number.form = NumberForm{.minimum = -1234567.125, .maximum = 1234567.125};
   scenes.emplace_back("form-number-range", number);
   ParticipantScene written = form_text();
   written.text = sentences(7);

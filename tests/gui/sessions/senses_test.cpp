@@ -112,7 +112,7 @@ TEST_F(Blindfold, TheExperimenterTypesWhatIsSpokenAndSeesItInTheMirror) {
     wait_for(question, [&] {
       const Scene& scene = view().scene();
       const bool is_it =
-          scene.kind == kind && (!scene.question || scene.question->name == question);
+          scene.kind == kind && (kind != Scene::Kind::form || scene.question == question);
       return is_it && can_be_perceived();
     });
   };

@@ -207,7 +207,7 @@ class AssignmentPage final : public ParticipantPage {
   void lay_out(PageFrame& frame) const override { AssignmentLayout(frame).lay_out(); }
 
   void add_controls(PageFrame& frame) const override {
-    add_question_controls(frame, frame.scene().can_confirm);
+    add_question_controls(frame, *this, frame.scene().can_confirm);
     add_words_as_controls(frame);
   }
 

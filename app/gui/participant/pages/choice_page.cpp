@@ -1,4 +1,4 @@
-// Lays out options as pictures, letters or words, as large as the room allows, next to a standard.
+// Lays out options as a list of words, or as pictures and letters as large as the room allows, next to a standard.
 
 #include "app/gui/participant/pages/choice_page.h"
 
@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "app/gui/participant/pages/option_list.h"
 #include "app/gui/participant/pages/page_frame.h"
 #include "app/gui/participant/pages/picture_grid.h"
 #include "app/gui/participant/pages/trial_controls.h"
@@ -198,12 +199,35 @@ double ChoiceLayout::height_of_options_in_words() const {
   return height;
 }
 
+bool are_all_words(const Scene& scene) {
+  return !scene.standard_picture && !scene.choices.empty() &&
+         std::ranges::all_of(scene.choices, [](const Scene::Choice& choice) {
+           return !choice.picture && !choice.text.empty();
+         });
+}
+
+/// The place of the chosen option, from 1; none while nothing is chosen.
+std::vector<int> chosen_of(const Scene& scene) {
+  const auto chosen = std::ranges::find_if(scene.choices, &Scene::Choice::chosen);
+  if (chosen == scene.choices.end()) return {};
+  return {static_cast<int>(chosen - scene.choices.begin()) + 1};
+}
+
 class ChoicePage final : public ParticipantPage {
  public:
-  void lay_out(PageFrame& frame) const override { ChoiceLayout(frame).lay_out(); }
+  void lay_out(PageFrame& frame) const override {
+    const Scene& scene = frame.scene();
+    if (are_all_words(scene)) {
+      lay_out_options(frame, {.question = frame.scene_text(),
+                              .options = options_in_words(scene),
+                              .chosen = chosen_of(scene)});
+    } else {
+      ChoiceLayout(frame).lay_out();
+    }
+  }
 
   void add_controls(PageFrame& frame) const override {
-    add_question_controls(frame, frame.scene().can_confirm);
+    add_question_controls(frame, *this, frame.scene().can_confirm);
     if (shows_pictures(frame.scene())) add_words_as_controls(frame);
   }
 

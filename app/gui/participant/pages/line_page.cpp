@@ -67,7 +67,7 @@ class LinePage final : public ParticipantPage {
   }
 
   void add_controls(PageFrame& frame) const override {
-    add_question_controls(frame, frame.scene().can_confirm);
+    add_question_controls(frame, *this, frame.scene().can_confirm);
   }
 
   void draw(ParticipantBrush& brush, const Item& item) const override {

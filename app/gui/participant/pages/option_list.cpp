@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/gui/participant/pages/page_frame.h"
+#include "app/gui/participant/pages/participant_words.h"
 
 namespace asperity {
 
@@ -21,7 +22,8 @@ struct OptionRows {
 
 /// As few columns as give all options room in `height`; where none does, as many rows of the last
 /// arrangement as fit.
-OptionRows option_rows(const PageFrame& frame, const std::vector<QString>& options, double height) {
+OptionRows option_rows(const PageFrame& frame, const std::vector<ListedOption>& options,
+                       double height) {
   constexpr int kMostColumns = 3;  // more are not read as one list
   const int count = static_cast<int>(options.size());
   const double gap = frame.px(0.75 * frame.kGap);
@@ -30,7 +32,7 @@ OptionRows option_rows(const PageFrame& frame, const std::vector<QString>& optio
     const double room = (frame.body().width() - (columns - 1) * frame.px(2 * frame.kGap)) / columns;
     double width = 0.0;
     double longest_word = 0.0;
-    for (const QString& option : options) {
+    for (const auto& [option, key] : options) {
       width = std::max(width, frame.width_of_answer(option));
       longest_word =
           std::max(longest_word, frame.width_of_longest_word(option, frame.letters(frame.kText)));
@@ -38,7 +40,7 @@ OptionRows option_rows(const PageFrame& frame, const std::vector<QString>& optio
     if (columns > 1 && longest_word + frame.em(frame.kAroundAnswer) > room) break;
     width = std::min(width, room);
     OptionRows rows{.columns = columns, .width = width};
-    for (const QString& option : options) {
+    for (const auto& [option, key] : options) {
       rows.row_height = std::max(rows.row_height, frame.height_of_answer(option, width));
     }
     const int needed = (count + columns - 1) / columns;
@@ -56,7 +58,7 @@ OptionRows option_rows(const PageFrame& frame, const std::vector<QString>& optio
 }  // namespace
 
 void lay_out_options(PageFrame& frame, const OptionList& list) {
-  const std::vector<QString>& options = list.options;
+  const std::vector<ListedOption>& options = list.options;
   const OptionRows alone = option_rows(frame, options, frame.body().height());
   const int count = static_cast<int>(options.size());
   const bool answers = frame.question_over(
@@ -83,26 +85,21 @@ void lay_out_options(PageFrame& frame, const OptionList& list) {
          .rect = QRectF(frame.body().center().x() - total / 2.0 +
                             column * (rows.width + frame.px(2 * frame.kGap)),
                         top + row * (rows.row_height + gap), rows.width, rows.row_height),
-         .text = options[static_cast<std::size_t>(i)],
-         .key = key_of_listed_option(i + 1),
+         .text = options[static_cast<std::size_t>(i)].text,
+         .key = options[static_cast<std::size_t>(i)].key,
          .size_px = frame.letters(frame.kText),
          .chosen = std::find(list.chosen.begin(), list.chosen.end(), i + 1) != list.chosen.end(),
          .action = ParticipantAction{.what = ParticipantAction::What::choose, .number = i + 1}});
   }
 }
 
-QString key_of_listed_option(int number) {
-  if (number <= 9) return QString::number(number);
-  return QString(QChar(static_cast<char16_t>(u'A' + number - 10)));
-}
-
-std::optional<ParticipantAction> key_of_option_list(const QString& typed, int count) {
-  for (int number = 1; number <= count; ++number) {
-    if (typed == key_of_listed_option(number)) {
-      return ParticipantAction{.what = ParticipantAction::What::choose, .number = number};
-    }
+std::vector<ListedOption> options_in_words(const ParticipantScene& scene) {
+  std::vector<ListedOption> options{};
+  for (const ParticipantScene::Choice& choice : scene.choices) {
+    options.push_back({words_of(choice.message, choice.text, scene.language),
+                       QString::fromStdString(choice.key)});
   }
-  return {};
+  return options;
 }
 
 }  // namespace asperity

@@ -2,7 +2,6 @@
 
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include <QtCore/QString>
@@ -13,16 +12,18 @@ namespace asperity {
 
 class PageFrame;
 
+struct ListedOption {
+  QString text{};
+  QString key{};  ///< that chooses it
+};
 struct OptionList {
-  QString question{};              ///< over the options
-  std::vector<QString> options{};  ///< pressed as What::choose
-  std::vector<int> chosen{};       ///< from 1; the first determines the page of the picture
+  QString question{};                   ///< over the options
+  std::vector<ListedOption> options{};  ///< pressed as What::choose
+  std::vector<int> chosen{};            ///< from 1; the first determines the page of the picture
 };
 void lay_out_options(PageFrame& frame, const OptionList& list);
 
-/// What is pressed for an option of a list: "1" … "9", then "A" ….
-QString key_of_listed_option(int number);
-/// The choice of one of `count` options by its key.
-std::optional<ParticipantAction> key_of_option_list(const QString& typed, int count);
+/// The options of the scene, which are words.
+std::vector<ListedOption> options_in_words(const ParticipantScene& scene);
 
 }  // namespace asperity

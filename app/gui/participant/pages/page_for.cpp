@@ -1,4 +1,4 @@
-// Selects the page by the kind of the scene, and for a question by its form of answer.
+// Selects the page by the kind of the scene, and where something is asked by the form of the answer.
 
 #include "app/gui/participant/pages/page_for.h"
 
@@ -7,11 +7,11 @@
 #include "app/gui/participant/pages/assignment_page.h"
 #include "app/gui/participant/pages/choice_page.h"
 #include "app/gui/participant/pages/feel_page.h"
-#include "app/gui/participant/pages/form_page.h"
 #include "app/gui/participant/pages/line_page.h"
+#include "app/gui/participant/pages/multiple_choice_page.h"
 #include "app/gui/participant/pages/number_page.h"
-#include "app/gui/participant/pages/scale_form_page.h"
 #include "app/gui/participant/pages/scale_page.h"
+#include "app/gui/participant/pages/text_page.h"
 #include "app/gui/participant/pages/words_page.h"
 
 namespace asperity {
@@ -23,6 +23,8 @@ const ParticipantPage& page_of_form(const AssignmentForm&) { return assignment_p
 const ParticipantPage& page_of_form(const NumberForm&) { return number_page(); }
 const ParticipantPage& page_of_form(const LineForm&) { return line_page(); }
 const ParticipantPage& page_of_form(const ScaleForm&) { return scale_page(); }
+const ParticipantPage& page_of_form(const MultipleChoiceForm&) { return multiple_choice_page(); }
+const ParticipantPage& page_of_form(const TextForm&) { return text_page(); }
 
 }  // namespace
 
@@ -32,12 +34,10 @@ const ParticipantPage& page_for(const ParticipantScene& scene) {
     case ParticipantScene::Kind::feel:
       return feel_page();
     case ParticipantScene::Kind::question:
+    case ParticipantScene::Kind::form:
       return std::visit(
           [](const auto& form) -> const ParticipantPage& { return page_of_form(form); },
           scene.form);
-    case ParticipantScene::Kind::form:
-      return scene.question && scene.question->form == Question::Form::scale ? scale_form_page()
-                                                                             : form_page();
     case ParticipantScene::Kind::text:
     case ParticipantScene::Kind::feedback:
     case ParticipantScene::Kind::rest:

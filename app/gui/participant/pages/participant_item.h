@@ -39,12 +39,9 @@ struct ParticipantAction {
 /// confirmed or completed.
 struct ParticipantDraft {
   std::optional<int> surface{};  ///< of an assignment: picked by hand, from 1
-  std::optional<int> option{};   ///< of a form
-  std::vector<int> options{};    ///< of a form with several answers, in order, from 1
-  std::optional<int> step{};     ///< of a form with a scale: where its mark is
-  bool step_counts = false;      ///< the mark is an answer, as ParticipantScene::Scale::counts
-  QString number{};              ///< of a form or a trial, as typed
-  QString text{};                ///< of a form, as written
+  std::vector<int> options{};    ///< of a multiple choice, in order, from 1
+  QString number{};              ///< as typed
+  QString text{};                ///< as written
 };
 
 /// One thing in the picture.

@@ -2,6 +2,8 @@
 
 #include "app/gui/participant/pages/participant_page.h"
 
+#include <algorithm>
+
 #include "app/gui/participant/pages/participant_brush.h"
 
 namespace asperity {
@@ -14,6 +16,12 @@ using Action = ParticipantAction;
 
 void ParticipantPage::draw(ParticipantBrush& brush, const ParticipantItem& item) const {
   brush.draw(item);
+}
+
+bool ParticipantPage::is_empty(const ParticipantScene& scene, const ParticipantDraft&) const {
+  return !scene.line_step &&
+         std::ranges::none_of(scene.choices, &ParticipantScene::Choice::chosen) &&
+         std::ranges::none_of(scene.scales, &ParticipantScene::Scale::counts);
 }
 
 ActionEffect ParticipantPage::act(const ParticipantScene&, const ParticipantAction& action,

@@ -22,8 +22,8 @@ struct ActionEffect {
   bool shows_answer = false;  ///< the page of the picture that has the answer is shown
 };
 
-/// The page of one kind of scene, or of one form of answer to the question of a trial. To add a form:
-/// its file, and its line in page_for.cpp.
+/// The page of one kind of scene, or of one form of answer, in a trial and in the questionnaire. To add a form: its file,
+/// and its line in page_for.cpp.
 ///
 /// A page has no state and no rules of responding: the draft stores what is not confirmed yet, and
 /// the session refuses what is not permitted.
@@ -51,10 +51,8 @@ class ParticipantPage {
   virtual Typing typing(const ParticipantScene&) const { return Typing::none; }
   /// Keys may be private: only the answer is stored.
   virtual bool is_private() const { return false; }
-  /// A confirmation would omit an optional question to which nothing is answered yet.
-  virtual bool would_leave_out(const ParticipantScene&, const ParticipantDraft&) const {
-    return false;
-  }
+  /// Nothing is answered yet: a confirmation would leave an optional question empty.
+  virtual bool is_empty(const ParticipantScene& scene, const ParticipantDraft& draft) const;
   /// The effect of an action, by key or by pointer.
   virtual ActionEffect act(const ParticipantScene& scene, const ParticipantAction& action,
                            ParticipantDraft& draft) const;

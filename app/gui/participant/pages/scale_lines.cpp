@@ -27,8 +27,11 @@ bool is_list_of_points(std::span<const Scene::Scale> scales) {
 }
 
 void lay_out_points(PageFrame& frame, const Scene::Scale& scale) {
-  std::vector<QString> labels{};
-  for (const std::string& label : scale.form.labels) labels.push_back(frame.text_from(label));
+  std::vector<ListedOption> labels{};
+  for (const std::string& label : scale.form.labels) {
+    labels.push_back({frame.text_from(label),
+                      frame.text_from(key_of_option(static_cast<int>(labels.size()) + 1))});
+  }
   std::vector<int> chosen{};
   if (scale.step && scale.counts) chosen.push_back(*scale.step + 1);
   lay_out_options(frame, {.question = frame.scene_text(), .options = labels, .chosen = chosen});
@@ -279,7 +282,12 @@ std::optional<Action> key_of_scales(std::span<const Scene::Scale> scales, int ke
       break;
   }
   if (!is_list_of_points(scales)) return {};
-  return key_of_option_list(typed, scales.front().form.points);
+  for (int number = 1; number <= scales.front().form.points; ++number) {
+    if (typed.toStdString() == key_of_option(number)) {
+      return Action{.what = Action::What::choose, .number = number};
+    }
+  }
+  return {};
 }
 
 std::optional<double> position_on_scale(const Item& item, QPointF at) {

@@ -16,7 +16,7 @@ class ScalePage final : public ParticipantPage {
   void lay_out(PageFrame& frame) const override { lay_out_scales(frame, frame.scene().scales); }
 
   void add_controls(PageFrame& frame) const override {
-    add_question_controls(frame, frame.scene().can_confirm);
+    add_question_controls(frame, *this, frame.scene().can_confirm);
   }
 
   void draw(ParticipantBrush& brush, const ParticipantItem& item) const override {

@@ -7,6 +7,7 @@
 #include <QtCore/Qt>
 
 #include "app/gui/participant/pages/page_frame.h"
+#include "app/gui/participant/pages/participant_page.h"
 
 namespace asperity {
 
@@ -40,7 +41,7 @@ bool is_return(int key) noexcept { return key == Qt::Key_Return || key == Qt::Ke
 
 std::optional<ParticipantAction> key_of_trial(const ParticipantScene& scene, int key,
                                               const QString& typed, SurfaceKeys surfaces) {
-  if (key == Qt::Key_Space) return Action{.what = Action::What::next};
+  if (key == Qt::Key_Space && !scene.surfaces.empty()) return Action{.what = Action::What::next};
   if (typed.isEmpty()) return {};
   for (std::size_t i = 0; i < scene.choices.size(); ++i) {
     if (upper(scene.choices[i].key) == typed) {
@@ -70,12 +71,17 @@ std::optional<ParticipantAction> key_of_question(const ParticipantScene& scene, 
   return key_of_trial(scene, key, typed, surfaces);
 }
 
-void add_question_controls(PageFrame& frame, bool is_ready) {
-  frame.add_control(frame.said(phrase("ParticipantLayout", "Confirm")), frame.return_key(),
-                    {.what = Action::What::confirm}, is_ready);
-  if (!frame.scene().can_switch) return;
-  frame.add_control(text_of_feeling_again(frame), frame.space_key(), {.what = Action::What::next},
-                    false);
+void add_question_controls(PageFrame& frame, const ParticipantPage& page, bool is_ready) {
+  const ParticipantScene& scene = frame.scene();
+  const bool skips = scene.optional && page.is_empty(scene, frame.inputs().draft);
+  frame.add_control(frame.said(skips ? phrase("ParticipantLayout", "Skip")
+                                     : phrase("ParticipantLayout", "Confirm")),
+                    frame.return_key(), {.what = Action::What::confirm}, skips || is_ready);
+  if (!scene.can_switch) return;
+  // A blank is part of a text.
+  const bool has_key = page.typing(scene) != ParticipantPage::Typing::text;
+  frame.add_control(text_of_feeling_again(frame), has_key ? frame.space_key() : QString(),
+                    {.what = Action::What::next}, false);
 }
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// The keys and controls that the scenes of a trial share.
+// The keys and controls that the scenes of a trial, and all questions, have in common.
 
 #pragma once
 
@@ -11,6 +11,7 @@
 namespace asperity {
 
 class PageFrame;
+class ParticipantPage;
 
 bool is_return(int key) noexcept;
 
@@ -26,7 +27,7 @@ std::optional<ParticipantAction> key_of_question(const ParticipantScene& scene, 
                                                  const QString& typed,
                                                  SurfaceKeys surfaces = SurfaceKeys::that_can_go);
 
-/// Confirms; where it is allowed, feels again.
-void add_question_controls(PageFrame& frame, bool is_ready);
+/// Confirms, or skips an optional question without an answer; where it is allowed, feels again.
+void add_question_controls(PageFrame& frame, const ParticipantPage& page, bool is_ready);
 
 }  // namespace asperity

@@ -1,12 +1,15 @@
-// Reads the answer to a question of a trial at a terminal: one dialogue per form of answer.
+// Reads the answer to a question at a terminal: one line, or one for each surface of an assignment.
 
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <variant>
 
-#include "protocols/answers/trial_question.h"
+#include "protocols/answers/question.h"
 #include "protocols/design/trial.h"
 
 namespace asperity {
@@ -19,25 +22,44 @@ struct NextLine {
 /// Asks for one line after another until the answer is complete.
 class AnswerDialogue {
  public:
+  /// The question must outlive the dialogue.
+  explicit AnswerDialogue(const Question& question) : question_(question) {}
   virtual ~AnswerDialogue() = default;
   AnswerDialogue(const AnswerDialogue&) = delete;
   AnswerDialogue& operator=(const AnswerDialogue&) = delete;
 
   /// Lines shown once below the question, each with its end of line: the meaning of what can be
   /// typed; or empty.
-  virtual std::string introduction() const { return {}; }
+  std::string introduction() const;
   /// The prompt of the next line: "Your answer: ".
-  virtual std::string prompt() const = 0;
-  virtual std::variant<NextLine, Answer> take(const std::string& typed) = 0;
+  virtual std::string prompt() const;
+  /// The answer, nothing where the question is left empty, or the request for another line.
+  virtual std::variant<NextLine, std::optional<Answer>> take(const std::string& typed);
   /// Shown when the participant feels a surface again instead, which discards the typed answer; or
   /// empty.
   virtual std::string note_on_discarding() const { return {}; }
 
  protected:
-  AnswerDialogue() = default;
+  const Question& question_;
 };
 
-/// The dialogue for a question of a trial; both must outlive it.
-std::unique_ptr<AnswerDialogue> dialogue_for(const Trial& trial, const TrialQuestion& question);
+/// Asks for the option of one surface after another.
+class AssignmentDialogue final : public AnswerDialogue {
+ public:
+  AssignmentDialogue(const Question& question, std::span<const PlannedPresentation> surfaces)
+      : AnswerDialogue(question), surfaces_(surfaces) {}
+
+  std::string prompt() const override;
+  std::variant<NextLine, std::optional<Answer>> take(const std::string& typed) override;
+  std::string note_on_discarding() const override;
+
+ private:
+  std::span<const PlannedPresentation> surfaces_{};
+  AssignedOptions assigned_{};
+};
+
+/// The dialogue for a question; question and surfaces must outlive it. `surfaces`: those of the trial.
+std::unique_ptr<AnswerDialogue> dialogue_for(const Question& question,
+                                             std::span<const PlannedPresentation> surfaces = {});
 
 }  // namespace asperity

@@ -5,37 +5,39 @@
 #include "app/session/respondents/sheets/assignment_sheet.h"
 #include "app/session/respondents/sheets/choice_sheet.h"
 #include "app/session/respondents/sheets/line_sheet.h"
-#include "app/session/respondents/sheets/number_sheet.h"
 #include "app/session/respondents/sheets/scale_sheet.h"
+#include "app/session/respondents/sheets/typed_sheet.h"
 
 namespace asperity {
 
 namespace {
 
 std::unique_ptr<AnswerSheet> sheet_of(const ChoiceForm&, const Trial& trial,
-                                      std::span<const TrialQuestion> page) {
+                                      std::span<const Question> page) {
   return std::make_unique<ChoiceSheet>(trial, page.front());
 }
 std::unique_ptr<AnswerSheet> sheet_of(const AssignmentForm&, const Trial& trial,
-                                      std::span<const TrialQuestion> page) {
+                                      std::span<const Question> page) {
   return std::make_unique<AssignmentSheet>(trial, page.front());
 }
-std::unique_ptr<AnswerSheet> sheet_of(const NumberForm&, const Trial& trial,
-                                      std::span<const TrialQuestion>) {
-  return std::make_unique<NumberSheet>(trial);
-}
 std::unique_ptr<AnswerSheet> sheet_of(const LineForm&, const Trial& trial,
-                                      std::span<const TrialQuestion>) {
-  return std::make_unique<LineSheet>(trial);
+                                      std::span<const Question> page) {
+  return std::make_unique<LineSheet>(trial, page.front());
 }
 std::unique_ptr<AnswerSheet> sheet_of(const ScaleForm&, const Trial& trial,
-                                      std::span<const TrialQuestion> page) {
+                                      std::span<const Question> page) {
   return std::make_unique<ScaleSheet>(trial, page);
+}
+/// Of the forms whose answers are typed.
+template <class Form>
+std::unique_ptr<AnswerSheet> sheet_of(const Form&, const Trial& trial,
+                                      std::span<const Question> page) {
+  return std::make_unique<TypedSheet>(trial, page.front());
 }
 
 }  // namespace
 
-std::unique_ptr<AnswerSheet> sheet_for(const Trial& trial, std::span<const TrialQuestion> page) {
+std::unique_ptr<AnswerSheet> sheet_for(const Trial& trial, std::span<const Question> page) {
   return std::visit([&](const auto& form) { return sheet_of(form, trial, page); },
                     page.front().form);
 }

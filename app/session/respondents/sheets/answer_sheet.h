@@ -12,7 +12,7 @@
 #include "app/session/respondents/participant_scene.h"
 #include "app/session/respondents/respondent.h"
 #include "app/session/sound/sound.h"
-#include "protocols/answers/trial_question.h"
+#include "protocols/answers/question.h"
 #include "protocols/design/trial.h"
 
 namespace asperity {
@@ -37,7 +37,8 @@ using SheetResult = std::variant<SheetUnchanged, SheetChanged, SheetRefused, Wis
                                  PointedAtFeelingAgain, GivenAnswers>;
 
 /// Stores what has been chosen, assigned or typed until it is confirmed, and determines the effect
-/// of an input for its form of answer. Its user decides whether surfaces can be felt again, and may
+/// of an input for its form of answer. A confirmation without an answer leaves an optional question empty: GivenAnswers
+/// without answers. Its user decides whether surfaces can be felt again, and may
 /// call `forget_feeling_again`.
 class AnswerSheet {
  public:
@@ -56,7 +57,7 @@ class AnswerSheet {
   AnswerSheet() = default;
 };
 
-/// An empty sheet for one of pages_of(trial).
-std::unique_ptr<AnswerSheet> sheet_for(const Trial& trial, std::span<const TrialQuestion> page);
+/// An empty sheet for one of pages_of(trial), or for a question of the questionnaire with a trial without surfaces.
+std::unique_ptr<AnswerSheet> sheet_for(const Trial& trial, std::span<const Question> page);
 
 }  // namespace asperity

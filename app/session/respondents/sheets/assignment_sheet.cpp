@@ -4,7 +4,7 @@
 
 namespace asperity {
 
-AssignmentSheet::AssignmentSheet(const Trial& trial, const TrialQuestion& question)
+AssignmentSheet::AssignmentSheet(const Trial& trial, const Question& question)
     : options_(question.options.size()),
       may_feel_again_(trial.arrangement.allows_revisits()),
       given_(trial.presentations.size()) {

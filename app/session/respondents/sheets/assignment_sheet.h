@@ -21,7 +21,7 @@ namespace asperity {
 /// follows the last option. Every change of the answer cancels the request.
 class AssignmentSheet final : public AnswerSheet {
  public:
-  AssignmentSheet(const Trial& trial, const TrialQuestion& question);
+  AssignmentSheet(const Trial& trial, const Question& question);
 
   SheetResult take(const ParticipantInput& input) override;
   void mark(ParticipantScene& scene) const override;

@@ -4,9 +4,10 @@
 
 namespace asperity {
 
-ChoiceSheet::ChoiceSheet(const Trial& trial, const TrialQuestion& question)
+ChoiceSheet::ChoiceSheet(const Trial& trial, const Question& question)
     : options_(question.options.size()),
       surfaces_(trial.presentations.size()),
+      is_optional_(question.optional),
       may_feel_again_(trial.arrangement.allows_revisits()),
       options_are_surfaces_(!question.options.empty() && !question.options.front().picture &&
                             question.options.front().text.empty()) {}
@@ -21,7 +22,7 @@ SheetResult ChoiceSheet::take(const ParticipantInput& input) {
     case ParticipantInput::Kind::option: {
       const std::optional<std::size_t> option = index_of(input.number, options_);
       if (!option) return SheetUnchanged{};
-      chosen_ = option;
+      chosen_ = is_optional_ && chosen_ == option ? std::nullopt : option;
       points_at_feeling_again_ = false;
       return SheetChanged{};
     }
@@ -60,6 +61,7 @@ SheetResult ChoiceSheet::point() {
 SheetResult ChoiceSheet::confirm() const {
   if (points_at_feeling_again_) return WishToFeelAgain{};
   if (chosen_) return only_answer(ChosenOption{*chosen_});
+  if (is_optional_) return GivenAnswers{};
   return SheetRefused{{.what = ParticipantMessage::What::choose_first}};
 }
 

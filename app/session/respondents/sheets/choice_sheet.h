@@ -9,11 +9,13 @@
 
 namespace asperity {
 
+/// The chosen option of an optional question is withdrawn when it is chosen once more.
+///
 /// The device's first button steps through the options and chooses the selected one. Where surfaces
 /// may be felt again, that request follows the last option, and no option is chosen then.
 class ChoiceSheet final : public AnswerSheet {
  public:
-  ChoiceSheet(const Trial& trial, const TrialQuestion& question);
+  ChoiceSheet(const Trial& trial, const Question& question);
 
   SheetResult take(const ParticipantInput& input) override;
   void mark(ParticipantScene& scene) const override;
@@ -26,6 +28,7 @@ class ChoiceSheet final : public AnswerSheet {
 
   std::size_t options_ = 0;
   std::size_t surfaces_ = 0;
+  bool is_optional_ = false;
   bool may_feel_again_ = false;
   bool options_are_surfaces_ = false;
   std::optional<std::size_t> chosen_{};

@@ -58,6 +58,7 @@ SheetResult LineSheet::extend_by_button() {
 
 SheetResult LineSheet::confirm() const {
   if (points_at_feeling_again_) return WishToFeelAgain{};
+  if (!step_ && is_optional_) return GivenAnswers{};
   if (!step_) return SheetRefused{{.what = ParticipantMessage::What::line_needed}};
   return only_answer(DrawnLength{*step_});
 }

@@ -16,8 +16,9 @@ namespace asperity {
 /// line begins again, or requests to feel a surface again where that is permitted; another button confirms.
 class LineSheet final : public AnswerSheet {
  public:
-  explicit LineSheet(const Trial& trial)
+  LineSheet(const Trial& trial, const Question& question)
       : surfaces_(trial.presentations.size()),
+        is_optional_(question.optional),
         may_feel_again_(trial.arrangement.allows_revisits()) {}
 
   SheetResult take(const ParticipantInput& input) override;
@@ -31,6 +32,7 @@ class LineSheet final : public AnswerSheet {
 
   std::optional<int> step_{};
   std::size_t surfaces_ = 0;
+  bool is_optional_ = false;
   bool may_feel_again_ = false;
   bool points_at_feeling_again_ = false;
 };

@@ -7,10 +7,11 @@
 
 namespace asperity {
 
-ScaleSheet::ScaleSheet(const Trial& trial, std::span<const TrialQuestion> page)
+ScaleSheet::ScaleSheet(const Trial& trial, std::span<const Question> page)
     : surfaces_(trial.presentations.size()), may_feel_again_(trial.arrangement.allows_revisits()) {
-  for (const TrialQuestion& question : page) {
-    marks_.push_back({.form = std::get<ScaleForm>(question.form)});
+  for (const Question& question : page) {
+    marks_.push_back(
+        {.form = std::get<ScaleForm>(question.form), .is_optional = question.optional});
   }
 }
 
@@ -106,6 +107,9 @@ std::optional<std::size_t> ScaleSheet::next_without_answer() const noexcept {
 
 SheetResult ScaleSheet::confirm(const ParticipantInput& input) {
   if (points_at_feeling_again_) return WishToFeelAgain{};
+  const bool is_left_empty = std::ranges::all_of(
+      marks_, [](const Mark& mark) { return mark.is_optional && !mark.counts; });
+  if (is_left_empty) return GivenAnswers{};
   if (const std::optional<std::size_t> open = next_without_answer()) {
     // A button has no other way to the next scale.
     const bool moves_on = input.kind == ParticipantInput::Kind::device_button &&

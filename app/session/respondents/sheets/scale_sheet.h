@@ -29,7 +29,7 @@ namespace asperity {
 /// scale is the confirmation, as for other forms. Every change is stored as an event with its time.
 class ScaleSheet final : public AnswerSheet {
  public:
-  ScaleSheet(const Trial& trial, std::span<const TrialQuestion> page);
+  ScaleSheet(const Trial& trial, std::span<const Question> page);
 
   SheetResult take(const ParticipantInput& input) override;
   void mark(ParticipantScene& scene) const override;
@@ -40,6 +40,7 @@ class ScaleSheet final : public AnswerSheet {
     ScaleForm form{};
     std::optional<int> step{};
     bool counts = false;  ///< it is an answer
+    bool is_optional = false;
     std::int64_t changed_ns = 0;
   };
 

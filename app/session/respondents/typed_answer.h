@@ -1,4 +1,4 @@
-// Reads the answer to a question of the questionnaire from what was typed.
+// Reads the answer to a question from what was typed, at a terminal or in a window.
 
 #pragma once
 
@@ -12,12 +12,19 @@
 
 namespace asperity {
 
-/// The answer that was typed, or the message shown to a participant whose answer is not acceptable.
-/// An option may be typed as its value, its text or its number; several options as their numbers,
-/// separated by blanks or commas; a point of a scale as its value. A decimal comma of a number is
-/// read as a point. An empty text leaves an optional question empty.
-std::variant<ParticipantMessage, FormAnswer> form_answer(const Question& question,
-                                                         const std::string& typed);
+/// An answer, nothing where the question was left empty, or the message shown to a participant whose answer is not
+/// acceptable.
+using TypedAnswer = std::variant<ParticipantMessage, std::optional<Answer>>;
+
+/// The answer that was typed. An option may be typed as its value, its text or its number; several options as their
+/// numbers, separated by blanks or commas; a point of a scale as its value; a line as a row of at most kLongestTypedLine
+/// signs "-". A decimal comma of a number is read as a point. An empty text leaves an optional question empty.
+///
+/// Errors: std::logic_error for an assignment, which takes one text for each surface (AssignmentDialogue).
+TypedAnswer typed_answer(const Question& question, const std::string& typed);
+
+/// Stands for the longest line: its width on the screen of a terminal is unknown.
+inline constexpr std::size_t kLongestTypedLine = 50;
 
 /// A number typed with a decimal comma, with a decimal point, as numbers are stored. Any other text
 /// is returned unchanged, including one that might contain thousands (is_unclear_estimate).

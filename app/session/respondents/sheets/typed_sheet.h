@@ -1,22 +1,27 @@
-// Checks a typed number: an answer is a number above 0.
+// Checks an answer that is typed: a number, a text, or the numbers of several options.
 
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "app/session/respondents/sheets/answer_sheet.h"
 
 namespace asperity {
 
-class NumberSheet final : public AnswerSheet {
+class TypedSheet final : public AnswerSheet {
  public:
-  explicit NumberSheet(const Trial& trial) : surfaces_(trial.presentations.size()) {}
+  TypedSheet(const Trial& trial, const Question& question)
+      : question_(question), surfaces_(trial.presentations.size()) {}
 
   SheetResult take(const ParticipantInput& input) override;
   /// The typed text is shown only by the window until it is confirmed.
   void mark(ParticipantScene& scene) const override { scene.can_confirm = false; }
 
  private:
+  SheetResult confirm(const std::string& typed) const;
+
+  Question question_{};
   std::size_t surfaces_ = 0;
 };
 

@@ -1,0 +1,45 @@
+// Reads the typed text on confirmation, and refuses one that does not answer the question.
+
+#include "app/session/respondents/sheets/typed_sheet.h"
+
+#include <optional>
+#include <utility>
+
+#include "app/session/respondents/typed_answer.h"
+
+namespace asperity {
+
+SheetResult TypedSheet::take(const ParticipantInput& input) {
+  switch (input.kind) {
+    case ParticipantInput::Kind::surface:
+      if (!index_of(input.number, surfaces_)) return SheetUnchanged{};
+      return WishToFeelAgain{};
+    case ParticipantInput::Kind::next:
+      return WishToFeelAgain{};
+    case ParticipantInput::Kind::text:
+      return confirm(input.text);
+    case ParticipantInput::Kind::confirm:
+    case ParticipantInput::Kind::device_button:  // a button cannot type
+      return confirm({});
+    case ParticipantInput::Kind::option:
+    case ParticipantInput::Kind::assign:
+    case ParticipantInput::Kind::mark:
+    case ParticipantInput::Kind::step:
+    case ParticipantInput::Kind::select:
+    case ParticipantInput::Kind::click:
+    case ParticipantInput::Kind::released:
+      break;
+  }
+  return SheetUnchanged{};
+}
+
+SheetResult TypedSheet::confirm(const std::string& typed) const {
+  TypedAnswer read = typed_answer(question_, typed);
+  if (auto* const refusal = std::get_if<ParticipantMessage>(&read)) {
+    return SheetRefused{std::move(*refusal)};
+  }
+  std::optional<Answer> answer = std::get<std::optional<Answer>>(std::move(read));
+  return answer ? only_answer(*std::move(answer)) : GivenAnswers{};
+}
+
+}  // namespace asperity

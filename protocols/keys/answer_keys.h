@@ -1,0 +1,55 @@
+// The keys of the forms of answer, which the questions of trials and of the questionnaire have in common.
+
+#pragma once
+
+#include <string_view>
+#include <variant>
+
+#include "protocols/keys/common_shapes.h"
+#include "protocols/keys/keys_of.h"
+#include "protocols/keys/tables.h"
+
+namespace asperity {
+
+/// A parameter of a form as a key of the question, without effect on another form. That another one is stated is reported
+/// by the check of meaning.
+template <auto member, class ShapeOfValue>
+consteval KeyOf<Question> form_key(std::string_view name, std::string_view label,
+                                   std::string_view meaning, const ShapeOfValue& shape) {
+  KeyOf<Question> row{};
+  static_cast<ProtocolKey&>(row) = member_key<member>(name, label, meaning, shape);
+  row.store = [](const ProtocolKey& self, const nlohmann::json& value, void* question) {
+    using Form = typename MemberOf<decltype(member)>::Owner;
+    auto* const form = std::get_if<Form>(&static_cast<Question*>(question)->form);
+    if (form != nullptr) store_value(std::get<ShapeOfValue>(self.shape), value, form->*member);
+  };
+  row.standard = [](const ProtocolKey&) { return nlohmann::json(nullptr); };
+  return row;
+}
+
+/// The object with the parameters of a form states the form as well.
+inline void store_scale(const nlohmann::json& value, Question& question) {
+  read_keys(kScaleTable, value, &question.form.emplace<ScaleForm>());
+}
+inline void store_line(const nlohmann::json& value, Question& question) {
+  read_keys(kLineTable, value, &question.form.emplace<LineForm>());
+}
+
+inline constexpr auto kNumberKeys = keys_of(
+    form_key<&NumberForm::minimum>("minimum", "At least", "Smallest number accepted.",
+                                   NumberShape{}),
+    form_key<&NumberForm::maximum>("maximum", "At most", "Largest number accepted.", NumberShape{}),
+    form_key<&NumberForm::unit>("unit", "Unit",
+                                "Unit of the number, shown next to it and exported.",
+                                TextShape{.longest = 32}));
+inline constexpr auto kScaleKey =
+    keys_of(custom_key<&store_scale>("scale", "Scale", "", ObjectShape{&kScaleTable}));
+inline constexpr auto kLineKey =
+    keys_of(custom_key<&store_line>("line", "Line", "", ObjectShape{&kLineTable}));
+/// `table`: of the conditions on the questions among which this one is.
+consteval auto condition_key(const KeyTableOf<AnswerCondition>& table) {
+  return keys_of(member_key<&Question::condition>(
+      "if", "Only if", table, "The condition under which the question is asked."));
+}
+
+}  // namespace asperity
