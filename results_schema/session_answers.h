@@ -61,6 +61,7 @@ struct SessionAnswers {
     std::optional<bool> correct{};
     std::optional<double> number{};  ///< as ResponseRow::answer_number
     std::optional<double> from_cue_s{};
+    bool was_asked = true;  ///< its condition was met
   };
   struct Attempt {
     int trial = 0;

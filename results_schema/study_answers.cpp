@@ -194,17 +194,19 @@ void read_replies(Database& database, std::int64_t session_id, SessionAnswers& a
                   const Places& attempts, WordPlaces& words) {
   Statement statement(database,
                       std::string("SELECT attempt_id, question, item, answer, correct, "
-                                  "answer_number, options_json, from_cue_s FROM response") +
+                                  "answer_number, options_json, from_cue_s, source FROM response") +
                           kOfSession + "ORDER BY attempt_id, question, item");
   statement.bind(session_id);
   std::string question;
   std::string answer;
   std::string options_json;
+  std::string source;
   while (statement.step()) {
     std::int64_t id = 0;
     SessionAnswers::Reply reply{};
     statement.read(id, question, reply.item, answer, reply.correct, reply.number, options_json,
-                   reply.from_cue_s);
+                   reply.from_cue_s, source);
+    reply.was_asked = source != kNotAsked;
     reply.question = words.place(question);
     reply.answer = words.place(answer);
     reply.options_json = words.place(options_json);

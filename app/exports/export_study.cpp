@@ -358,6 +358,8 @@ class StudyExport final {
     for (const ResponseRow& response : attempt.responses) {
       ExportPlace here = at;
       here.response = &response;
+      here.response_is_withheld = vocabulary_.is_free_text(response.question);
+      if (vocabulary_.has_no_own_scale(response.question)) here.own_scale.reset();
       add("responses", here);
       files.add_row(here);
     }

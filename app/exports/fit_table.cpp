@@ -29,6 +29,7 @@ std::string factor_level_text(const nlohmann::json& level) {
 
 bool is_counted_for_fits(const ExportPlace& at) {
   return at.session->state == SessionState::completed && !at.response->answer_number &&
+         at.response->source != kNotAsked &&
          use_in_analyses(*at.trial, *at.attempt) == AnalysisUse::counted;
 }
 
@@ -82,6 +83,11 @@ Columns FitTable::columns() const {
 void FitTable::add(const ExportPlace& at) {
   if (!is_counted_for_fits(at)) return;
   const ResponseRow& response = *at.response;
+  // Neither a text nor several options is an event with a probability.
+  if (vocabulary_.is_free_text(response.question) ||
+      vocabulary_.has_several_answers(response.question)) {
+    return;
+  }
   has_choices_ = true;
   const auto* const discrimination = discrimination_of(vocabulary_, at);
   const DiscriminationDesign* const design =

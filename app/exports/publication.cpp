@@ -50,7 +50,8 @@ std::string publication_text(const std::vector<ExportFile>& files, ExportAudienc
              "Left out unless named by --with-questions") +
          columns[Publication::dropped_with_new_labels].sentence("Left out with --relabel") +
          columns[Publication::without_questionnaires].sentence(
-             "n/a for answers to questionnaires, unless named by --with-questions") +
+             "n/a for answers to questionnaires, unless named by --with-questions, and for free "
+             "text") +
          columns[Publication::without_free_text].sentence(
              "n/a for texts entered by hand or reported by a driver (columns of codes: \"typed\"; "
              "columns of data: without the members that contain such texts)") +

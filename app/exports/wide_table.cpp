@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -55,7 +56,7 @@ void WideTable::begin_session(const ExportPlace& at) {
 }
 
 void WideTable::add_answer(const ExportPlace& at) {
-  if (at.response->source == kNotAsked) return;
+  if (at.response->source == kNotAsked || vocabulary_.is_free_text(at.response->question)) return;
   const AnalysisUse use = use_in_analyses(*at.trial, *at.attempt);
   if (use == AnalysisUse::practice || use == AnalysisUse::anchor ||
       use == AnalysisUse::catch_trial) {
@@ -66,13 +67,20 @@ void WideTable::add_answer(const ExportPlace& at) {
     ++person.left_out;
     return;
   }
-  if (at.response->answer_number && is_level_of_procedure(at)) {
+  if (is_level_of_procedure(at)) {
     ++person.of_procedures;
     return;
   }
-  ++person.answers;
-  if (at.attempt->flagged) ++person.flagged;
-  if (at.doubted_estimate) ++person.doubted;
+  // The proportions are of the trials in which an option was among those chosen.
+  const Counted counted{at.session->id, at.attempt->trial, at.attempt->attempt,
+                        at.response->question};
+  const bool is_further_option = vocabulary_.has_several_answers(at.response->question) &&
+                                 std::exchange(last_counted_, counted) == counted;
+  if (!is_further_option) {
+    ++person.answers;
+    if (at.attempt->flagged) ++person.flagged;
+    if (at.doubted_estimate) ++person.doubted;
+  }
   Condition condition{};
   const auto group_factor = vocabulary_.group_factors.find(at.protocol->source_sha256);
   for (const auto& [name, level] : at.factors->items()) {
@@ -88,7 +96,7 @@ void WideTable::add_answer(const ExportPlace& at) {
   mark_signal(at, condition);
   const ResponseRow& response = *at.response;
   Tally& tally = person.tallies[asked_of(at)][condition];
-  ++tally.answers;
+  if (!is_further_option) ++tally.answers;
   ++tally.chosen[response.answer];
   if (response.answer_number) {
     ++tally.numbers;
@@ -122,15 +130,19 @@ bool WideTable::is_level_of_procedure(const ExportPlace& at) const {
   if (!at.trial->track) return false;
   const std::string& wording = vocabulary_.first_wording.at(at.protocol->source_sha256);
   const auto block = vocabulary_.discriminations.find({wording, at.trial->block});
-  return block != vocabulary_.discriminations.end() && block->second.task.has_levels_of_procedure;
+  return block != vocabulary_.discriminations.end() && block->second.task.has_levels_of_procedure &&
+         block->second.task.question != at.response->question;
 }
 
 bool WideTable::add_discrimination(const ExportPlace& at, const Condition& condition) {
   // A task includes the prompt, which depends on the language of the file.
   const std::string& wording = vocabulary_.first_wording.at(at.protocol->source_sha256);
   const auto block = vocabulary_.discriminations.find({wording, at.trial->block});
-  // A block can also ask for ratings.
-  if (block == vocabulary_.discriminations.end() || at.response->answer_number) return false;
+  // A block can also ask for ratings, and have additional questions.
+  if (block == vocabulary_.discriminations.end() ||
+      at.response->question != block->second.task.question) {
+    return false;
+  }
   const DiscriminationTask& task = block->second.task;
   const std::vector<std::string>& drawn = block->second.drawn;
   ThresholdColumns::Condition others{};

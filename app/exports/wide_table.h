@@ -2,8 +2,11 @@
 
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "app/exports/columns/export_column.h"
@@ -65,12 +68,16 @@ class WideTable final {
   /// Whether the level of the trial was chosen from earlier responses: a mean over such trials depends on the levels.
   bool is_level_of_procedure(const ExportPlace& at) const;
 
+  /// The session, trial and attempt of a response, and its question.
+  using Counted = std::tuple<std::int64_t, int, int, std::string>;
+
   ExportAudience audience_;
   std::vector<ExportColumn> about_{};
   std::vector<std::string> left_out_{};
   StudyVocabulary vocabulary_{};
   std::set<std::string> withheld_{};  ///< questions of sessions that are not published
   WideAnswers gathered_{};
+  std::optional<Counted> last_counted_{};
 };
 
 }  // namespace asperity

@@ -74,7 +74,7 @@ std::vector<Assumption> calibrated(std::vector<Assumption> assumptions, const Pr
   for (const auto& [name, block] : tabulated_blocks(protocol)) {
     for (const TabulatedBlock::OfQuestion& question : block.questions) {
       const ExperimentKind& kind =
-          *kind_of_question(kind_of(question.asked.block), question.asked.question.form);
+          *kind_of_question(kind_of(question.asked.block), question.asked.question);
       const StudyAnalysis* const analysis = find_analysis(kind.id);
       if (analysis == nullptr || analysis->shown_parameters == nullptr) continue;
       for (const GatheredAnswers& gathered : of_study) {

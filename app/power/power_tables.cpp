@@ -49,7 +49,14 @@ TabulatedBlock::OfQuestion tabulated(const Protocol& protocol, const Protocol::B
                                      const Protocol::TrialQuestionTemplate& question,
                                      const std::vector<Trial>& possible) {
   const ExperimentKind& of_block = kind_of(block);
-  const ExperimentKind& kind = *kind_of_question(of_block, question.form);
+  if (question.condition) {
+    const auto* const needed = question_named(block, question.condition->question);
+    if (needed != nullptr && needed->is_additional) {
+      refuse(block, "the question \"" + question.name + "\" depends on the additional question \"" +
+                        needed->name + "\", whose responses are not simulated");
+    }
+  }
+  const ExperimentKind& kind = *kind_of_question(of_block, question);
   if (kind.responses == nullptr) {
     refuse(block, "the kind \"" + std::string(kind.name) + "\" has no response table");
   }
@@ -90,6 +97,7 @@ std::map<std::string, TabulatedBlock, std::less<>> tabulated_blocks(const Protoc
     if (!has_simulated_responses(block) || runs_of(protocol, block).empty()) continue;
     refuse_external_levels(block);
     for (const Protocol::TrialQuestionTemplate& question : block.questions) {
+      if (question.is_additional) continue;
       blocks[name].questions.push_back(tabulated(protocol, block, question, possible));
     }
   }

@@ -172,10 +172,16 @@ AttemptSummary SessionProgress::summary_of(const AttemptRow& attempt) const {
     summary.answers.push_back(question == nullptr ? response.answer
                                                   : label_of(*question, response.answer));
   }
-  if (!attempt.responses.empty()) {
-    if (attempt.responses.front().correct) summary.correct = is_right(attempt);
-    summary.from_cue_s = attempt.responses.front().from_cue_s;
-    summary.from_contact_s = attempt.responses.front().from_contact_s;
+  const auto is_judged = [](const ResponseRow& response) { return response.correct.has_value(); };
+  if (std::ranges::any_of(attempt.responses, is_judged)) summary.correct = is_right(attempt);
+  const auto is_of_kind = [&trial](const ResponseRow& response) {
+    const Question* const question = find_question(trial, response.question);
+    return question == nullptr || !question->is_additional;
+  };
+  const auto timed = std::ranges::find_if(attempt.responses, is_of_kind);
+  if (timed != attempt.responses.end()) {
+    summary.from_cue_s = timed->from_cue_s;
+    summary.from_contact_s = timed->from_contact_s;
   }
   if (trial.track && attempt.valid && attempt.purpose == AttemptPurpose::trial) {
     summary.answer_of_track = level_answer_of(course_.protocol(), trial, attempt);

@@ -327,6 +327,8 @@ bool TrialAttempt::answer_page(std::span<const Question> page) {
 }
 
 bool TrialAttempt::is_doubtful(const Asking& asking, const Reply& reply) const {
+  const auto* const form = std::get_if<NumberForm>(&asking.page.front().form);
+  if (form == nullptr || !form->is_estimate) return false;
   const std::optional<double> number = reply.number();
   if (!number || !order_.earlier_estimate || asking.doubted) return false;
   const double ratio = *number / *order_.earlier_estimate;
@@ -760,12 +762,14 @@ void TrialAttempt::take_surface_away() {
 }
 
 bool TrialAttempt::has_to_be_seen() const {
-  const auto has_pictures = [](const Question& question) {
-    return std::any_of(question.options.begin(), question.options.end(),
+  // A text is written, and the options that were chosen of several are seen.
+  const auto is_seen = [](const Question& question) {
+    return question.is_answered_by<TextForm>() || question.is_answered_by<MultipleChoiceForm>() ||
+           std::any_of(question.options.begin(), question.options.end(),
                        [](const Option& option) { return option.picture.has_value(); });
   };
   return trial_.standard_picture.has_value() ||
-         std::any_of(trial_.questions.begin(), trial_.questions.end(), has_pictures);
+         std::any_of(trial_.questions.begin(), trial_.questions.end(), is_seen);
 }
 
 std::string TrialAttempt::recording_path() const {

@@ -107,9 +107,10 @@ int TrialTally::coming(std::size_t step, int block, int tried, Again again) cons
 }
 
 std::optional<double> TrialTally::earlier_estimate(const Trial& trial) const {
-  const auto asked = std::find_if(
-      trial.questions.begin(), trial.questions.end(),
-      [](const Question& question) { return std::holds_alternative<NumberForm>(question.form); });
+  const auto asked =
+      std::find_if(trial.questions.begin(), trial.questions.end(), [](const Question& question) {
+        return question.is_answered_by<NumberForm>() && !question.is_additional;
+      });
   if (asked == trial.questions.end()) return {};
   for (auto attempt = attempts_.rbegin(); attempt != attempts_.rend(); ++attempt) {
     if (!attempt->valid) continue;

@@ -249,11 +249,13 @@ const std::vector<EventKind>& event_kinds() {
        .hed = "Experiment-control, Experimenter",
        .text_is_public = true},
       {.name = "input",
-       .meaning = "an input of the participant, such as `option 2`. Data: `source`, and for an "
-                  "input without effect the reason: `meant_for_an_earlier_scene`, `too_soon` "
-                  "(within 0.2 s of the question; a request to feel again within 1 s where "
-                  "feeling had ended without a request), `after_the_deadline`. Text typed into a "
-                  "form is stored with the responses only",
+       .meaning =
+           "an input of the participant, such as `option 2`. Data: `source`, and for an "
+           "input without effect the reason: `meant_for_an_earlier_scene`, `too_soon` "
+           "(within 0.2 s of the question; a request to feel again within 1 s where "
+           "feeling had ended without a request), `after_the_deadline`. What is done in a form "
+           "(a question about the participant or the session) is `answer`, because only its "
+           "answer is stored, with the responses",
        .hed = "Agent-action, Experiment-participant, Participant-response",
        .text_is_public = true,
        .public_data = {"source", "held_s", "meant_for_an_earlier_scene", "too_soon",

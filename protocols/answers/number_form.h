@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,8 +26,8 @@ struct NumberForm {
   bool is_estimate = false;  ///< of a magnitude: above 0, on a scale that the participant chooses
 
   bool accepts(double number) const noexcept {
-    return !(is_estimate && number <= 0.0) && !(minimum && number < *minimum) &&
-           !(maximum && number > *maximum);
+    return std::isfinite(number) && !(is_estimate && number <= 0.0) &&
+           !(minimum && number < *minimum) && !(maximum && number > *maximum);
   }
   NumberRange numbers() const noexcept { return {minimum, maximum}; }
   bool can_be_stored_as(const std::string& text) const;

@@ -3,6 +3,7 @@
 #include "protocols/answers/question.h"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -151,6 +152,17 @@ std::vector<std::string> problems_with(const Question& question,
                        std::string(description_of(question.form)) + " has " +
                        std::to_string(items_of(question.form, surfaces)) +
                        "; restore the study from a copy");
+  }
+  if (question.is_answered_by<MultipleChoiceForm>()) {
+    std::set<int> known{};
+    for (const AnsweredItem& item : stored) {
+      const std::optional<std::size_t> option = question.option_of(item.answer);
+      const bool is_its_number = !option || item.item == static_cast<int>(*option) + 1;
+      if (is_its_number && known.insert(item.item).second) continue;
+      problems.push_back("item " + std::to_string(item.item) +
+                         " is not the number of its option, or is stored twice; restore the study "
+                         "from a copy");
+    }
   }
   for (const AnsweredItem& item : stored) {
     for (const std::string& problem : problems_with_item(question, item)) {

@@ -51,6 +51,8 @@ struct Question {
   std::vector<Option> options{};  ///< of a form with options; other forms have none
   /// Of a trial: the correct responses, one per item of the answer; empty where no response is correct or incorrect.
   std::vector<std::string> correct{};
+  /// Of a trial: it is asked in addition to the question of the kind of experiment, and no analysis uses its responses.
+  bool is_additional = false;
   bool optional = false;                       ///< it may be left empty
   std::optional<AnswerCondition> condition{};  ///< asked only if it is met; absent: always asked
 

@@ -74,7 +74,10 @@ class Meaning final : private ProblemSink {
   void check_band(const Band& band, const std::string& pointer);
   void check_guidance(const Exploration& exploration, const std::string& pointer);
   void check_questions();
-  void check_question_form(const Question& question, const std::string& pointer);
+  /// Of a choice: its options are stated, or can be the surfaces of a trial.
+  enum class OptionsOfChoice { stated, surfaces };
+  /// Whether the parameters of the forms fit the form, which in a trial need not be stated.
+  void check_form(const Question& question, const std::string& pointer, OptionsOfChoice options);
   void check_options(const Question& question, const std::string& pointer);
   void check_participant_questions();
   void check_conditions();
@@ -147,6 +150,7 @@ class Meaning final : private ProblemSink {
   /// Where the options are known: those of all trials of the block.
   void check_tests_in_trials(const std::vector<Trial>& possible);
   bool check_question_keys(const Protocol::Block& block, const std::string& pointer);
+  void check_additional(const Protocol::TrialQuestionTemplate& question, const std::string& place);
   void check_direction(const Protocol::TrialQuestionTemplate& question, const std::string& place);
   void check_pictures(const Protocol::Block& block, const Protocol::TrialQuestionTemplate& question,
                       const std::string& place);

@@ -24,7 +24,8 @@ using Block = Protocol::Block;
 /// What the kind of the block determines unless it is stated.
 void complete_by_kind(Block& block, const ExperimentKind& kind) {
   for (Protocol::TrialQuestionTemplate& question : block.questions) {
-    const bool is_stated = std::holds_alternative<ScaleForm>(question.form) ||
+    const bool is_stated = question.is_additional ||
+                           std::holds_alternative<ScaleForm>(question.form) ||
                            std::holds_alternative<LineForm>(question.form);
     if (!is_stated) question.form = kind.form;
   }

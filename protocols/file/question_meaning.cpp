@@ -47,9 +47,11 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
     check_same_scale(block, question, place);
     check_confidence(block, question, place);
     if (question.condition) check_condition_in_trial(block, i);
-    const ExperimentKind* const of_question = kind_of_question(kind, question.form);
+    const ExperimentKind* const of_question = kind_of_question(kind, question);
     if (of_question == &kind) ++own;
-    if (of_question == nullptr) {
+    if (question.is_additional) {
+      check_additional(question, place);
+    } else if (of_question == nullptr) {
       const bool is_line = std::holds_alternative<LineForm>(question.form);
       report(
           place + (is_line ? "/line" : "/scale"),
@@ -69,7 +71,17 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
       kind.check_block({protocol_, block, question, pointer, place}, *this);
     }
   }
-  if (own == 0 || (own > 1 && !kind.asks_several)) {
+  const auto takes_its_place = [&kind](const TrialQuestionTemplate& question) {
+    return question.is_additional && question.form.index() == kind.form.index();
+  };
+  const auto additional = std::ranges::find_if(block.questions, takes_its_place);
+  if (own == 0 && additional != block.questions.end()) {
+    const auto index = static_cast<std::size_t>(additional - block.questions.begin());
+    report_key(place_of_question(block, index) + "/form",
+               "a question that states its form is additional, and a " + std::string(kind.name) +
+                   " needs " + needed_question(kind) +
+                   "; remove this key from the question that the analysis is about");
+  } else if (own == 0 || (own > 1 && !kind.asks_several)) {
     report(block.has_question_list ? pointer + "/questions" : pointer + "/question",
            "a " + std::string(kind.name) + " needs " + needed_question(kind) +
                " in every trial; number given: " + std::to_string(own) +
@@ -122,6 +134,25 @@ bool Meaning::check_question_keys(const Block& block, const std::string& pointer
            "\"one_after_another\"");
   }
   return true;
+}
+
+/// What only the question of a kind of experiment has.
+void Meaning::check_additional(const TrialQuestionTemplate& question, const std::string& place) {
+  const nlohmann::json& stated = document_.root().at(nlohmann::json::json_pointer(place));
+  for (const char* const key :
+       {"correct_factor", "judgement", "asks_for", "confidence_of", "rates", "tie"}) {
+    if (!stated.contains(key)) continue;
+    report_key(
+        place + "/" + key,
+        "this key belongs to the question that the kind of experiment analyses, and a question "
+        "with \"form\" is not analysed; keep one of the two keys");
+  }
+  for (const char* const key : {"pictures", "allow_cannot_tell"}) {
+    if (question.is_answered_by<ChoiceForm>() || !stated.contains(key)) continue;
+    report_key(place + "/" + key,
+               "only a choice of one option has this key; remove it, or set form to \"choice\"");
+  }
+  check_options(question, place);
 }
 
 void Meaning::check_direction(const TrialQuestionTemplate& question, const std::string& place) {
@@ -179,8 +210,8 @@ void Meaning::check_same_form(const Block& block, const TrialQuestionTemplate& q
     for (const TrialQuestionTemplate& earlier : other.questions) {
       if (earlier.name != question.name || earlier.form.index() == question.form.index()) continue;
       report(place + "/name", "the block " + in_quotes(name) + " has the question " +
-                                  in_quotes(question.name) + " as a " +
-                                  std::string(name_of(earlier.form)) +
+                                  in_quotes(question.name) + " answered by " +
+                                  std::string(description_of(earlier.form)) +
                                   ", and responses to both would be exported as one variable; give "
                                   "one of the questions another name");
     }
@@ -274,7 +305,7 @@ void Meaning::check_condition_in_trial(const Block& block, std::size_t question)
   const ExperimentKind& kind = kind_of(block);
   const bool is_rated = std::ranges::any_of(
       block.questions, [&](const auto& each) { return each.confidence_of == asked.name; });
-  if (kind_of_question(kind, asked.form) == &kind || is_rated || !asked.confidence_of.empty()) {
+  if (kind_of_question(kind, asked) == &kind || is_rated || !asked.confidence_of.empty()) {
     report_key(at, std::string(asked.confidence_of.empty()
                                    ? "the analysis of a " + std::string(kind.name) +
                                          " needs the response to this question in every trial"
@@ -319,8 +350,9 @@ void Meaning::check_tests_in_trials(const std::vector<Trial>& possible) {
 }
 
 void Meaning::check_scale(const TrialQuestionTemplate& question, const std::string& place) {
+  check_form(question, place, OptionsOfChoice::surfaces);
   const nlohmann::json& stated = document_.root().at(nlohmann::json::json_pointer(place));
-  if (stated.contains("line") && stated.contains("scale")) {
+  if (stated.contains("line") && stated.contains("scale") && !stated.contains("form")) {
     report_key(place + "/line",
                "a question is answered by a line or on a scale; keep one of the two keys");
   }
@@ -337,7 +369,6 @@ void Meaning::check_scale(const TrialQuestionTemplate& question, const std::stri
   if (!question.correct_factor.empty()) {
     remove("correct_factor", "no point of a scale is correct or incorrect");
   }
-  check_scale_form(*scale, place + "/scale");
 }
 
 void Meaning::check_scale_form(const ScaleForm& scale, const std::string& at) {

@@ -13,42 +13,46 @@ namespace asperity {
 void Meaning::check_questions() {
   for (const auto& [name, question] : protocol_.questions) {
     const std::string pointer = pointer_to("/questions", name);
-    check_question_form(question, pointer);
+    check_form(question, pointer, OptionsOfChoice::stated);
     check_options(question, pointer);
   }
   check_participant_questions();
 }
 
-void Meaning::check_question_form(const Question& question, const std::string& pointer) {
-  const auto& object = document_.root().at("questions").at(question.name);
-  const auto allow = [&](bool is_allowed, const char* key, const char* reason) {
-    if (is_allowed || !object.contains(key)) return;
+void Meaning::check_form(const Question& question, const std::string& pointer,
+                         OptionsOfChoice options) {
+  const auto& object = document_.root().at(nlohmann::json::json_pointer(pointer));
+  const auto found = object.find("form");
+  // A key of another form has changed the form of the question.
+  const std::string stated = found == object.end() ? std::string() : found->get<std::string>();
+  const auto allow = [&](const auto& form, const char* key, const char* reason) {
+    if (stated == form.kName || !object.contains(key)) return;
     report_key(pointer + "/" + key, std::string(reason) + "; remove this key");
   };
-  // A key of another form has changed the form of the question.
-  const auto stated = object.at("form").get<std::string>();
-  const bool is_number = stated == NumberForm::kName;
-  const bool is_scale = stated == ScaleForm::kName;
+  allow(NumberForm{}, "minimum", "only a question of the form \"number\" has limits");
+  allow(NumberForm{}, "maximum", "only a question of the form \"number\" has limits");
+  allow(NumberForm{}, "unit", "only a question of the form \"number\" has a unit");
+  if (!stated.empty()) {
+    allow(ScaleForm{}, "scale", "only a question of the form \"scale\" has a scale");
+    allow(LineForm{}, "line", "only a question of the form \"line\" has a line");
+    if (stated != MultipleChoiceForm::kName) {
+      allow(ChoiceForm{}, "options",
+            "only a question of the form \"choice\" or \"multiple_choice\" has options");
+    }
+  }
   const bool has_several = stated == MultipleChoiceForm::kName;
-  const bool needs_options = has_several || stated == ChoiceForm::kName;
-  allow(needs_options, "options",
-        "only a question of the form \"choice\" or \"multiple_choice\" has options");
-  allow(is_number, "minimum", "only a question of the form \"number\" has limits");
-  allow(is_number, "maximum", "only a question of the form \"number\" has limits");
-  allow(is_number, "unit", "only a question of the form \"number\" has a unit");
-  allow(is_scale, "scale", "only a question of the form \"scale\" has a scale");
+  const bool needs_options =
+      has_several || (stated == ChoiceForm::kName && options == OptionsOfChoice::stated);
   if (needs_options && question.options.empty()) {
     report(pointer, std::string(has_several ? "a multiple choice" : "a choice") +
                         " needs \"options\"; add this key");
   }
-  if (is_scale) {
-    if (object.contains("scale")) {
-      check_scale_form(std::get<ScaleForm>(question.form), pointer + "/scale");
-    } else {
-      report(pointer,
-             "a scale needs the key \"scale\", such as \"scale\": {\"minimum\": 1, "
-             "\"maximum\": 7, \"points\": 7}; add this key");
-    }
+  if (stated == ScaleForm::kName && !object.contains("scale")) {
+    report(pointer,
+           "a scale needs the key \"scale\", such as \"scale\": {\"minimum\": 1, "
+           "\"maximum\": 7, \"points\": 7}; add this key");
+  } else if (const auto* const scale = std::get_if<ScaleForm>(&question.form)) {
+    if (stated.empty() || stated == ScaleForm::kName) check_scale_form(*scale, pointer + "/scale");
   }
   const auto* const number = std::get_if<NumberForm>(&question.form);
   if (number != nullptr && number->minimum && number->maximum &&
@@ -102,11 +106,13 @@ void Meaning::check_participant_questions() {
                           "together, before the session" +
                           remedy);
     }
-    const bool is_scale = question.is_answered_by<ScaleForm>();
-    if (is_scale || question.is_answered_by<MultipleChoiceForm>()) {
+    const bool has_field = question.is_answered_by<ChoiceForm>() ||
+                           question.is_answered_by<NumberForm>() ||
+                           question.is_answered_by<TextForm>();
+    if (!has_field) {
       report(pointer,
-             "the question " + in_quotes(name) + " is answered by a " +
-                 (is_scale ? "scale" : "multiple choice") +
+             "the question " + in_quotes(name) + " is answered by " +
+                 std::string(description_of(question.form)) +
                  ", and a question about the participant by one option, a number or a text" +
                  remedy);
     }

@@ -19,6 +19,7 @@ void Meaning::check_expectation(const Trial& trial,
     expected.insert(planned.stimulus.texture);
   }
   for (const auto& question : protocol_.blocks.at(trial.block).questions) {
+    if (question.is_additional) continue;  // it is answered at random
     expected.insert(question.pictures.begin(), question.pictures.end());
   }
   expected.erase("");
@@ -106,7 +107,7 @@ void Meaning::check_trials() {
       }
     }
     for (std::size_t i = 0; kind.check_trial != nullptr && i < block.questions.size(); ++i) {
-      if (kind_of_question(kind, block.questions[i].form) != &kind) continue;
+      if (kind_of_question(kind, block.questions[i]) != &kind) continue;
       kind.check_trial({protocol_, block, block.questions[i], pointer, place_of_question(block, i)},
                        trial, *this);
     }

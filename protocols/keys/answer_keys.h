@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <array>
 #include <string_view>
 #include <variant>
 
@@ -34,6 +35,14 @@ inline void store_scale(const nlohmann::json& value, Question& question) {
 inline void store_line(const nlohmann::json& value, Question& question) {
   read_keys(kLineTable, value, &question.form.emplace<LineForm>());
 }
+
+inline constexpr std::array kForms{
+    KeyWord{ChoiceForm::kName, 0, "one of the options"},
+    KeyWord{MultipleChoiceForm::kName, 1, "one or more of the options"},
+    KeyWord{NumberForm::kName, 2, "a number"},
+    KeyWord{ScaleForm::kName, 3, "a point on a scale"},
+    KeyWord{LineForm::kName, 4, "the length of a line"},
+    KeyWord{TextForm::kName, 5, "a text"}};
 
 inline constexpr auto kNumberKeys = keys_of(
     form_key<&NumberForm::minimum>("minimum", "At least", "Smallest number accepted.",

@@ -41,12 +41,6 @@ void store_options(const json& value, Question& question) {
   }
 }
 
-constexpr std::array kForms{KeyWord{ChoiceForm::kName, 0, "one of the options"},
-                            KeyWord{MultipleChoiceForm::kName, 1, "one or more of the options"},
-                            KeyWord{NumberForm::kName, 2, "a number"},
-                            KeyWord{ScaleForm::kName, 3, "a point on a scale"},
-                            KeyWord{TextForm::kName, 4, "a text"}};
-
 void store_form(const json& value, Question& question) {
   question.form = form_named(value.get<std::string>());
 }
@@ -57,7 +51,7 @@ constexpr auto kAskedKeys = keys_of(
     required_key(custom_key<&store_form>(
         "form", "Form",
         "Form of the response. choice: one of the options; multiple_choice: one or more of "
-        "the options; number; scale: a point on a scale; text.",
+        "the options; number; scale: a point on a scale; line: the length of a line; text.",
         WordShape{kForms})),
     custom_key<&store_options>(
         "options", "Options", "The options of a choice or a multiple choice.",
@@ -69,8 +63,9 @@ constexpr auto kAskedKeys = keys_of(
 constexpr auto kOptionalKey = keys_of(member_key<&Question::optional>(
     "optional", "Optional", "Whether the question may be left unanswered.", TruthShape{}));
 
-constexpr auto kQuestionKeys = joined(joined(kAskedKeys, joined(kNumberKeys, kScaleKey)),
-                                      joined(condition_key(kConditionTable), kOptionalKey));
+constexpr auto kQuestionKeys =
+    joined(joined(kAskedKeys, joined(kNumberKeys, joined(kScaleKey, kLineKey))),
+           joined(condition_key(kConditionTable), kOptionalKey));
 
 constexpr ValueShape kScaleLabel = kShownText;
 
@@ -160,7 +155,8 @@ constexpr KeyTableOf<ScaleForm> kScaleTable = table_of(
     kScaleKeys, "scale");
 
 constexpr KeyTableOf<LineForm> kLineTable = table_of(
-    "Magnitude: the response is the length of a line that the participant draws, in place of a "
+    "The response is the length of a line that the participant draws, for a magnitude in place of "
+    "a "
     "number. It is stored as a proportion of the width of the participant's screen.",
     kLineKeys);
 

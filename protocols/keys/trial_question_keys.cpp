@@ -88,13 +88,25 @@ constexpr auto kTrialKeys = keys_of(
         [](const ProtocolKey&) { return json("dissimilarity"); }),
     inner_key("tie", "Tie", kTieTable));
 
-constexpr auto kTrialFormKeys =
-    joined(keys_of(list_key<&Question::options, kWordTable>(
-               "options", "Options",
-               "Options in words, in the order in which they are shown; only for kinds of "
-               "experiment that permit them.",
-               {.shortest = 2, .longest = 9})),
-           joined(joined(kScaleKey, kLineKey), condition_key(kTrialConditionTable)));
+/// A scale has its own analysis in blocks of every kind.
+void store_additional_form(const json& value, Question& question) {
+  question.form = form_named(value.get<std::string>());
+  question.is_additional = !question.is_answered_by<ScaleForm>();
+}
+
+constexpr auto kTrialFormKeys = joined(
+    keys_of(custom_key<&store_additional_form>(
+                "form", "Form",
+                "Form of the response to an additional question, which is stored and exported "
+                "and which no analysis uses, except that of a scale. Absent: the question of the "
+                "kind of experiment, or one answered on a scale.",
+                WordShape{kForms}),
+            list_key<&Question::options, kWordTable>(
+                "options", "Options",
+                "Options in words, in the order in which they are shown; only for kinds of "
+                "experiment that permit them, and for an additional question.",
+                {.shortest = 2, .longest = 9})),
+    joined(joined(kNumberKeys, joined(kScaleKey, kLineKey)), condition_key(kTrialConditionTable)));
 
 /// The keys of a question in the table of an object that contains it.
 template <class Owner>

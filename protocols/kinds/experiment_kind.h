@@ -142,10 +142,10 @@ const ExperimentKind* find_kind(std::string_view id) noexcept;
 const ExperimentKind& kind_named(std::string_view id);
 
 const ExperimentKind& kind_of(const Protocol::Block& block);
-/// The kind of a question in a block of kind `of_block`: that kind where its form is answered there, or
-/// otherwise the kind with this form that can accompany others. Null where there is none.
+/// The kind that analyses a question in a block of kind `of_block`: that kind where its form is answered there, or
+/// otherwise the kind with this form that can accompany others. Null where there is none, and for an additional question.
 const ExperimentKind* kind_of_question(const ExperimentKind& of_block,
-                                       const AnswerForm& form) noexcept;
+                                       const Question& question) noexcept;
 /// The kinds of the blocks of a protocol, in the order of the registry.
 std::vector<const ExperimentKind*> kinds_of(const Protocol& protocol);
 /// The kinds of the questions of its main blocks, in the same order: those whose responses are analysed.

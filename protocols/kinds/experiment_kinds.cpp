@@ -64,11 +64,12 @@ const ExperimentKind& kind_named(std::string_view id) {
 const ExperimentKind& kind_of(const Protocol::Block& block) { return kind_named(block.kind); }
 
 const ExperimentKind* kind_of_question(const ExperimentKind& of_block,
-                                       const AnswerForm& form) noexcept {
-  if (of_block.form.index() == form.index()) return &of_block;
-  if (of_block.takes_lines && std::holds_alternative<LineForm>(form)) return &of_block;
+                                       const Question& question) noexcept {
+  if (question.is_additional) return nullptr;
+  if (of_block.form.index() == question.form.index()) return &of_block;
+  if (of_block.takes_lines && question.is_answered_by<LineForm>()) return &of_block;
   for (const ExperimentKind* const kind : experiment_kinds()) {
-    if (kind->asks_several && kind->form.index() == form.index()) return kind;
+    if (kind->asks_several && kind->form.index() == question.form.index()) return kind;
   }
   return nullptr;
 }
@@ -79,7 +80,7 @@ std::vector<const ExperimentKind*> analysed_kinds_of(const Protocol& protocol) {
     const ExperimentKind* const of_block = find_kind(block.kind);
     if (of_block == nullptr || block.phase != Phase::main) continue;
     for (const Protocol::TrialQuestionTemplate& question : block.questions) {
-      asked.insert(kind_of_question(*of_block, question.form));
+      asked.insert(kind_of_question(*of_block, question));
     }
   }
   std::vector<const ExperimentKind*> kinds{};

@@ -45,7 +45,7 @@ void check_pairs_of_protocol(const Protocol& protocol, ProblemSink& problems) {
     const std::string pointer = pointer_to("/blocks", name);
     for (std::size_t i = 0; i < block.questions.size(); ++i) {
       const Protocol::TrialQuestionTemplate& question = block.questions[i];
-      if (!std::holds_alternative<ChoiceForm>(question.form)) continue;
+      if (question.is_additional || !question.is_answered_by<ChoiceForm>()) continue;
       if (first == nullptr) {
         first = &question;
         first_block = &block;

@@ -91,7 +91,7 @@ TabulatedQuestion tabulated_question(const Protocol& protocol, const Protocol::B
                                      const std::vector<Trial>& possible) {
   TabulatedQuestion asked{.protocol = protocol, .block = block, .question = question};
   const ExperimentKind& of_block = kind_of(block);
-  const ExperimentKind& kind = *kind_of_question(of_block, question.form);
+  const ExperimentKind& kind = *kind_of_question(of_block, question);
   asked.family =
       family_of(kind, protocol.analysis, protocol.estimation.value_or(EstimationDeclaration{}),
                 &kind != &of_block);

@@ -184,6 +184,11 @@ void add_parameters(JsonLine& line, const AnswerForm& form) {
   if (const auto* const line_form = std::get_if<LineForm>(&form)) {
     line.field("longest", line_form->longest);
   }
+  const auto* const number = std::get_if<NumberForm>(&form);
+  if (number != nullptr && !number->is_estimate) {
+    line.field("minimum", number->minimum);
+    line.field("maximum", number->maximum);
+  }
   const auto* const scale = std::get_if<ScaleForm>(&form);
   if (scale == nullptr) return;
   line.field("minimum", scale->minimum);

@@ -153,7 +153,7 @@ const Texture* texture_of(const Protocol& protocol, const Trial& trial) {
 
 Question planned_question(const Protocol& protocol, const Protocol::TrialQuestionTemplate& source,
                           const Trial& trial, const std::vector<std::string>& pictures) {
-  Question question = source;  // without what only the plan needs
+  Question question = static_cast<const Question&>(source);  // the part that is asked
   question.options.clear();
   if (!has_options(question.form)) return question;
   if (!source.options.empty()) {
@@ -179,7 +179,8 @@ Question planned_question(const Protocol& protocol, const Protocol::TrialQuestio
     question.options.push_back({kCannotTellOption, "I cannot tell", std::nullopt, {}});
   }
   const ExperimentKind& kind = kind_named(trial.kind);
-  if (kind.correct_of != nullptr) question.correct = kind.correct_of(source, trial);
+  if (kind.correct_of != nullptr && !question.is_additional)
+    question.correct = kind.correct_of(source, trial);
   return question;
 }
 

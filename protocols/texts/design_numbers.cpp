@@ -28,6 +28,7 @@ template <class Count>
 std::optional<int> agreed(const Block& block, const Count& count) {
   std::optional<int> number{};
   for (const QuestionTemplate& question : block.questions) {
+    if (question.is_additional) continue;  // the numbers are those of the block's own question
     const int here = count(question);
     if (here == 0) continue;
     if (number && *number != here) return {};

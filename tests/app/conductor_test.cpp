@@ -670,6 +670,24 @@ TEST_F(ConductorTest, AsksOnceMoreForANumberTenTimesAnEarlierOneAndKeepsBoth) {
   EXPECT_EQ(doubts, 6);
 }
 
+TEST_F(ConductorTest, ComparesNoAdditionalNumberWithEarlierEstimates) {
+  nlohmann::json protocol = nlohmann::json::parse(estimated_protocol());
+  nlohmann::json& block = protocol["blocks"]["main"];
+  block["questions"] = {block["question"],
+                        {{"name", "ridges"}, {"prompt", "How many ridges?"}, {"form", "number"}}};
+  block.erase("question");
+  begin(protocol.dump());
+  person_.at_question = [](int, const Trial& trial) {
+    return gives(trial.questions.front().name == "ridges" ? 1.0 : 100.0);
+  };
+  run();
+  for (const AttemptRow& row : attempts()) {
+    EXPECT_TRUE(std::ranges::none_of(
+        row.events, [](const EventRow& event) { return event.kind == "estimate_doubted"; }));
+    EXPECT_EQ(row.responses.at(1).answer, "1");
+  }
+}
+
 TEST_F(ConductorTest, TakesASecondNumberAsItIsAndOneLessThanTenTimesWithoutAsking) {
   begin(estimated_protocol());
   int doubts = 0;

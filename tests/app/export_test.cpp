@@ -624,9 +624,10 @@ TEST(Export, StatesInItsReadmeWhatThePublicGetsOfAParticipantAndWhatNot) {
                                 "(participants.tsv), os, consent_utc, started_utc, ended_utc "
                                 "(sessions.tsv), invalid_reason, exclusion_reason, flag_reason "
                                 "(attempts.tsv)."));
-  EXPECT_THAT(readme, HasSubstr("n/a for answers to questionnaires, unless named by "
-                                "--with-questions: item, answer, answer_number, time_s, "
-                                "from_cue_s, source (responses.tsv)."));
+  EXPECT_THAT(readme,
+              HasSubstr("n/a for answers to questionnaires, unless named by "
+                        "--with-questions, and for free text: item, answer, answer_number, time_s, "
+                        "from_cue_s, source (responses.tsv)."));
   EXPECT_THAT(
       readme,
       HasSubstr("Left out with --relabel: protocol_sha256, seed, generator, counterbalance_row, "

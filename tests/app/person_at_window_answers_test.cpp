@@ -51,11 +51,11 @@ TEST_F(ANumber, IsRefusedInWordsUntilItIsAboveZero) {
   feel_all(trial_);
   type(0.5, "0");
   press(0.8, Kind::confirm);
-  hold_button(1.0, 1, 0.2);
+  hold_button(1.0, 1, 0.2);  // nothing is typed by a button
   type(2.0, "3");
   EXPECT_EQ(ask(trial_).number(), 3.0);
   const std::vector<EventRow> refused = events("refused");
-  ASSERT_EQ(refused.size(), 3U);
+  ASSERT_EQ(refused.size(), 2U);
   for (const EventRow& event : refused) {
     EXPECT_EQ(event.text, "Please enter a number above 0, such as 7 or 0.5.");
   }
@@ -423,15 +423,50 @@ TEST_F(AForm, HasNoSurfaceToFeelAgain) {
 TEST_F(AForm, TakesSeveralOptionsInTheirOrder) {
   Question question = choice();
   question.form = MultipleChoiceForm{};
-  type(1.0, "3 1");
+  press(1.0, Kind::option, 3);
+  press(1.5, Kind::option, 2);
+  press(2.0, Kind::option, 1);
+  press(2.5, Kind::option, 2);  // no longer
+  look(2.8, [](const ParticipantScene& scene) {
+    EXPECT_TRUE(scene.choices.at(0).chosen);
+    EXPECT_FALSE(scene.choices.at(1).chosen);
+    EXPECT_TRUE(scene.can_confirm);
+  });
+  press(3.0, Kind::confirm);
   EXPECT_EQ(stored(question, person_.answer(question, wait_)), (FormAnswer{"good", "5"}));
-  type(1.0, "2, 2");
-  EXPECT_EQ(stored(question, person_.answer(question, wait_)), FormAnswer{"tired"});
-  type(1.0, "1 4");
-  type(2.0, "");
-  type(3.0, "good");
+  press(1.0, Kind::confirm);
+  press(2.0, Kind::option, 4);
+  press(3.0, Kind::option, 1);
+  press(4.0, Kind::confirm);
   EXPECT_EQ(stored(question, person_.answer(question, wait_)), FormAnswer{"good"});
-  EXPECT_EQ(events("refused").size(), 2U);
+  EXPECT_EQ(events("refused").size(), 1U);
+}
+
+TEST_F(AForm, TakesSeveralOptionsByOneButton) {
+  Question question = choice();
+  question.form = MultipleChoiceForm{};
+  hold_button(1.0, 1, 0.1);  // good
+  look(1.5, [](const ParticipantScene& scene) { EXPECT_TRUE(scene.choices.at(0).pointed_at); });
+  hold_button(2.0, 1, 1.0);  // chooses it
+  hold_button(4.0, 1, 0.1);  // tired
+  hold_button(5.0, 1, 0.1);  // 5
+  hold_button(6.0, 1, 1.0);
+  hold_button(8.0, 1, 1.0);  // confirms both
+  EXPECT_EQ(stored(question, person_.answer(question, wait_)), (FormAnswer{"good", "5"}));
+}
+
+TEST_F(AForm, RefusesAButtonForWhatIsTyped) {
+  Question question{};
+  question.form = TextForm{};
+  question.optional = true;
+  hold_button(1.0, 1, 0.1);
+  hold_button(2.0, 2, 0.1);
+  look(3.0, [](const ParticipantScene& scene) {
+    EXPECT_EQ(scene.cue, "Please confirm with the keyboard or on the screen.");
+  });
+  type(4.0, "half a page");
+  EXPECT_EQ(stored(question, person_.answer(question, wait_)), FormAnswer{"half a page"});
+  EXPECT_EQ(events("refused").size(), 1U);
 }
 
 TEST_F(AForm, TakesTheMarkOfAScaleAndNoneWhereItIsOptional) {

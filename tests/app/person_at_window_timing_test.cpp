@@ -15,6 +15,9 @@ namespace {
 
 class PressedTwice : public PersonAtWindowTest {
  protected:
+  static Question optional_choice() {
+    return {.name = "hand", .options = in_words({"right", "left"}), .optional = true};
+  }
   static Question optional_text() {
     Question question{};
     question.form = TextForm{};
@@ -144,9 +147,9 @@ TEST_F(PressedTwice, AButtonThatBouncesWhenItIsLetGoIsNotPressedAgain) {
   hold_button(1.405, 2, 0.003);
   hold_button(1.412, 2, 0.002);
   press(4.0, Kind::confirm);
-  person_.answer(optional_text(), wait_);
+  person_.answer(optional_choice(), wait_);
   EXPECT_EQ(now_ns_, began_ns + nanoseconds(1.0));
-  person_.answer(optional_text(), wait_);
+  person_.answer(optional_choice(), wait_);
   EXPECT_EQ(now_ns_, began_ns + nanoseconds(4.0));
 }
 

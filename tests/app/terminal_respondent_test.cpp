@@ -94,6 +94,36 @@ TEST_F(AtTerminal, TakesNoReturnOfABreakForTheNextConfirmation) {
   EXPECT_EQ(waits, 3) << "it waits for a Return after the break";
 }
 
+Trial trial_of_two(Question question) {
+  Trial trial{.presentations = {{.position = 1, .code = "A"}, {.position = 2, .code = "B"}}};
+  trial.questions = {std::move(question)};
+  return trial;
+}
+
+// The values of the options are hidden, and can be numbers in another order.
+TEST_F(AtTerminal, ChoosesAnOptionByTheNumberThatIsShown) {
+  const Trial trial =
+      trial_of_two({.name = "best",
+                    .prompt = "Which was rougher?",
+                    .options = {{.value = "2", .label = "A"}, {.value = "1", .label = "B"}}});
+  type("1\n");
+  const Reply reply = person_.ask(trial, trial.questions, {}, {}, [](double) {});
+  ASSERT_NE(reply.answer(), nullptr);
+  EXPECT_EQ(std::get<ChosenOption>(*reply.answer()).option, 0U);
+}
+
+TEST_F(AtTerminal, TakesATextThatBeginsWithTheWordForFeeling) {
+  const Trial trial = trial_of_two({.name = "words", .prompt = "Describe it.", .form = TextForm{}});
+  type("feels like sand\n");
+  const Reply reply = person_.ask(trial, trial.questions, {}, {}, [](double) {});
+  ASSERT_NE(reply.answer(), nullptr);
+  EXPECT_EQ(std::get<WrittenText>(*reply.answer()).text, "feels like sand");
+  type("feel B\n");
+  const Reply wish = person_.ask(trial, trial.questions, {}, {}, [](double) {});
+  ASSERT_NE(wish.feel_again(), nullptr);
+  EXPECT_EQ(wish.feel_again()->position, 2);
+}
+
 /// A red and a blue picture, as the sheet shows them.
 ColorPlanes sheet_of_a_question(bool in_grey) {
   const TemporaryFolder folder;

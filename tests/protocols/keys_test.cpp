@@ -47,7 +47,7 @@ const json kEverything = json::parse(R"({
       "prompt": "How easy?", "form": "scale",
       "scale": {"minimum": 1, "maximum": 7, "points": 7, "labels": ["hard", "easy"]},
       "if": {"question": "hand", "is": "left"}},
-    "why": {"prompt": "Why?", "form": "text", "if": {"question": "hand", "in": ["left", 3]}},
+    "why": {"prompt": "Why?", "form": "line", "line": {"longest": 0.5}, "if": {"question": "hand", "in": ["left", 3]}},
     "what": {"prompt": "What?", "form": "text", "if": {"question": "hand", "includes": "left"}},
     "when": {"prompt": "When?", "form": "text", "if": {"question": "age", "at_least": 20, "at_most": 30}}},
   "blocks": {
@@ -82,6 +82,7 @@ const json kEverything = json::parse(R"({
       "questions": [
         {"name": "first", "prompt": "Which?", "pictures": ["stone", "metal"],
          "reshuffle_pictures": true, "allow_cannot_tell": true, "correct_factor": "a",
+         "form": "scale", "minimum": 1, "maximum": 9, "unit": "mm",
          "judgement": "comparison", "asks_for": "less", "confidence_of": "z", "rates": "similarity",
          "tie": {"text": "Same"}, "options": [{"value": "y", "text": "Yes"}, {"value": "n", "text": "No"}],
          "scale": {"minimum": 1},
@@ -103,7 +104,7 @@ const json kEverything = json::parse(R"({
       "presented": [{"stimulus": "matched"}], "exploration": "stroke",
       "arrangement": {"interval_s": 0.4},
       "question": {
-        "name": "only", "prompt": "Which?", "pictures": ["stone", "metal"],
+        "name": "only", "prompt": "Which?", "form": "line", "minimum": 1, "maximum": 9, "unit": "mm", "pictures": ["stone", "metal"],
         "reshuffle_pictures": true, "allow_cannot_tell": true, "correct_factor": "a",
         "judgement": "performance", "asks_for": "more", "confidence_of": "z",
         "rates": "dissimilarity", "tie": {"text": "Same"},

@@ -45,7 +45,7 @@ class Tabulated {
         asked_(tabulated_question(*protocol_, protocol_->blocks.at(block),
                                   *question_named(protocol_->blocks.at(block), question),
                                   possible_trials(*protocol_))),
-        table_(*kind_of_question(kind_of(asked_.block), asked_.question.form)->responses) {
+        table_(*kind_of_question(kind_of(asked_.block), asked_.question)->responses) {
     for (const Trial& trial : make_plan(*protocol_, {.seed = 1}).trials) {
       if (trial.block == block) trials_.push_back(trial);
     }
@@ -154,7 +154,7 @@ TEST(ResponseTable, NeverAssumesAnEffectOfTheFamilyOrItsStandardDeviation) {
     for (const auto& [name, block] : protocol.blocks) {
       if (block.phase != Phase::main) continue;
       for (const auto& question : block.questions) {
-        const ExperimentKind& kind = *kind_of_question(kind_of(block), question.form);
+        const ExperimentKind& kind = *kind_of_question(kind_of(block), question);
         if (kind.responses == nullptr) continue;
         SCOPED_TRACE(std::string(each.name) + ' ' + name + ' ' + question.name);
         const auto parameters =
@@ -196,7 +196,7 @@ std::string meaning_of(const std::string& protocol_name, const std::string& para
   for (const auto& [name, block] : protocol.blocks) {
     if (block.phase != Phase::main) continue;
     for (const auto& question : block.questions) {
-      const ResponseTable* const table = kind_of_question(kind_of(block), question.form)->responses;
+      const ResponseTable* const table = kind_of_question(kind_of(block), question)->responses;
       if (table == nullptr) continue;
       for (const ResponseParameter& each :
            table->parameters(tabulated_question(protocol, block, question, possible))) {

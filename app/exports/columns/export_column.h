@@ -34,7 +34,8 @@ struct ExportPlace {
   const AttemptRow* attempt = nullptr;
   const PresentationRow* presentation = nullptr;
   const ResponseRow* response = nullptr;
-  bool response_is_withheld = false;  ///< in a public export: a response to a questionnaire
+  /// In a public export: a response to a questionnaire, or free text.
+  bool response_is_withheld = false;
   /// The first estimate of the attempt, if the magnitude was re-elicited.
   std::optional<double> doubted_estimate{};
   /// The factor that removes the participant's own scale from an estimate (OwnScales).
@@ -73,7 +74,7 @@ constexpr bool is_public(ExportAudience audience) noexcept {
 /// How a column appears in a public export.
 enum class Publication {
   kept,
-  without_questionnaires,   ///< kept, but n/a for a response to a questionnaire
+  without_questionnaires,   ///< kept, but n/a for a response to a questionnaire and for free text
   without_free_text,        ///< kept, but without typed text and without identifiers of a machine
   dropped_unless_named,     ///< responses to a questionnaire
   dropped_with_new_labels,  ///< left out with new labels, otherwise kept

@@ -46,8 +46,7 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
   columns.back().publication = Publication::without_questionnaires;
   columns.back().missing =
       "a question of a questionnaire was left empty, or a question was not asked (see source), or "
-      "the "
-      "response is an answer to a questionnaire in a public export";
+      "the response is an answer to a questionnaire, or free text, in a public export";
   add(missing("the response is not a number, or is an answer to a questionnaire in a public export",
               column("answer_number", "number", "",
                      "the response as a number: an estimate, a point of a scale, or a number in "

@@ -29,36 +29,49 @@ void add_scale(const ScaleForm& scale, StudyVocabulary::AnswerMeaning& meaning) 
   }
 }
 
+StudyVocabulary::AnswerMeaning meaning_of_question(const Question& asked) {
+  StudyVocabulary::AnswerMeaning meaning{};
+  meaning.prompt = asked.prompt;
+  meaning.free_text = asked.is_answered_by<TextForm>();
+  meaning.has_several = asked.is_answered_by<MultipleChoiceForm>();
+  if (asked.condition) {
+    meaning.condition = clause_of(*asked.condition);
+    meaning.asked_after = asked.condition->question;
+  }
+  if (const auto* const number = std::get_if<NumberForm>(&asked.form)) {
+    meaning.unit = number->unit;
+    meaning.minimum = number->minimum;
+    meaning.maximum = number->maximum;
+  }
+  if (const auto* const scale = std::get_if<ScaleForm>(&asked.form)) add_scale(*scale, meaning);
+  for (const Option& option : asked.options) {
+    meaning.options.push_back(option.value);
+    if (option.text != option.value) {
+      meaning.option_meanings[option.value].description = option.text;
+    }
+  }
+  return meaning;
+}
+
+/// Questions of several protocols, blocks and the questionnaire can have the same name.
+void learn_question(const std::string& name, StudyVocabulary::AnswerMeaning meaning,
+                    StudyVocabulary& vocabulary) {
+  const auto [known, is_new] = vocabulary.questions.insert({name, meaning});
+  if (is_new) return;
+  StudyVocabulary::AnswerMeaning& all = known->second;
+  all.questionnaire = all.questionnaire || meaning.questionnaire;
+  all.free_text = all.free_text || meaning.free_text;
+  all.has_several = all.has_several || meaning.has_several;
+  all.has_no_own_scale = all.has_no_own_scale && meaning.has_no_own_scale;
+}
+
 void learn_questions(const ProtocolRow& protocol, const Protocol& specified,
                      StudyVocabulary& vocabulary) {
   for (const auto& [name, asked] : specified.questions) {
-    StudyVocabulary::AnswerMeaning meaning{};
-    meaning.prompt = asked.prompt;
-    meaning.free_text = asked.is_answered_by<TextForm>();
-    meaning.has_several = asked.is_answered_by<MultipleChoiceForm>();
-    if (asked.condition) {
-      meaning.condition = clause_of(*asked.condition);
-      meaning.asked_after = asked.condition->question;
-    }
-    if (const auto* const number = std::get_if<NumberForm>(&asked.form)) {
-      meaning.unit = number->unit;
-      meaning.minimum = number->minimum;
-      meaning.maximum = number->maximum;
-    }
-    if (const auto* const scale = std::get_if<ScaleForm>(&asked.form)) add_scale(*scale, meaning);
-    for (const Option& option : asked.options) {
-      meaning.options.push_back(option.value);
-      if (option.text != option.value) {
-        meaning.option_meanings[option.value].description = option.text;
-      }
-    }
+    StudyVocabulary::AnswerMeaning meaning = meaning_of_question(asked);
     meaning.source = place_in(protocol, "/questions/" + name);
     vocabulary.questions_of_source[{protocol.source_sha256, name}] = meaning;
-    const bool free_text = meaning.free_text;
-    const auto [question, is_new] = vocabulary.questions.insert({name, std::move(meaning)});
-    question->second.questionnaire =
-        true;  // even if a trial of another protocol asks the same question
-    if (!is_new && free_text) question->second.free_text = true;
+    learn_question(name, std::move(meaning), vocabulary);
   }
   for (const auto& [name, block] : specified.blocks) {
     vocabulary.kinds_of_blocks[{protocol.source_sha256, name}] =
@@ -76,17 +89,12 @@ void learn_questions(const ProtocolRow& protocol, const Protocol& specified,
     }
     for (const Protocol::TrialQuestionTemplate& asked : block.questions) {
       if (asked.name.empty()) continue;
-      StudyVocabulary::AnswerMeaning meaning{};
-      meaning.prompt = asked.prompt;
-      if (const auto* const scale = std::get_if<ScaleForm>(&asked.form)) {
-        add_scale(*scale, meaning);
-      }
-      if (asked.condition) meaning.condition = clause_of(*asked.condition);
-      meaning.free_text = false;
+      StudyVocabulary::AnswerMeaning meaning = meaning_of_question(asked);
       meaning.questionnaire = false;
+      meaning.has_no_own_scale = asked.is_additional || asked.is_answered_by<ScaleForm>();
       meaning.source = place_in(protocol, "/blocks/" + name);
       if (block.questions.size() == 1) meaning.source += "/question";
-      vocabulary.questions.insert({asked.name, std::move(meaning)});
+      learn_question(asked.name, std::move(meaning), vocabulary);
     }
   }
 }
@@ -175,6 +183,28 @@ void learn_declaration(const std::string& model, const Parameter& parameter,
 }
 
 }  // namespace
+
+namespace {
+
+bool holds(const StudyVocabulary& vocabulary, const std::string& question,
+           bool StudyVocabulary::AnswerMeaning::*what) {
+  const auto known = vocabulary.questions.find(question);
+  return known != vocabulary.questions.end() && known->second.*what;
+}
+
+}  // namespace
+
+bool StudyVocabulary::is_free_text(const std::string& question) const {
+  return holds(*this, question, &AnswerMeaning::free_text);
+}
+
+bool StudyVocabulary::has_several_answers(const std::string& question) const {
+  return holds(*this, question, &AnswerMeaning::has_several);
+}
+
+bool StudyVocabulary::has_no_own_scale(const std::string& question) const {
+  return holds(*this, question, &AnswerMeaning::has_no_own_scale);
+}
 
 bool StudyVocabulary::is_published(const std::string& question) const {
   const auto known = questions.find(question);

@@ -43,6 +43,8 @@ struct StudyVocabulary {
     std::string prompt{};
     bool free_text = true;     ///< false if a protocol declares another form
     bool has_several = false;  ///< a multiple choice: an answer has several options
+    /// The participant has no own scale for it: a point of a stated scale, or an additional question.
+    bool has_no_own_scale = false;
     std::string unit{};        ///< of a number
     /// The condition under which it is asked, as `clause_of` states it; empty: always asked.
     std::string condition{};
@@ -97,6 +99,10 @@ struct StudyVocabulary {
   /// Whether a public export includes the responses to this question of a questionnaire. False for free text,
   /// and for a question that no protocol declares.
   bool is_published(const std::string& question) const;
+  /// Whether the responses to this question are texts in the participants' words.
+  bool is_free_text(const std::string& question) const;
+  bool has_several_answers(const std::string& question) const;
+  bool has_no_own_scale(const std::string& question) const;
   /// Of the question of a questionnaire in the protocol file with this SHA-256; null if the file declares none.
   const AnswerMeaning* meaning_of(const std::string& source_sha256,
                                   const std::string& question) const;

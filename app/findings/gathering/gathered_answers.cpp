@@ -70,7 +70,13 @@ struct QuestionsOfKind {
   std::set<std::string, std::less<>> accompanied{};
   /// By block of this kind, the scale that rates the confidence of the response to its question.
   std::map<std::string, std::string, std::less<>> confidences{};
+  /// By block, the questions that no kind analyses.
+  std::map<std::string, std::set<std::string>, std::less<>> additional{};
 
+  bool is_additional(const std::string& block, const std::string& question) const {
+    const auto names = additional.find(block);
+    return names != additional.end() && names->second.contains(question);
+  }
   bool has_block(const std::string& block) const {
     return by_block.contains(block) || (others && !others->contains(block));
   }
@@ -86,14 +92,15 @@ const std::string& kind_of_stored_block(const std::string& kind_of_protocol,
   return block.kind.empty() ? kind_of_protocol : block.kind;
 }
 
-/// The id of the kind that analyses a question of a block.
+/// The id of the kind that analyses a question of a block; empty where none does.
 std::string kind_of_stored(const std::string& kind_of_protocol, const Protocol::Block& block,
                            const Protocol::TrialQuestionTemplate& question) {
+  if (question.is_additional) return {};
   const std::string& of_block = kind_of_stored_block(kind_of_protocol, block);
   const ExperimentKind* const known = find_kind(of_block);
   // The other forms are those of the kind itself.
   if (known == nullptr || !std::holds_alternative<ScaleForm>(question.form)) return of_block;
-  const ExperimentKind* const kind = kind_of_question(*known, question.form);
+  const ExperimentKind* const kind = kind_of_question(*known, question);
   return std::string(kind == nullptr ? of_block : kind->id);
 }
 
@@ -115,10 +122,15 @@ std::vector<std::string> pictures_of(const Protocol& protocol) {
 std::map<std::string, QuestionsOfKind> questions_by_kind(const Protocol& protocol,
                                                          const std::string& kind_of_protocol) {
   std::map<std::string, QuestionsOfKind> kinds{};
+  decltype(QuestionsOfKind::additional) additional{};
   for (const auto& [name, block] : protocol.blocks) {
     if (matches_roughness(protocol, block)) continue;  // its own analysis: equal_roughness.h
     for (const Protocol::TrialQuestionTemplate& question : block.questions) {
       const std::string kind = kind_of_stored(kind_of_protocol, block, question);
+      if (kind.empty()) {
+        additional[name].insert(question.name);
+        continue;
+      }
       if (kind != kind_of_stored_block(kind_of_protocol, block)) {
         kinds[kind].accompanied.insert(name);
       }
@@ -131,6 +143,7 @@ std::map<std::string, QuestionsOfKind> questions_by_kind(const Protocol& protoco
       names->insert(question.name);
     }
   }
+  for (auto& [kind, questions] : kinds) questions.additional = additional;
   // Only where no block is of that kind is there nothing of the protocol's kind.
   if (!kinds.empty() && !kinds.contains(kind_of_protocol)) return kinds;
   auto& others = kinds[kind_of_protocol].others.emplace();
@@ -412,8 +425,8 @@ class Gathering {
     for (std::size_t from = 0; from < all.size();) {
       std::size_t to = from + 1;
       while (to < all.size() && all[to].question == all[from].question) ++to;
-      const bool was_asked = !session.answers.words[all[from].answer].empty();
-      if (was_asked && session.questions.has(block, session.answers.words[all[from].question])) {
+      if (all[from].was_asked &&
+          session.questions.has(block, session.answers.words[all[from].question])) {
         found.push_back({all[from].question, all.subspan(from, to - from)});
       }
       from = to;
@@ -429,8 +442,10 @@ class Gathering {
     AccompaniedResponse response{};
     std::size_t items = 0;
     for (const SessionAnswers::Reply& reply : session.answers.replies_of(attempt)) {
-      if (session.questions.has(block, session.answers.words[reply.question])) continue;
-      if (session.answers.words[reply.answer].empty()) continue;  // not asked
+      const std::string& question = session.answers.words[reply.question];
+      if (session.questions.has(block, question)) continue;
+      if (session.questions.is_additional(block, question)) continue;
+      if (!reply.was_asked) continue;
       response.question = word(session, reply.question);
       response.answer = ++items == 1 && !reply.number ? word(session, reply.answer) : kNoWord;
       if (reply.correct) response.correct = response.correct.value_or(true) && *reply.correct;

@@ -55,9 +55,11 @@ QString AttemptWords::summary(const AttemptDetail& detail) {
                     tr("%1 %2").arg(text(detail.protocol_name), text(detail.protocol_version)),
                     tr("block %1").arg(text(detail.planned.block)),
                     answers.isEmpty() ? outcome : tr("%1: %2").arg(outcome, answers)};
-  if (!attempt.responses.empty() && attempt.responses.back().source != kNotAsked) {
-    parts << tr("answered %1 after the first contact")
-                 .arg(of_seconds(attempt.responses.back().from_contact_s));
+  const auto asked =
+      std::find_if(attempt.responses.rbegin(), attempt.responses.rend(),
+                   [](const ResponseRow& response) { return response.source != kNotAsked; });
+  if (asked != attempt.responses.rend()) {
+    parts << tr("answered %1 after the first contact").arg(of_seconds(asked->from_contact_s));
   }
   const double took_s = static_cast<double>(attempt.offset_ns - attempt.onset_ns) * 1e-9;
   parts << tr("took %1").arg(of_seconds(took_s)) << text_of_start(detail.session);

@@ -20,6 +20,7 @@
 #include "app/gui/editor/protocol_views.h"
 #include "app/gui/editor/question_bar.h"
 #include "app/gui/editor/screen_preview.h"
+#include "app/gui/look/fitted_label.h"
 #include "app/gui/look/words.h"
 #include "app/gui/plan/plan_preview.h"
 #include "app/study_files/study_protocols.h"
@@ -117,9 +118,12 @@ ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
 }
 
 void ProtocolEditorPage::make_head() {
-  note_ = make_text({}, this, true);
+  name_ = new FittedLabel(this);
+  name_->setFont(text_font(TextSize::title, true));
+  title().hide();
+  note_ = new FittedLabel(this);
   note_->setObjectName("editor_note");
-  note_->setWordWrap(false);
+  note_->setForegroundRole(QPalette::PlaceholderText);
   QPushButton* methods = make_button(tr("Methods"), ButtonRole::plain, this);
   methods->setObjectName("editor_methods");
   methods->setToolTip(tr("Which method answers which question, and its library protocol"));
@@ -129,6 +133,7 @@ void ProtocolEditorPage::make_head() {
   save_->setObjectName("editor_save");
   QPushButton* back = make_button(tr("← All protocols"), ButtonRole::link, this);
   back->setObjectName("editor_back");
+  head().insertWidget(0, name_, 1);
   head().addWidget(note_);
   head().addSpacing(kGrid);
   head().addWidget(methods);
@@ -240,7 +245,7 @@ void ProtocolEditorPage::open(const std::filesystem::path& protocol) {
   banner().hide();
   question_->hide();
   file_ = protocol;
-  title().setText(text(protocol.filename().string()));
+  name_->show_text(text(protocol.filename().string()));
   show_empty(false);
   show_content(bytes);
   views_->show_form_if_possible();
@@ -311,7 +316,7 @@ void ProtocolEditorPage::show_whether_saved() {
   const bool saving = save_task_.is_running();
   const bool can_write = study().can_be_written();
   save_->setEnabled(changed && !saving && !as_it_is_ && can_write);
-  note_->setText(!can_write  ? tr("This study is read-only")
+  note_->show_text(!can_write  ? tr("This study is read-only")
                  : as_it_is_ ? tr("Cannot be edited here")
                  : saving    ? tr("Saving…")
                  : changed   ? tr("● Unsaved changes")
@@ -480,7 +485,7 @@ void ProtocolEditorPage::end_saving(const Saving& saving) {
   banner().hide();
   if (saving.file != file_) {
     file_ = saving.file;
-    title().setText(text(file_.filename().string()));
+    name_->show_text(text(file_.filename().string()));
     banner().show_news(State::fine, tr("Saved as %1: the file is named after the protocol.")
                                         .arg(text(file_.filename().string())));
   }

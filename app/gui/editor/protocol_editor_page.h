@@ -18,6 +18,7 @@ class QStackedWidget;
 namespace asperity {
 
 class EditorSides;
+class FittedLabel;
 class LiveExamination;
 class PlanPreview;
 class ProtocolTextEdit;
@@ -98,7 +99,8 @@ class ProtocolEditorPage final : public StudyPage {
   LiveCheck::Result result_{};
   QFileSystemWatcher* watcher_ = nullptr;
   QuestionBar* question_ = nullptr;
-  QLabel* note_ = nullptr;
+  FittedLabel* name_ = nullptr;  ///< of the file, in place of the title of the page
+  FittedLabel* note_ = nullptr;
   QPushButton* save_ = nullptr;
   EditorSides* sides_ = nullptr;
   ProtocolViews* views_ = nullptr;

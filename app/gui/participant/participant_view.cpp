@@ -203,16 +203,12 @@ void ParticipantView::look() {
     const std::shared_ptr<const Scene> before = std::exchange(scene_, snapshot.scene);
     const bool new_trial = snapshot.trial != trial_ || snapshot.attempt != attempt_;
     const bool same = !new_trial && same_question(*before, *scene_);
-    if (!same) {
-      if (!original_) draft_ = {};
-      press_.reset();
-      if (field_ != nullptr) field_->clear();
-    } else if (!original_ && !same_assignment(*before, *scene_)) {
-      draft_.surface.reset();
-    }
-    if (!original_) keep_page(*before, same);
     trial_ = snapshot.trial;
     attempt_ = snapshot.attempt;
+    if (!same) press_.reset();
+    keep_draft();
+    if (!original_ && !(same && same_assignment(*before, *scene_))) draft_.surface.reset();
+    if (!original_) keep_page(*before, same);
     if (scene_->cue_number != cue_seen_) {
       cue_seen_ = scene_->cue_number;
       cue_until_ = std::chrono::steady_clock::now() + kCueShown;
@@ -229,13 +225,24 @@ void ParticipantView::look() {
   emit scene_changed();
 }
 
+/// Through marks and cues in the question, and while a surface is felt again before its answer.
+void ParticipantView::keep_draft() {
+  const bool is_asked = scene_->kind == Scene::Kind::question || scene_->kind == Scene::Kind::form;
+  if (!is_asked) return;
+  const Asked asked{scene_->kind, trial_, attempt_, scene_->question};
+  if (std::exchange(drafted_, asked) == asked) return;
+  if (!original_) draft_ = {};
+  if (field_ != nullptr) field_->clear();
+}
+
 /// Of the scene as it is shown, through marks and cues in it.
 void ParticipantView::keep_page(const Scene& before, bool same) {
   if (!same || before.shown_ns != scene_->shown_ns) {
     page_ = 1;
     return;
   }
-  if (!same_answer(before, *scene_)) page_ = 0;
+  // Of several options the one that was pressed stays in view.
+  if (!same_answer(before, *scene_) && !scene_->is_answered_by<MultipleChoiceForm>()) page_ = 0;
   if (before.pages_turned == scene_->pages_turned) return;
   // A button of the device was pressed where there is more to read.
   if (const Item* next = turned_by(Qt::Key_PageDown)) page_ = next->action->number;

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <tuple>
 #include <vector>
 
 #include <QtCore/QPointer>
@@ -121,7 +123,11 @@ class ParticipantView final : public QWidget {
     std::optional<double> set{};  ///< of an item that the pointer sets: the position told last
   };
 
+  /// A question, by its scene, trial, attempt and name.
+  using Asked = std::tuple<ParticipantScene::Kind, int, int, std::string>;
+
   void look();
+  void keep_draft();
   void keep_page(const ParticipantScene& before, bool same);
   void arrange();
   void place(QWidget* widget, const ParticipantItem* item);
@@ -158,7 +164,8 @@ class ParticipantView final : public QWidget {
   int trial_ = 0;
   int attempt_ = 0;
   ParticipantDraft draft_{};
-  int page_ = 1;  ///< 0: where the answer stands
+  std::optional<Asked> drafted_{};  ///< what the draft answers
+  int page_ = 1;                    ///< 0: where the answer stands
   double letters_shown_px_ = 0.0;
   bool told_more_ = false;
   std::vector<ParticipantItem> items_{};  ///< in page coordinates

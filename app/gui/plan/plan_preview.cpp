@@ -215,9 +215,6 @@ PlanPreview::PlanPreview(Shape shape, QWidget* parent) : QWidget(parent) {
   another->setObjectName("plan_another");
   choice->addWidget(another);
   connect(another, &QPushButton::clicked, this, [this] { seed_->setValue(seed_->value() + 1); });
-  bars_ = new PlanBars(this);
-  layout->addWidget(bars_);
-  connect(bars_, &PlanBars::step_wanted, this, &PlanPreview::select_step);
   using Align = StudyTable::Align;
   if (shape == Shape::wide) {
     table_ = new StudyTable({{tr("Step"), 80, Align::number},
@@ -239,6 +236,9 @@ PlanPreview::PlanPreview(Shape shape, QWidget* parent) : QWidget(parent) {
     table_->setFont(small);
     table_->horizontalHeader()->setFont(small);
     table_->verticalHeader()->setDefaultSectionSize(3 * kGrid);
+    bars_ = new PlanBars(this);
+    layout->addWidget(bars_);
+    connect(bars_, &PlanBars::step_wanted, this, &PlanPreview::select_step);
     auto* scroll = new QScrollArea(splitter);
     scroll->setAccessibleName(tr("Selected step"));
     scroll->setWidgetResizable(true);
@@ -339,7 +339,7 @@ void PlanPreview::make_plan_anew() {
           planned_ = protocol;
           plan_ = plan;
           words_->setText(cost_in_words(cost, *protocol, *plan));
-          bars_->show_plan(*protocol, *plan);
+          if (bars_ != nullptr) bars_->show_plan(*protocol, *plan);
           show_plan();
         };
       },

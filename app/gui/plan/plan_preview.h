@@ -22,7 +22,7 @@ class StudyTable;
 class PlanPreview final : public QWidget {
   Q_OBJECT
  public:
-  /// What there is room for: a wide table alone, or a narrow one with the chosen step below it.
+  /// What there is room for: a wide table alone, or bars of the blocks and a narrow table with the chosen step below it.
   enum class Shape { wide, tall };
 
   explicit PlanPreview(Shape shape, QWidget* parent = nullptr);
@@ -54,7 +54,7 @@ class PlanPreview final : public QWidget {
   QLabel* rows_ = nullptr;
   QComboBox* group_ = nullptr;
   QLabel* words_ = nullptr;
-  PlanBars* bars_ = nullptr;
+  PlanBars* bars_ = nullptr;  ///< null in the wide shape, of which the list has the height
   StudyTable* table_ = nullptr;
   QLabel* detail_ = nullptr;  ///< null in the wide shape
   NewestWork work_{};

@@ -15,7 +15,7 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/look/plot_ticks.h"
 #include "app/gui/look/words.h"
-#include "app/gui/session/fitted_label.h"
+#include "app/gui/look/fitted_label.h"
 
 namespace asperity {
 

@@ -13,7 +13,7 @@
 #include <QtWidgets/QPushButton>
 
 #include "app/gui/look/controls.h"
-#include "app/gui/session/fitted_label.h"
+#include "app/gui/look/fitted_label.h"
 #include "app/gui/session/session_text.h"
 
 namespace asperity {

@@ -9177,10 +9177,6 @@
         <translation>Form</translation>
     </message>
     <message>
-        <source>Form of the response. choice: one of the options; multiple_choice: one or more of the options; number; scale: a point on a scale; text.</source>
-        <translation>Form der Antwort. choice: eine der Antworten; multiple_choice: eine oder mehrere der Antworten; number: eine Zahl; scale: ein Punkt auf einer Skala; text: ein Text.</translation>
-    </message>
-    <message>
         <source>An option: the text that is shown and stored, or an object if another text is shown, for example in another language.</source>
         <translation>Eine Antwortmöglichkeit: der Text, der gezeigt und gespeichert wird, oder ein Objekt, wenn ein anderer Text gezeigt wird, zum Beispiel in einer anderen Sprache.</translation>
     </message>
@@ -9733,10 +9729,6 @@
         <translation>Gleichstand</translation>
     </message>
     <message>
-        <source>Options in words, in the order in which they are shown; only for kinds of experiment that permit them.</source>
-        <translation>Antwortmöglichkeiten in Worten, in der Reihenfolge, in der sie gezeigt werden; nur bei Arten von Experimenten, die sie zulassen.</translation>
-    </message>
-    <message>
         <source>Line</source>
         <translation>Linie</translation>
     </message>
@@ -9767,10 +9759,6 @@
     <message>
         <source>Paired comparison: an option after those for the surfaces, stored as &quot;tie&quot;; absent: one of the surfaces has to be chosen.</source>
         <translation>Paarvergleich: eine Antwortmöglichkeit nach denen für die Oberflächen, als „tie“ gespeichert; ohne Angabe: eine der Oberflächen muss gewählt werden.</translation>
-    </message>
-    <message>
-        <source>Magnitude: the response is the length of a line that the participant draws, in place of a number. It is stored as a proportion of the width of the participant&apos;s screen.</source>
-        <translation>Größenschätzung: Die Antwort ist die Länge einer Linie, die die Versuchsperson zeichnet, anstelle einer Zahl. Sie wird als Anteil der Breite ihres Bildschirms gespeichert.</translation>
     </message>
     <message>
         <source>Shortest interval</source>
@@ -9883,6 +9871,26 @@
     <message>
         <source>The answer to an earlier question of the same trial on which a question depends. Exactly one of is, in, includes, or a range.</source>
         <translation>Die Antwort auf eine frühere Frage desselben Durchgangs, von der eine Frage abhängt. Genau eines von is, in, includes oder einem Bereich.</translation>
+    </message>
+    <message>
+        <source>the length of a line</source>
+        <translation>die Länge einer Linie</translation>
+    </message>
+    <message>
+        <source>Form of the response. choice: one of the options; multiple_choice: one or more of the options; number; scale: a point on a scale; line: the length of a line; text.</source>
+        <translation>Form der Antwort. choice: eine der Optionen; multiple_choice: eine oder mehrere der Optionen; number: eine Zahl; scale: ein Punkt auf einer Skala; line: die Länge einer Linie; text: ein Text.</translation>
+    </message>
+    <message>
+        <source>The response is the length of a line that the participant draws, for a magnitude in place of a number. It is stored as a proportion of the width of the participant&apos;s screen.</source>
+        <translation>Die Antwort ist die Länge einer Linie, die die Versuchsperson zeichnet, bei einer Größenschätzung an Stelle einer Zahl. Sie wird als Anteil an der Breite des Bildschirms der Versuchsperson gespeichert.</translation>
+    </message>
+    <message>
+        <source>Form of the response to an additional question, which is stored and exported and which no analysis uses, except that of a scale. Absent: the question of the kind of experiment, or one answered on a scale.</source>
+        <translation>Form der Antwort auf eine zusätzliche Frage, die gespeichert und exportiert wird und die außer bei einer Skala keine Auswertung verwendet. Ohne Angabe: die Frage der Art des Experiments, oder eine, die auf einer Skala beantwortet wird.</translation>
+    </message>
+    <message>
+        <source>Options in words, in the order in which they are shown; only for kinds of experiment that permit them, and for an additional question.</source>
+        <translation>Optionen in Worten, in der Reihenfolge der Anzeige; nur für Arten von Experimenten, die sie erlauben, und für eine zusätzliche Frage.</translation>
     </message>
 </context>
 <context>
@@ -10566,6 +10574,10 @@
     <message>
         <source>Surface %1 was not touched.</source>
         <translation>Oberfläche %1 wurde nicht berührt.</translation>
+    </message>
+    <message>
+        <source>Please confirm with the keyboard or on the screen.</source>
+        <translation>Bitte mit der Tastatur oder am Bildschirm bestätigen.</translation>
     </message>
 </context>
 <context>

@@ -84,9 +84,13 @@ ReportList blocks_list(const Protocol& protocol, const ReportFacts& facts) {
     for (std::size_t i = 0; i < questions.size(); ++i) {
       text += (i == 0 ? "" : "; ") + quoted(questions[i].prompt);
       if (questions[i].condition) text += " (asked if " + clause_of(*questions[i].condition) + ")";
+      if (questions[i].is_additional) {
+        text += " (additional, not analysed)";
+      }
     }
-    if (std::any_of(questions.begin(), questions.end(),
-                    [](const auto& question) { return question.allow_cannot_tell; })) {
+    if (std::any_of(questions.begin(), questions.end(), [](const auto& question) {
+          return question.allow_cannot_tell && !question.is_additional;
+        })) {
       text += " “Cannot tell” is also a response option.";
     }
     if (std::any_of(questions.begin(), questions.end(),

@@ -140,6 +140,8 @@ Phrase phrase_of(const ParticipantMessage& message) {
           .with(message.code);
     case ParticipantMessage::What::answer_needed:
       return phrase("ParticipantWords", "Please answer this question.");
+    case ParticipantMessage::What::typed_needed:
+      return phrase("ParticipantWords", "Please confirm with the keyboard or on the screen.");
     case ParticipantMessage::What::number_needed:
       if (message.minimum && message.maximum) {
         return phrase("ParticipantWords", "Please enter a number from %1 to %2.")

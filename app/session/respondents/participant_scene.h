@@ -46,6 +46,7 @@ struct ParticipantMessage {
     was_right,          ///< feedback
     was_wrong,          ///< feedback; the correct response was `code`, where it is shown
     answer_needed,      ///< refused: this question must be answered
+    typed_needed,       ///< refused: what is typed is not confirmed by a button of the device
     number_needed,      ///< refused: a number, not below `minimum`, not above `maximum`
     option_needed,      ///< refused: one of the options
     options_needed,     ///< refused: one or more of the options
@@ -115,6 +116,8 @@ struct ParticipantScene {
     std::string text{};
     ParticipantMessage message{};  ///< its meaning, where it is a text of the program
     bool chosen = false;           ///< of a choice
+    /// Of several options: the device's button points at it, and its next confirmation chooses it.
+    bool pointed_at = false;
     /// Of an assignment: the code of the surface that the option was given to; or empty.
     std::string assigned_to{};
   };

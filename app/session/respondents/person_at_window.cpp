@@ -56,6 +56,7 @@ struct PersonAtWindow::Desk {
   /// A request to feel again that is stamped earlier was meant to finish.
   std::int64_t unexpected_until_ns = 0;
   std::optional<std::int64_t> deadline_ns{};  ///< inputs stamped later came too late
+  std::int64_t private_until_ns = 0;          ///< the end of the last form
 
   std::vector<std::string> codes{};  ///< of the trial's surfaces, by position
   std::set<int> felt{};              ///< positions, of this attempt
@@ -89,7 +90,9 @@ struct PersonAtWindow::Desk {
   }
   /// An input as the store has it: what is done in a form is private, and only its answer is stored.
   std::string described(const ParticipantInput& input) const {
-    return shown == ParticipantScene::Kind::form ? "answer" : description_of(input);
+    const bool is_private =
+        shown == ParticipantScene::Kind::form || input.time_ns < private_until_ns;
+    return is_private ? "answer" : description_of(input);
   }
   /// The next input that is meant for the present scene.
   std::optional<ParticipantInput> hear();
@@ -535,6 +538,7 @@ std::optional<Answer> PersonAtWindow::answer(const Question& question, const Wai
     return reply.has_value();
   });
   desk_->sheet.reset();
+  desk_->private_until_ns = desk_->monitor.snapshot().now_ns;
   desk_->answered_ns = reply->answered_ns;
   const Answer* const answer = reply->answer();
   return answer == nullptr ? std::nullopt : std::optional(*answer);

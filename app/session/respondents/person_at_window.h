@@ -34,7 +34,8 @@ namespace asperity {
 /// With device buttons alone: button 1 steps through the options, with a tone for each; button 2,
 /// or button 1 held for 0.8 s, confirms. In an assignment a confirmation gives the option to the
 /// current surface, with the next surface's tone, and a further confirmation confirms the whole
-/// assignment. Where surfaces may be felt again, the step after the last option is that wish: the
+/// assignment; of a multiple choice it chooses the selected option, and a further one confirms the answer. Numbers and texts
+/// are not confirmed by button. Where surfaces may be felt again, the step after the last option is that wish: the
 /// tone of the surface that would be felt sounds, nothing is chosen, and a confirmation requests
 /// it. The effect of every confirmation is thus heard before it, and one button is sufficient.
 /// While a surface is felt, button 1 continues to the next; while a text is read, any button turns
@@ -44,8 +45,7 @@ namespace asperity {
 /// the trial (surface, question, accepted, …) from the conductor.
 ///
 /// Events: "input" (what, its source, whether it came too late or early to count),
-/// "input_released", "refused" (the text of the cue). Text typed into a form is its answer and not
-/// an event.
+/// "input_released", "refused" (the text of the cue). Inputs of a form are private: they are stored as "answer".
 ///
 /// Threads: `post` and `set_more_to_read` from any thread; everything else from the conductor's.
 ///

@@ -230,9 +230,11 @@ TerminalRespondent::Heard TerminalRespondent::hear(AnswerDialogue& dialogue, con
 
 std::optional<int> TerminalRespondent::wish_in(const std::string& typed, const Trial& trial,
                                                bool& said) {
-  said = trial.arrangement.allows_revisits() && typed.rfind("feel", 0) == 0;
+  // An answer in words may begin with the same word.
+  const std::string rest = typed.rfind("feel ", 0) == 0 ? trimmed(typed.substr(5)) : std::string();
+  said = trial.arrangement.allows_revisits() && rest.size() == 1;
   if (!said) return {};
-  std::string code = trimmed(typed.substr(4));
+  std::string code = rest;
   for (char& letter : code) {
     if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
   }

@@ -62,13 +62,17 @@ std::string with_decimal_point(const std::string& typed) {
 
 namespace {
 
-/// The position of the option that was typed by its value, its text or its number.
+/// The position of the option that was typed by its number, or in the questionnaire by its value or text.
 std::optional<std::size_t> typed_option(const Question& question, const std::string& typed) {
-  // An option may itself be a number: a literal match takes precedence.
-  if (const auto option = question.option_of(typed)) return option;
-  const auto found = std::ranges::find(question.options, typed, &Option::text);
-  if (found != question.options.end()) {
-    return static_cast<std::size_t>(found - question.options.begin());
+  // The participant of a trial sees numbers, and the values are hidden: they can be other numbers.
+  const bool is_of_trial = !question.options.empty() && !question.options.front().label.empty();
+  if (!is_of_trial) {
+    // An option may itself be a number: a literal match takes precedence.
+    if (const auto option = question.option_of(typed)) return option;
+    const auto found = std::ranges::find(question.options, typed, &Option::text);
+    if (found != question.options.end()) {
+      return static_cast<std::size_t>(found - question.options.begin());
+    }
   }
   const std::optional<std::size_t> number = whole_number(typed);
   if (number && *number >= 1 && *number <= question.options.size()) return *number - 1;

@@ -16,7 +16,7 @@ namespace asperity {
 /// acceptable.
 using TypedAnswer = std::variant<ParticipantMessage, std::optional<Answer>>;
 
-/// The answer that was typed. An option may be typed as its value, its text or its number; several options as their
+/// The answer that was typed. An option is typed as its number, in the questionnaire also as its value or text; several options as their
 /// numbers, separated by blanks or commas; a point of a scale as its value; a line as a row of at most kLongestTypedLine
 /// signs "-". A decimal comma of a number is read as a point. An empty text leaves an optional question empty.
 ///

@@ -137,6 +137,58 @@ void VirtualParticipant::read(const std::string&, double minimum_s, const Wait& 
 
 void VirtualParticipant::tell(const std::string&, const Wait& wait) { wait(1.0); }
 
+namespace {
+
+/// An answer that is independent of everything else. Virtual participants write no texts.
+struct RandomAnswer {
+  const Question& question;
+  Random draws;
+
+  std::optional<Answer> operator()(const ChoiceForm&) {
+    if (question.options.empty()) return std::nullopt;
+    return ChosenOption{static_cast<std::size_t>(draws.below(question.options.size()))};
+  }
+  std::optional<Answer> operator()(const MultipleChoiceForm&) {
+    ChosenOptions chosen{};
+    for (std::size_t i = 0; i < question.options.size(); ++i) {
+      if (draws.below(2) == 0) chosen.options.push_back(i);
+    }
+    if (chosen.options.empty() && !question.options.empty()) {
+      chosen.options.push_back(question.options.size() - 1);
+    }
+    return chosen;
+  }
+  std::optional<Answer> operator()(const NumberForm& form) {
+    const double usual = form.is_estimate ? 1.0 : 0.0;
+    const double low =
+        form.minimum.value_or(form.maximum ? std::min(usual, *form.maximum - 10.0) : usual);
+    const double high = form.maximum.value_or(low + 10.0);
+    const double first = std::ceil(low);
+    const double last = std::floor(high);
+    if (first > last) return GivenNumber{std::stod(rounded_text(0.5 * (low + high)))};
+    const auto count = static_cast<std::uint64_t>(std::min(last - first, kMostNumbers)) + 1;
+    return GivenNumber{first + static_cast<double>(draws.below(count))};
+  }
+  std::optional<Answer> operator()(const ScaleForm& form) {
+    return ScalePoint{static_cast<int>(draws.below(static_cast<std::uint64_t>(form.steps()) + 1))};
+  }
+  std::optional<Answer> operator()(const LineForm&) {
+    return DrawnLength{static_cast<int>(draws.below(LineForm::kSteps)) + 1};
+  }
+  std::optional<Answer> operator()(const TextForm&) { return std::nullopt; }
+  std::optional<Answer> operator()(const AssignmentForm&) {
+    throw std::logic_error("an assignment is answered by its kind of experiment; add its `judge`");
+  }
+};
+
+/// To an additional question of a trial.
+Answer additional_answer(const Question& question, const Random& random) {
+  const std::optional<Answer> given = std::visit(RandomAnswer{question, random}, question.form);
+  return given.value_or(WrittenText{"virtual"});
+}
+
+}  // namespace
+
 Reply VirtualParticipant::ask(const Trial& trial, std::span<const Question> page,
                               std::span<const ForceFeatures> felt, std::optional<double> deadline_s,
                               const Wait& wait) {
@@ -162,17 +214,21 @@ Reply VirtualParticipant::ask(const Trial& trial, std::span<const Question> page
     }
     wait(thinking_s);
     if (left_s) left_s = *left_s - thinking_s;
-    const ExperimentKind& kind = *kind_of_question(kind_named(trial.kind), question.form);
+    const ExperimentKind* const kind = kind_of_question(kind_named(trial.kind), question);
+    if (kind == nullptr) {
+      given.push_back({additional_answer(question, random), {}});
+      continue;
+    }
     const VirtualResponse judged =
-        kind.judge({.protocol = protocol_,
-                    .trial = trial,
-                    .question = question,
-                    .felt = felt,
-                    .expectations = expected == expectations_.end() ? kNone : expected->second,
-                    .observer = observer,
-                    .of_attempt = random,
-                    .of_participant = random_,
-                    .rated = response_rated_by(trial, question)});
+        kind->judge({.protocol = protocol_,
+                     .trial = trial,
+                     .question = question,
+                     .felt = felt,
+                     .expectations = expected == expectations_.end() ? kNone : expected->second,
+                     .observer = observer,
+                     .of_attempt = random,
+                     .of_participant = random_,
+                     .rated = response_rated_by(trial, question)});
     is_guess = is_guess || judged.is_guess;
     given.push_back({judged.answer, {}});
     responses_[question.name] = judged;
@@ -188,50 +244,6 @@ const VirtualResponse* VirtualParticipant::response_rated_by(const Trial& trial,
   const auto rated = responses_.find(asked->confidence_of);
   return rated == responses_.end() ? nullptr : &rated->second;
 }
-
-namespace {
-
-/// An answer that is independent of everything else. Virtual participants write no texts.
-struct RandomAnswer {
-  const Question& question;
-  Random draws;
-
-  std::optional<Answer> operator()(const ChoiceForm&) {
-    if (question.options.empty()) return std::nullopt;
-    return ChosenOption{static_cast<std::size_t>(draws.below(question.options.size()))};
-  }
-  std::optional<Answer> operator()(const MultipleChoiceForm&) {
-    ChosenOptions chosen{};
-    for (std::size_t i = 0; i < question.options.size(); ++i) {
-      if (draws.below(2) == 0) chosen.options.push_back(i);
-    }
-    if (chosen.options.empty() && !question.options.empty()) {
-      chosen.options.push_back(question.options.size() - 1);
-    }
-    return chosen;
-  }
-  std::optional<Answer> operator()(const NumberForm& form) {
-    const double low = form.minimum.value_or(form.is_estimate ? 1.0 : 0.0);
-    const double high = form.maximum.value_or(low + 10.0);
-    const double first = std::ceil(low);
-    const double last = std::floor(high);
-    if (first > last) return GivenNumber{std::stod(rounded_text(0.5 * (low + high)))};
-    const auto count = static_cast<std::uint64_t>(std::min(last - first, kMostNumbers)) + 1;
-    return GivenNumber{first + static_cast<double>(draws.below(count))};
-  }
-  std::optional<Answer> operator()(const ScaleForm& form) {
-    return ScalePoint{static_cast<int>(draws.below(static_cast<std::uint64_t>(form.steps()) + 1))};
-  }
-  std::optional<Answer> operator()(const LineForm&) {
-    return DrawnLength{static_cast<int>(draws.below(LineForm::kSteps)) + 1};
-  }
-  std::optional<Answer> operator()(const TextForm&) { return std::nullopt; }
-  std::optional<Answer> operator()(const AssignmentForm&) {
-    throw std::logic_error("an assignment is answered by its kind of experiment; add its `judge`");
-  }
-};
-
-}  // namespace
 
 std::optional<Answer> VirtualParticipant::answer(const Question& question, const Wait& wait) {
   wait(kReading_s);

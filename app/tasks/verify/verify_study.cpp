@@ -160,8 +160,10 @@ void check_answers(const SessionRow& session, const Plan& plan, const SessionAns
       problems.push_back(where() + ": its surfaces differ from those of the planned trial");
     }
     std::map<std::string, std::vector<AnsweredItem>> stored{};
+    std::set<std::string> not_asked{};
     for (const SessionAnswers::Reply& reply : answers.replies_of(attempt)) {
       const std::string& name = answers.words[reply.question];
+      if (!reply.was_asked) not_asked.insert(name);
       std::vector<AnsweredItem>& items = stored[name];
       items.push_back({.item = reply.item,
                        .answer = answers.words[reply.answer],
@@ -184,8 +186,7 @@ void check_answers(const SessionRow& session, const Plan& plan, const SessionAns
     for (const Question& question : planned.questions) {
       const auto items = stored.find(question.name);
       if (items == stored.end()) continue;
-      // No question of a trial may be left empty.
-      const bool was_asked = !texts_of(items->second).empty();
+      const bool was_asked = !not_asked.contains(question.name);
       const bool is_condition_met = !question.condition || meets(*question.condition);
       for (const std::string& problem :
            answer_problems(question, items->second, was_asked, is_condition_met, surfaces)) {

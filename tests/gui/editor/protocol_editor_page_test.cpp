@@ -356,7 +356,7 @@ TEST_F(ProtocolEditor, LaysOutThePlanThatMakePlanMakes) {
   EXPECT_TRUE(
       label("plan_words")
           .startsWith(
-              QString("%1 trials · %2 contacts · about").arg(cost.trials).arg(cost.contacts)))
+              QString("at most %1 trials · %2 contacts · about").arg(cost.trials).arg(cost.contacts)))
       << label("plan_words").toStdString();
   const QString detail = label("plan_detail");
   EXPECT_TRUE(detail.contains("Trial 1, familiarisation")) << detail.toStdString();

@@ -31,24 +31,39 @@ TEST(ParticipantView, TakesANumberByDigitsOrPad) {
 }
 
 TEST(ParticipantView, TakesSeveralOptionsOfAMultipleChoice) {
-  Seat seat(scenes::form_choices());
+  ParticipantScene scene = scenes::form_choices();
+  Seat seat(scene);
   seat.key(Qt::Key_3);
-  seat.key(Qt::Key_1);
-  seat.key(Qt::Key_4);
-  seat.key(Qt::Key_4);
-  EXPECT_TRUE(seat.inputs.empty()) << "nothing is reported before it is confirmed";
-  seat.key(Qt::Key_Return);
-  ASSERT_EQ(seat.inputs.size(), 1U);
-  EXPECT_EQ(seat.last().kind, Kind::text);
-  EXPECT_EQ(seat.last().text, "1 3");
+  EXPECT_EQ(seat.last().kind, Kind::option);
+  EXPECT_EQ(seat.last().number, 3);
+  scene.choices.at(0).chosen = scene.choices.at(2).chosen = true;
+  seat.show(scene);
+  const std::vector<Item>& items = seat.view.items();
+  EXPECT_EQ(std::count_if(items.begin(), items.end(), [](const Item& item) { return item.chosen; }),
+            2);
+  seat.click(Item::Kind::control, "Confirm");
+  EXPECT_EQ(seat.last().kind, Kind::confirm);
 }
 
-TEST(ParticipantView, LeavesOutAMultipleChoiceOfWhichNothingIsChosenAnyMore) {
+TEST(ParticipantView, SkipsAMultipleChoiceWhileNothingIsChosen) {
   Seat seat(scenes::form_choices());
-  seat.key(Qt::Key_2);
-  seat.key(Qt::Key_2);
   seat.click(Item::Kind::control, "Skip");
-  EXPECT_EQ(seat.last().text, "");
+  EXPECT_EQ(seat.last().kind, Kind::confirm);
+}
+
+TEST(ParticipantView, KeepsWhatWasWrittenWhileASurfaceIsFeltAgain) {
+  ParticipantScene question = scenes::form_text();
+  question.kind = ParticipantScene::Kind::question;
+  Seat seat(question);
+  auto* field = seat.view.findChild<QPlainTextEdit*>("participant_text");
+  QTest::keyClicks(field, "like sand");
+  seat.show(scenes::feel(1));
+  EXPECT_FALSE(field->isVisible());
+  seat.show(question);
+  EXPECT_EQ(field->toPlainText(), "like sand");
+  question.question = "another";
+  seat.show(question);
+  EXPECT_EQ(field->toPlainText(), "");
 }
 
 TEST(ParticipantView, TakesAPointOfAScaleOfTheQuestionnaireByArrowsOrPointer) {

@@ -8,7 +8,7 @@
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLayout>
 
-#include "app/gui/session/fitted_label.h"
+#include "app/gui/look/fitted_label.h"
 
 namespace asperity {
 

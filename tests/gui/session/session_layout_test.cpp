@@ -13,7 +13,7 @@
 
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
-#include "app/gui/session/fitted_label.h"
+#include "app/gui/look/fitted_label.h"
 #include "tests/gui/session/clipped.h"
 #include "tests/gui/session/filled_monitor.h"
 #include "tests/gui/support/widgets.h"

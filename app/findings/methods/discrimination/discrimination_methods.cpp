@@ -66,8 +66,9 @@ UnforcedParticipants unforced_participants(const AnalysisOutcome& outcome) {
 }
 
 bool allows_cannot_tell(const Block& block) {
-  return std::any_of(block.questions.begin(), block.questions.end(),
-                     [](const auto& question) { return question.allow_cannot_tell; });
+  return std::any_of(block.questions.begin(), block.questions.end(), [](const auto& question) {
+    return question.allow_cannot_tell && !question.is_additional;
+  });
 }
 
 /// " Each response “cannot tell” counted as …"

@@ -60,7 +60,8 @@ const LineForm* lines_of(const Protocol& protocol) {
   for (const auto& [name, block] : protocol.blocks) {
     if (block.kind != "magnitude" || block.phase != Phase::main) continue;
     for (const auto& question : block.questions) {
-      if (const auto* const lines = std::get_if<LineForm>(&question.form)) return lines;
+      const auto* const lines = std::get_if<LineForm>(&question.form);
+      if (lines != nullptr && !question.is_additional) return lines;
     }
   }
   return nullptr;

@@ -42,7 +42,7 @@ PairedQuestions paired_questions(const Protocol& protocol) {
   for (const auto& [name, block] : protocol.blocks) {
     if (block.phase != Phase::main || block.kind != paired_comparison_kind().id) continue;
     for (const Protocol::TrialQuestionTemplate& question : block.questions) {
-      if (!std::holds_alternative<ChoiceForm>(question.form)) continue;
+      if (question.is_additional || !question.is_answered_by<ChoiceForm>()) continue;
       asked.have_ties = asked.have_ties || !question.tie.empty();
       const std::string prompt = quoted(question.prompt);
       if (std::find(asked.prompts.begin(), asked.prompts.end(), prompt) == asked.prompts.end()) {

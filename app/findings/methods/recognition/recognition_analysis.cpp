@@ -42,7 +42,8 @@ std::string among_pictures(const Protocol& protocol) {
   for (const auto& [name, block] : protocol.blocks) {
     if (block.phase != Phase::main || block.kind != "recognition") continue;
     for (const auto& question : block.questions) {
-      if (has_options(question.form)) numbers.insert(question.pictures.size());
+      if (has_options(question.form) && !question.is_additional)
+        numbers.insert(question.pictures.size());
     }
   }
   return " among " + (numbers.size() == 1 && *numbers.begin() > 1 ? count_in_words(*numbers.begin())

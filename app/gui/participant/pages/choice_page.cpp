@@ -206,21 +206,18 @@ bool are_all_words(const Scene& scene) {
          });
 }
 
-/// The place of the chosen option, from 1; none while nothing is chosen.
-std::vector<int> chosen_of(const Scene& scene) {
-  const auto chosen = std::ranges::find_if(scene.choices, &Scene::Choice::chosen);
-  if (chosen == scene.choices.end()) return {};
-  return {static_cast<int>(chosen - scene.choices.begin()) + 1};
-}
-
 class ChoicePage final : public ParticipantPage {
  public:
   void lay_out(PageFrame& frame) const override {
     const Scene& scene = frame.scene();
     if (are_all_words(scene)) {
-      lay_out_options(frame, {.question = frame.scene_text(),
+      const QString note =
+          scene.is_answered_by<MultipleChoiceForm>()
+              ? '\n' + frame.said(phrase("ParticipantLayout", "Choose all that apply."))
+              : QString();
+      lay_out_options(frame, {.question = frame.scene_text() + note,
                               .options = options_in_words(scene),
-                              .chosen = chosen_of(scene)});
+                              .chosen = chosen_options(scene)});
     } else {
       ChoiceLayout(frame).lay_out();
     }

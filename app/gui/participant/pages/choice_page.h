@@ -1,4 +1,4 @@
-// The page of a question that is answered by one of several options: pictures, letters or words.
+// The page of a question that is answered by one of several options (pictures, letters or words), or by several in words.
 
 #pragma once
 

@@ -32,7 +32,7 @@ OptionRows option_rows(const PageFrame& frame, const std::vector<ListedOption>& 
     const double room = (frame.body().width() - (columns - 1) * frame.px(2 * frame.kGap)) / columns;
     double width = 0.0;
     double longest_word = 0.0;
-    for (const auto& [option, key] : options) {
+    for (const auto& [option, key, pointed_at] : options) {
       width = std::max(width, frame.width_of_answer(option));
       longest_word =
           std::max(longest_word, frame.width_of_longest_word(option, frame.letters(frame.kText)));
@@ -40,7 +40,7 @@ OptionRows option_rows(const PageFrame& frame, const std::vector<ListedOption>& 
     if (columns > 1 && longest_word + frame.em(frame.kAroundAnswer) > room) break;
     width = std::min(width, room);
     OptionRows rows{.columns = columns, .width = width};
-    for (const auto& [option, key] : options) {
+    for (const auto& [option, key, pointed_at] : options) {
       rows.row_height = std::max(rows.row_height, frame.height_of_answer(option, width));
     }
     const int needed = (count + columns - 1) / columns;
@@ -89,6 +89,7 @@ void lay_out_options(PageFrame& frame, const OptionList& list) {
          .key = options[static_cast<std::size_t>(i)].key,
          .size_px = frame.letters(frame.kText),
          .chosen = std::find(list.chosen.begin(), list.chosen.end(), i + 1) != list.chosen.end(),
+         .current = options[static_cast<std::size_t>(i)].pointed_at,
          .action = ParticipantAction{.what = ParticipantAction::What::choose, .number = i + 1}});
   }
 }
@@ -97,9 +98,17 @@ std::vector<ListedOption> options_in_words(const ParticipantScene& scene) {
   std::vector<ListedOption> options{};
   for (const ParticipantScene::Choice& choice : scene.choices) {
     options.push_back({words_of(choice.message, choice.text, scene.language),
-                       QString::fromStdString(choice.key)});
+                       QString::fromStdString(choice.key), choice.pointed_at});
   }
   return options;
+}
+
+std::vector<int> chosen_options(const ParticipantScene& scene) {
+  std::vector<int> chosen{};
+  for (std::size_t i = 0; i < scene.choices.size(); ++i) {
+    if (scene.choices[i].chosen) chosen.push_back(static_cast<int>(i) + 1);
+  }
+  return chosen;
 }
 
 }  // namespace asperity

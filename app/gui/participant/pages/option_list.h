@@ -15,6 +15,7 @@ class PageFrame;
 struct ListedOption {
   QString text{};
   QString key{};  ///< that chooses it
+  bool pointed_at = false;
 };
 struct OptionList {
   QString question{};                   ///< over the options
@@ -25,5 +26,7 @@ void lay_out_options(PageFrame& frame, const OptionList& list);
 
 /// The options of the scene, which are words.
 std::vector<ListedOption> options_in_words(const ParticipantScene& scene);
+/// The places of the chosen options of the scene, from 1.
+std::vector<int> chosen_options(const ParticipantScene& scene);
 
 }  // namespace asperity

@@ -8,7 +8,6 @@
 #include "app/gui/participant/pages/choice_page.h"
 #include "app/gui/participant/pages/feel_page.h"
 #include "app/gui/participant/pages/line_page.h"
-#include "app/gui/participant/pages/multiple_choice_page.h"
 #include "app/gui/participant/pages/number_page.h"
 #include "app/gui/participant/pages/scale_page.h"
 #include "app/gui/participant/pages/text_page.h"
@@ -23,7 +22,7 @@ const ParticipantPage& page_of_form(const AssignmentForm&) { return assignment_p
 const ParticipantPage& page_of_form(const NumberForm&) { return number_page(); }
 const ParticipantPage& page_of_form(const LineForm&) { return line_page(); }
 const ParticipantPage& page_of_form(const ScaleForm&) { return scale_page(); }
-const ParticipantPage& page_of_form(const MultipleChoiceForm&) { return multiple_choice_page(); }
+const ParticipantPage& page_of_form(const MultipleChoiceForm&) { return choice_page(); }
 const ParticipantPage& page_of_form(const TextForm&) { return text_page(); }
 
 }  // namespace

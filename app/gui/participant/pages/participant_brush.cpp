@@ -98,8 +98,9 @@ void ParticipantBrush::draw_option(const Item& item) {
     write(item.rect, item.text, item.size_px, true, item.chosen ? colors_.on_press : colors_.text);
     return;
   }
-  box(item.rect, 10.0 * unit, colors_.panel, item.chosen ? colors_.press : colors_.line,
-      (item.chosen ? 6.0 : 2.0) * unit);
+  box(item.rect, 10.0 * unit, colors_.panel,
+      item.chosen || item.current ? colors_.press : colors_.line,
+      (item.chosen ? 6.0 : (item.current ? 4.0 : 2.0)) * unit);
   badge({item.rect.left() + 36.0 * unit, item.rect.center().y()}, item.key, item.size_px,
         item.chosen);
   write(item.rect.adjusted(72.0 * unit, 0.0, -12.0 * unit, 0.0), item.text, item.size_px, false,

@@ -39,7 +39,6 @@ struct ParticipantAction {
 /// confirmed or completed.
 struct ParticipantDraft {
   std::optional<int> surface{};  ///< of an assignment: picked by hand, from 1
-  std::vector<int> options{};    ///< of a multiple choice, in order, from 1
   QString number{};              ///< as typed
   QString text{};                ///< as written
 };
@@ -77,8 +76,8 @@ struct ParticipantItem {
   bool points_down = false;   ///< of a chip: the pictures are below it
   bool chosen = false;
   bool felt = false;  ///< of a chip
-  bool current =
-      false;           ///< the surface under the hand, or the one that the next picture is given to
+  /// The surface under the hand, or the one that the next picture is given to; the option that a button points at.
+  bool current = false;
   bool ready = false;  ///< a control that would be accepted now
   QString given_to{};  ///< of a picture: the surface's letter
   QString given{};     ///< of a chip: the picture's key

@@ -5,6 +5,7 @@
 #include "app/session/respondents/sheets/assignment_sheet.h"
 #include "app/session/respondents/sheets/choice_sheet.h"
 #include "app/session/respondents/sheets/line_sheet.h"
+#include "app/session/respondents/sheets/multiple_choice_sheet.h"
 #include "app/session/respondents/sheets/scale_sheet.h"
 #include "app/session/respondents/sheets/typed_sheet.h"
 
@@ -27,6 +28,10 @@ std::unique_ptr<AnswerSheet> sheet_of(const LineForm&, const Trial& trial,
 std::unique_ptr<AnswerSheet> sheet_of(const ScaleForm&, const Trial& trial,
                                       std::span<const Question> page) {
   return std::make_unique<ScaleSheet>(trial, page);
+}
+std::unique_ptr<AnswerSheet> sheet_of(const MultipleChoiceForm&, const Trial& trial,
+                                      std::span<const Question> page) {
+  return std::make_unique<MultipleChoiceSheet>(trial, page.front());
 }
 /// Of the forms whose answers are typed.
 template <class Form>

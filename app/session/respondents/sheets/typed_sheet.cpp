@@ -19,8 +19,10 @@ SheetResult TypedSheet::take(const ParticipantInput& input) {
     case ParticipantInput::Kind::text:
       return confirm(input.text);
     case ParticipantInput::Kind::confirm:
-    case ParticipantInput::Kind::device_button:  // a button cannot type
       return confirm({});
+    case ParticipantInput::Kind::device_button:
+      if (!confirms_by_button(input)) return SheetUnchanged{};
+      return SheetRefused{{.what = ParticipantMessage::What::typed_needed}};
     case ParticipantInput::Kind::option:
     case ParticipantInput::Kind::assign:
     case ParticipantInput::Kind::mark:

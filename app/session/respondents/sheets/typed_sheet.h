@@ -1,4 +1,4 @@
-// Checks an answer that is typed: a number, a text, or the numbers of several options.
+// Checks an answer that is typed: a number or a text.
 
 #pragma once
 
@@ -9,6 +9,7 @@
 
 namespace asperity {
 
+/// A confirmation by a button of the device is refused: what is typed is only in the window until then, and would be lost.
 class TypedSheet final : public AnswerSheet {
  public:
   TypedSheet(const Trial& trial, const Question& question)

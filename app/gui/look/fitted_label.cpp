@@ -1,6 +1,6 @@
 // Uses the smaller font, then elision, where a text is too wide; the tool tip has the whole text.
 
-#include "app/gui/session/fitted_label.h"
+#include "app/gui/look/fitted_label.h"
 
 #include <QtGui/QFontMetrics>
 #include <QtGui/QPainter>
