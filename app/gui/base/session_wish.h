@@ -9,6 +9,8 @@
 
 #include <QtCore/QMetaType>
 
+#include "app/tasks/simulation/simulation.h"
+
 namespace asperity {
 
 struct SessionWish {
@@ -17,6 +19,8 @@ struct SessionWish {
   /// The participant's unfinished session that goes on, by its id in the store.
   std::optional<std::int64_t> session{};
   bool simulate = false;  ///< by virtual participants
+  /// Several of them, at once and in the background; the rest is not used then.
+  std::optional<SimulationInputs> simulation{};
 };
 
 }  // namespace asperity

@@ -62,6 +62,18 @@ QString group_text(AnswerGroup group) {
   return {};
 }
 
+AnswerGroup group_of(SessionMode mode) {
+  switch (mode) {
+    case SessionMode::run:
+      return AnswerGroup::people;
+    case SessionMode::pilot:
+      return AnswerGroup::pilot;
+    case SessionMode::simulate:
+      return AnswerGroup::virtual_participants;
+  }
+  return AnswerGroup::people;
+}
+
 /// Whether the responses to this version of a protocol are of several kinds, each with its outcome.
 bool is_one_of_several_kinds(const AnalysisOutcome& outcome,
                              const std::vector<AnalysisOutcome>& all) {
@@ -148,14 +160,21 @@ AnalysisPage::AnalysisPage(OpenStudy& study, QWidget* parent) : QWidget(parent),
   });
 }
 
-void AnalysisPage::choose(const std::string& protocol) {
+void AnalysisPage::choose(const std::string& protocol, SessionMode mode) {
   wanted_ = protocol;
+  wanted_mode_ = mode;
   select_wanted();
 }
 
 void AnalysisPage::select_wanted() {
-  for (std::size_t i = 0; i < outcomes_.size() && !wanted_.empty(); ++i) {
-    if (outcomes_[i].protocol == wanted_) list_->setCurrentRow(static_cast<int>(i));
+  std::string version{};
+  for (std::size_t i = 0; i < outcomes_.size(); ++i) {
+    const AnalysisOutcome& outcome = outcomes_[i];
+    if (outcome.protocol != wanted_ || outcome.group != group_of(wanted_mode_) ||
+        outcome.version == std::exchange(version, outcome.version)) {
+      continue;
+    }
+    list_->setCurrentRow(static_cast<int>(i));
   }
 }
 

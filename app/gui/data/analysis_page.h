@@ -33,8 +33,8 @@ class AnalysisPage final : public QWidget {
   explicit AnalysisPage(OpenStudy& study, QWidget* parent = nullptr);
 
   const std::vector<AnalysisOutcome>& outcomes() const noexcept { return outcomes_; }
-  /// Shows the outcome of this protocol, as soon as it is there.
-  void choose(const std::string& protocol);
+  /// Shows the first outcome of the latest version of this protocol in sessions of this mode, as soon as it is there.
+  void choose(const std::string& protocol, SessionMode mode);
 
  signals:
   void refreshed();
@@ -60,6 +60,7 @@ class AnalysisPage final : public QWidget {
   OpenStudy& study_;
   bool outdated_ = true;
   std::string wanted_{};  ///< the protocol to show next
+  SessionMode wanted_mode_ = SessionMode::run;
   std::vector<AnalysisOutcome> outcomes_{};
   std::set<std::string> running_{};
   Banner* banner_ = nullptr;

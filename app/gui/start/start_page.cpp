@@ -8,7 +8,6 @@
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QButtonGroup>
 #include <QtWidgets/QComboBox>
-#include <QtWidgets/QProgressBar>
 #include <QtWidgets/QScrollArea>
 #include <QtWidgets/QSpinBox>
 
@@ -244,17 +243,6 @@ QWidget* StartPage::make_footer() {
   reason_ = new StateLabel(footer);
   reason_->setObjectName("start_reason");
   row->addWidget(reason_, 1);
-  progress_ = new QProgressBar(footer);
-  progress_->setObjectName("simulation_progress");
-  progress_->setRange(0, 1000);
-  progress_->setTextVisible(false);
-  progress_->setFixedWidth(kChoiceWidth);
-  progress_->hide();
-  row->addWidget(progress_);
-  cancel_ = make_button(tr("Stop the simulation"), ButtonRole::plain, footer);
-  cancel_->setObjectName("simulation_cancel");
-  cancel_->hide();
-  row->addWidget(cancel_);
   start_ = make_button(tr("Start session"), ButtonRole::primary, footer);
   start_->setObjectName("start");
   start_->setStyleSheet(kTall);
@@ -310,20 +298,8 @@ void StartPage::connect_parts() {
   });
   connect(start_, &QPushButton::clicked, this, &StartPage::press_start);
   connect(check_timer_, &QTimer::timeout, this, &StartPage::check);
-  connect(cancel_, &QPushButton::clicked, this, [this] {
-    cancel_->setEnabled(false);
-    simulate_task_.cancel();
-  });
   connect(&check_task_, &BackgroundTask::finished, this, [this] {
     if (std::exchange(check_outdated_, false)) check();
-  });
-  connect(&simulate_task_, &BackgroundTask::progressed, this, [this](double fraction) {
-    progress_->setValue(static_cast<int>(fraction * progress_->maximum()));
-  });
-  connect(&simulate_task_, &BackgroundTask::started, this, [this] { emit simulating(true); });
-  connect(&simulate_task_, &BackgroundTask::finished, this, [this] {
-    emit simulating(false);
-    show_start();
   });
   connect(&study_, &OpenStudy::changed, this, [this] {
     stale_ = !isVisible();

@@ -11,6 +11,7 @@
 #include <QtCore/QString>
 #include <QtWidgets/QWidget>
 
+#include "app/gui/base/new_seed.h"
 #include "app/gui/base/open_study.h"
 #include "app/gui/look/background_task.h"
 #include "app/gui/session/session_runner.h"
@@ -22,7 +23,6 @@
 class QBoxLayout;
 class QComboBox;
 class QLabel;
-class QProgressBar;
 class QPushButton;
 class QScrollArea;
 class QSpinBox;
@@ -45,8 +45,8 @@ class StateLabel;
 /// Always in sight, and never moved by what is chosen: above, Run | Pilot | Simulate; below, "Start
 /// session" with the reason while it cannot be pressed.
 ///
-/// One virtual participant in a simulation makes a SessionOrder like anybody else; several are
-/// simulated here in the background, with progress, and reported.
+/// One virtual participant in a simulation makes a SessionOrder like anybody else; several are only asked for, to be
+/// simulated in the background.
 ///
 /// Only reads the study, away from the GUI thread; whoever starts the session writes it. While it
 /// reads nothing can be started: what is pressed acts on what is shown. Looks at nothing while it is
@@ -74,6 +74,8 @@ class StartPage final : public QWidget {
   SessionMode mode() const noexcept { return mode_; }
   /// False while the study or the protocol is being read: what is shown is not up to date.
   bool is_read() const noexcept { return is_read_; }
+  /// While virtual participants are simulated in the background, nothing can be started.
+  void set_simulating(bool now);
 
   /// What keeps the session from starting, a sentence each; empty when it can start.
   std::vector<QString> reasons() const;
@@ -82,10 +84,8 @@ class StartPage final : public QWidget {
 
  signals:
   void start_wanted(const asperity::SessionOrder& order);
-  /// Several virtual participants begin their sessions, or no longer go through them.
-  void simulating(bool now);
-  /// Several virtual participants were simulated; somebody wants to see their sessions.
-  void sessions_wanted();
+  /// Several virtual participants.
+  void simulation_wanted(const asperity::SimulationInputs& inputs);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -152,13 +152,14 @@ class StartPage final : public QWidget {
   void forget_checks();
   void examine_stimuli();
   void press_start();
-  void simulate_several();
+  SimulationInputs simulation() const;
 
   OpenStudy& study_;
   StartFacts facts_{};    ///< as last read; `chosen` is ahead of the rest while a file is read
   bool is_read_ = false;  ///< `facts_` is up to date
   std::optional<Wish> wish_{};
   SessionMode mode_ = SessionMode::run;
+  std::uint64_t seed_ = new_seed();  ///< of what is started next
   std::optional<UnfinishedSession> unfinished_{};
   bool resume_ = false;
   std::optional<std::int64_t> going_on_{};  ///< the session that the page was opened to go on with
@@ -166,7 +167,8 @@ class StartPage final : public QWidget {
   std::optional<std::vector<SessionCheck>> checks_{};  ///< absent: not up to date
   /// Of the device: computed once for a protocol, its stimuli and a profile.
   std::shared_ptr<RehearsalMemory> rehearsal_ = std::make_shared<RehearsalMemory>();
-  bool check_outdated_ = false;   ///< what is looked at now is to be looked at once more
+  bool check_outdated_ = false;  ///< what is looked at now is to be looked at once more
+  bool is_simulating_ = false;
   bool check_cancelled_ = false;  ///< by a press, until something else is chosen
 
   ModeBand* band_ = nullptr;
@@ -199,13 +201,10 @@ class StartPage final : public QWidget {
   NoiseCheck* noise_ = nullptr;
   CheckList* check_list_ = nullptr;
   StateLabel* reason_ = nullptr;
-  QProgressBar* progress_ = nullptr;
-  QPushButton* cancel_ = nullptr;
   QPushButton* start_ = nullptr;
   QTimer* check_timer_ = nullptr;
   BackgroundTask read_task_{};
   BackgroundTask check_task_{};
-  BackgroundTask simulate_task_{};
 };
 
 }  // namespace asperity

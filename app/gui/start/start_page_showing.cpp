@@ -5,7 +5,6 @@
 #include <QtCore/QSignalBlocker>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QComboBox>
-#include <QtWidgets/QProgressBar>
 #include <QtWidgets/QSpinBox>
 
 #include "app/gui/base/shown_text.h"
@@ -270,18 +269,20 @@ std::vector<std::string> StartPage::groups_to_choose() const {
   return groups_of(*protocol);
 }
 
+void StartPage::set_simulating(bool now) {
+  is_simulating_ = now;
+  show_start();
+}
+
 void StartPage::show_start() {
-  const bool simulating = simulate_task_.is_running();
-  progress_->setVisible(simulating);
-  cancel_->setVisible(simulating);
-  start_->setVisible(!simulating);
   if (resume_) {
     start_->setText(tr("Resume session %1").arg(unfinished_->row.session));
   } else {
     start_->setText(is_batch() ? tr("Simulate %n participants", nullptr, virtual_people_->value())
                                : tr("Start session"));
   }
-  if (simulating) {
+  if (is_simulating_) {
+    start_->setEnabled(false);
     reason_->set_state(State::unknown,
                        tr("The sessions of virtual participants are being simulated."));
     return;

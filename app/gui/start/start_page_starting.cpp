@@ -1,13 +1,9 @@
 // Whether a session can start, and starting it.
 
 #include <algorithm>
-#include <atomic>
-#include <random>
-#include <thread>
 
 #include <QtCore/QTimer>
 #include <QtGui/QGuiApplication>
-#include <QtWidgets/QProgressBar>
 #include <QtWidgets/QSpinBox>
 
 #include "app/gui/base/settings.h"
@@ -28,15 +24,6 @@
 #include "renderers/built_in_models.h"
 
 namespace asperity {
-
-namespace {
-
-std::uint64_t new_seed() {
-  std::random_device source;
-  return (std::uint64_t{source()} << 32U) | source();
-}
-
-}  // namespace
 
 MaskingNoise StartPage::noise() const {
   return noise_ != nullptr && !is_virtual() ? noise_->value() : MaskingNoise{};
@@ -172,7 +159,7 @@ SessionOrder StartPage::order() const {
   inputs.protocol = facts_.chosen.file;
   inputs.study = study_.folder();
   inputs.participant = participant_->label();
-  inputs.seed = new_seed();
+  inputs.seed = seed_;
   inputs.mode = mode_;
   inputs.resume = resume_;
   inputs.resumed_session = resumed_session();
@@ -207,56 +194,27 @@ SessionOrder StartPage::order() const {
 void StartPage::press_start() {
   if (!reasons().empty()) return;
   if (is_batch()) {
-    simulate_several();
+    emit simulation_wanted(simulation());
+    seed_ = new_seed();
     return;
   }
   // What was found holds for one start: the next one looks again.
   const SessionOrder ordered = order();
+  seed_ = new_seed();
   setup_->device().forget_try();
   forget_checks();
   show_start();
   emit start_wanted(ordered);
 }
 
-void StartPage::simulate_several() {
+SimulationInputs StartPage::simulation() const {
   SimulationInputs inputs{};
   inputs.protocols = {facts_.chosen.file};
   inputs.study = study_.folder();
   inputs.participants = virtual_people_->value();
-  inputs.seed = new_seed();
+  inputs.seed = seed_;
   inputs.level_program = program_->program();
-  inputs.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency() / 2));
-  auto answers = std::make_shared<std::atomic<int>>(0);
-  progress_->setValue(0);
-  cancel_->setEnabled(true);
-  simulate_task_.run<SimulationResult>(
-      [inputs, answers, models = study_.models()](const std::stop_token& stop,
-                                                  const BackgroundTask::Progress& progress) {
-        return simulate(inputs, models, stop, progress,
-                        [answers](const AttemptDone&) { ++*answers; });
-      },
-      [this](const SimulationResult& result) {
-        banner_->show_news(
-            State::fine,
-            result.sessions == 1
-                ? tr("One session was simulated. Responses: %1.").arg(result.attempts)
-                : tr("%1 sessions were simulated. Responses: %2.")
-                      .arg(result.sessions)
-                      .arg(result.attempts),
-            tr("Show the sessions"), [this] { emit sessions_wanted(); });
-        study_.announce_change();
-      },
-      [this, answers](const QString& what) {
-        if (cancel_->isEnabled()) {
-          banner_->show_news(State::stop, what);
-        } else {
-          banner_->show_news(
-              State::look,
-              tr("The simulation was stopped. Trials completed and stored: %1.").arg(*answers));
-        }
-        study_.announce_change();
-      });
-  show_start();
+  return inputs;
 }
 
 }  // namespace asperity

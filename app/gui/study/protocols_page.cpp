@@ -29,6 +29,7 @@ namespace asperity {
 namespace {
 
 constexpr int kStateColumn = 5;
+constexpr int kVirtualParticipants = 12;
 
 QString count_text(int count, const QString& one, const QString& many) {
   return count == 1 ? one : many.arg(count);
@@ -240,16 +241,24 @@ QWidget* ProtocolsPage::make_detail() {
   preview_->setObjectName("protocol_preview");
   simulate_ = make_button(tr("Simulate…"), ButtonRole::plain, row);
   simulate_->setObjectName("protocol_simulate");
+  simulate_several_ = make_button(tr("Simulate %n participants", nullptr, kVirtualParticipants),
+                                  ButtonRole::plain, row);
+  simulate_several_->setObjectName("protocol_simulate_several");
+  simulate_several_->setToolTip(
+      tr("Virtual participants, in the background. Their results are then shown. “Simulate…” "
+         "offers another number."));
   reason_ = make_text(tr("The protocols are being read."), card, true);
   reason_->setObjectName("protocol_reason");
-  for (QWidget* widget : std::initializer_list<QWidget*>{start_, edit_, preview_, simulate_}) {
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{start_, edit_, preview_, simulate_, simulate_several_}) {
     widget->setEnabled(false);  // until there is a protocol
   }
   file_actions_ = new ProtocolFileActions(study(), card);
   file_actions_->button()->setParent(row);
   close_ = make_button(tr("Close the plan"), ButtonRole::link, row);
   close_->setObjectName("protocol_close_below");
-  row->set_buttons({start_, edit_, preview_, simulate_, file_actions_->button(), close_});
+  row->set_buttons(
+      {start_, edit_, preview_, simulate_, simulate_several_, file_actions_->button(), close_});
   close_->hide();
   layout->addSpacing(kGrid);
   layout->addWidget(row);
@@ -294,6 +303,12 @@ QWidget* ProtocolsPage::make_detail() {
   connect(simulate_, &QPushButton::clicked, this, [this] {
     if (const ProtocolOverview* protocol = selected()) {
       emit session_wanted({.protocol = protocol->check.file, .simulate = true});
+    }
+  });
+  connect(simulate_several_, &QPushButton::clicked, this, [this] {
+    if (const ProtocolOverview* protocol = selected()) {
+      emit session_wanted({.simulation = simulation_of(*protocol)});
+      seed_ = new_seed();
     }
   });
   connect(close_, &QPushButton::clicked, this, [this] { show_below(what_it_asks); });
@@ -418,6 +433,15 @@ const ProtocolOverview* ProtocolsPage::selected() const {
   return found == protocols_.end() ? nullptr : &*found;
 }
 
+SimulationInputs ProtocolsPage::simulation_of(const ProtocolOverview& protocol) {
+  SimulationInputs inputs{};
+  inputs.protocols = {protocol.check.file};
+  inputs.study = study().folder();
+  inputs.participants = kVirtualParticipants;
+  inputs.seed = seed_;
+  return inputs;
+}
+
 void ProtocolsPage::show_selected() {
   const ProtocolOverview* overview = selected();
   detail_->setVisible(overview != nullptr);
@@ -431,7 +455,7 @@ void ProtocolsPage::show_selected() {
   last_run_->setText(last_run_of(*overview));
   const bool valid = overview->is_valid();
   const bool can_run = valid && study().can_be_written();
-  for (QPushButton* button : {start_, simulate_}) button->setEnabled(can_run);
+  for (QPushButton* button : {start_, simulate_, simulate_several_}) button->setEnabled(can_run);
   preview_->setEnabled(valid);
   edit_->setEnabled(true);
   if (!valid) {

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "app/gui/base/new_seed.h"
 #include "app/gui/base/session_wish.h"
 #include "app/gui/base/study_page.h"
 #include "app/tasks/interrupted_sessions.h"
@@ -56,6 +57,7 @@ class ProtocolsPage final : public StudyPage {
   void show_selected();
   void show_below(Below below);
   const ProtocolOverview* selected() const;
+  SimulationInputs simulation_of(const ProtocolOverview& protocol);
   void watch_files();
 
   std::vector<ProtocolOverview> read_{};       ///< as read from the study
@@ -80,6 +82,8 @@ class ProtocolsPage final : public StudyPage {
   QPushButton* edit_ = nullptr;
   QPushButton* preview_ = nullptr;
   QPushButton* simulate_ = nullptr;
+  QPushButton* simulate_several_ = nullptr;
+  std::uint64_t seed_ = new_seed();  ///< of the next simulation
   ProtocolFileActions* file_actions_ = nullptr;
   QPushButton* close_ = nullptr;  ///< of the plan below
   QLabel* reason_ = nullptr;

@@ -12709,6 +12709,55 @@
     </message>
 </context>
 <context>
+    <name>asperity::BatchSimulation</name>
+    <message>
+        <source>The sessions of virtual participants are being simulated. Cancel the simulation first.</source>
+        <translation>Die Sitzungen virtueller Versuchspersonen werden simuliert. Zuerst die Simulation abbrechen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Simulating %n virtual participants …</source>
+        <translation>
+            <numerusform>%n virtuelle Versuchsperson wird simuliert …</numerusform>
+            <numerusform>%n virtuelle Versuchspersonen werden simuliert …</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sessions were simulated.</source>
+        <translation>
+            <numerusform>%n Sitzung wurde simuliert.</numerusform>
+            <numerusform>%n Sitzungen wurden simuliert.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Responses: %1.</source>
+        <translation>Antworten: %1.</translation>
+    </message>
+    <message>
+        <source>Show the sessions</source>
+        <translation>Sitzungen zeigen</translation>
+    </message>
+    <message>
+        <source>Show the results</source>
+        <translation>Ergebnisse zeigen</translation>
+    </message>
+    <message>
+        <source>The simulation was cancelled.</source>
+        <translation>Die Simulation wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>No trial was completed.</source>
+        <translation>Kein Durchgang wurde abgeschlossen.</translation>
+    </message>
+    <message>
+        <source>Trials completed and stored: %1. Resume the simulation to complete it.</source>
+        <translation>Abgeschlossene und gespeicherte Durchgänge: %1. Die Simulation fortsetzen, um sie abzuschließen.</translation>
+    </message>
+    <message>
+        <source>Resume the simulation</source>
+        <translation>Simulation fortsetzen</translation>
+    </message>
+</context>
+<context>
     <name>asperity::BoundField</name>
     <message>
         <source>Same in all trials</source>
@@ -15887,6 +15936,17 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>Create from template…</source>
         <translation>Aus Vorlage erstellen…</translation>
     </message>
+    <message numerus="yes">
+        <source>Simulate %n participants</source>
+        <translation>
+            <numerusform>%n Versuchsperson simulieren</numerusform>
+            <numerusform>%n Versuchspersonen simulieren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Virtual participants, in the background. Their results are then shown. “Simulate…” offers another number.</source>
+        <translation>Virtuelle Versuchspersonen, im Hintergrund. Danach werden ihre Ergebnisse gezeigt. „Simulieren…“ bietet eine andere Anzahl an.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::QuestionForm</name>
@@ -16490,16 +16550,16 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Eine Sitzung läuft. Sie zuerst in ihrem eigenen Fenster beenden.</translation>
     </message>
     <message>
-        <source>The sessions of virtual participants are being simulated. Stop the simulation first.</source>
-        <translation>Die Sitzungen virtueller Versuchspersonen werden simuliert. Zuerst die Simulation stoppen.</translation>
-    </message>
-    <message>
         <source>Only one session can be open at a time: close the window of the open one first.</source>
         <translation>Es kann nur eine Sitzung zugleich geöffnet sein: zuerst das Fenster der offenen schließen.</translation>
     </message>
     <message>
         <source>The window of the session that has ended is still open. Close it first.</source>
         <translation>Das Fenster der beendeten Sitzung ist noch offen. Es zuerst schließen.</translation>
+    </message>
+    <message>
+        <source>The sessions of virtual participants are being simulated. Cancel the simulation first, or wait until it is complete.</source>
+        <translation>Die Sitzungen virtueller Versuchspersonen werden simuliert. Zuerst die Simulation abbrechen, oder warten, bis sie abgeschlossen ist.</translation>
     </message>
 </context>
 <context>
@@ -17133,10 +17193,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Echtzeit</translation>
     </message>
     <message>
-        <source>Stop the simulation</source>
-        <translation>Simulation stoppen</translation>
-    </message>
-    <message>
         <source>Start session</source>
         <translation>Sitzung starten</translation>
     </message>
@@ -17250,18 +17306,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>%1 sessions were simulated. Responses: %2.</source>
-        <translation>%1 Sitzungen wurden simuliert. Antworten: %2.</translation>
-    </message>
-    <message>
-        <source>Show the sessions</source>
-        <translation>Sitzungen zeigen</translation>
-    </message>
-    <message>
-        <source>The simulation was stopped. Trials completed and stored: %1.</source>
-        <translation>Die Simulation wurde gestoppt. Abgeschlossene und gespeicherte Durchgänge: %1.</translation>
-    </message>
-    <message>
         <source>The study could not be read: %1</source>
         <translation>Die Studie konnte nicht gelesen werden: %1</translation>
     </message>
@@ -17276,10 +17320,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>The study has not been read; press “Try again”.</source>
         <translation>Die Studie wurde noch nicht gelesen; „Erneut versuchen“ drücken.</translation>
-    </message>
-    <message>
-        <source>One session was simulated. Responses: %1.</source>
-        <translation>Eine Sitzung wurde simuliert. Antworten: %1.</translation>
     </message>
     <message>
         <source>A device is being tried: wait for the result.</source>

@@ -43,6 +43,23 @@
     </message>
 </context>
 <context>
+    <name>asperity::BatchSimulation</name>
+    <message numerus="yes">
+        <source>Simulating %n virtual participants …</source>
+        <translation>
+            <numerusform>Simulating %n virtual participant …</numerusform>
+            <numerusform>Simulating %n virtual participants …</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sessions were simulated.</source>
+        <translation>
+            <numerusform>%n session was simulated.</numerusform>
+            <numerusform>%n sessions were simulated.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>asperity::CheckList</name>
     <message numerus="yes">
         <source>%n items must be resolved before the session can start.</source>
@@ -66,6 +83,16 @@
         <translation>
             <numerusform>%1 has been run (%n session). Sessions refer to its name and its text: it can be neither renamed nor deleted. Duplicate it to create a further protocol from it.</numerusform>
             <numerusform>%1 has been run (%n sessions). Sessions refer to its name and its text: it can be neither renamed nor deleted. Duplicate it to create a further protocol from it.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ProtocolsPage</name>
+    <message numerus="yes">
+        <source>Simulate %n participants</source>
+        <translation>
+            <numerusform>Simulate %n participant</numerusform>
+            <numerusform>Simulate %n participants</numerusform>
         </translation>
     </message>
 </context>

@@ -18,6 +18,7 @@
 #include "app/gui/session/window_place.h"
 #include "app/gui/start/start_page.h"
 #include "app/gui/study/trials_page.h"
+#include "app/gui/window/batch_simulation.h"
 #include "app/gui/window/study_window.h"
 
 namespace asperity {
@@ -58,10 +59,16 @@ void add_workspace(ParticipantView& view, const SessionMonitor& monitor,
 }  // namespace
 
 SessionDesk::SessionDesk(StudyWindow& window, QObject* parent, SoundMaker make_sound)
-    : QObject(parent), window_(window), make_sound_(std::move(make_sound)) {
+    : QObject(parent),
+      window_(window),
+      make_sound_(std::move(make_sound)),
+      simulation_(new BatchSimulation(window, this)) {
   connect(&window_, &StudyWindow::study_opened, this,
           [this](OpenStudy* study) { take_study(*study); });
   connect(&window_, &StudyWindow::session_wanted, this, &SessionDesk::choose);
+  connect(simulation_, &BatchSimulation::wanted, this, &SessionDesk::simulate);
+  connect(simulation_, &BatchSimulation::running, this,
+          [this](bool now) { start_page_->set_simulating(now); });
 }
 
 SessionDesk::~SessionDesk() {
@@ -76,24 +83,34 @@ void SessionDesk::take_study(OpenStudy& study) {
   study_ = &study;
   start_page_ = new StartPage(study);
   window_.add_page(kStartPage, {}, start_page_);
-  connect(start_page_, &StartPage::simulating, this, [this](bool simulating) {
-    window_.set_busy(simulating ? tr("The sessions of virtual participants are being simulated. "
-                                     "Stop the simulation first.")
-                                : QString());
-  });
   connect(start_page_, &StartPage::start_wanted, this, &SessionDesk::begin);
-  connect(start_page_, &StartPage::sessions_wanted, this,
-          [this] { window_.show_page("sessions"); });
+  connect(start_page_, &StartPage::simulation_wanted, this, &SessionDesk::simulate);
 }
 
-void SessionDesk::choose(const SessionWish& wish) {
+/// The processors of a session with a participant are shared with nothing.
+bool SessionDesk::refuse_another() {
   if (runner_ != nullptr) {
     window_.banner().show_news(
         State::look,
         tr("Only one session can be open at a time: close the window of the open one first."));
     if (session_window_ != nullptr) session_window_->raise();
-    return;
+  } else if (simulation_->is_running()) {
+    window_.banner().show_news(
+        State::look, tr("The sessions of virtual participants are being simulated. Cancel the "
+                        "simulation first, or wait until it is complete."));
+  } else {
+    return false;
   }
+  return true;
+}
+
+void SessionDesk::simulate(const SimulationInputs& inputs) {
+  if (!refuse_another()) simulation_->run(inputs);
+}
+
+void SessionDesk::choose(const SessionWish& wish) {
+  if (wish.simulation) return simulate(*wish.simulation);
+  if (refuse_another()) return;
   if (wish.simulate) {
     start_page_->set_mode(SessionMode::simulate);
   } else if (!wish.participant && start_page_->mode() == SessionMode::simulate) {
@@ -104,7 +121,7 @@ void SessionDesk::choose(const SessionWish& wish) {
 }
 
 void SessionDesk::begin(const SessionOrder& order) {
-  if (runner_ != nullptr) return;
+  if (refuse_another()) return;
   runner_ =
       std::make_unique<SessionRunner>(nullptr, make_sound_, study_->drivers(), study_->models());
   study_->examiner().hold();  // the servo loop needs the processor
@@ -269,7 +286,6 @@ void SessionDesk::finish(const QString& page, std::function<void()> next) {
   // The signal comes from inside the session's window: it lives until the event is over, and the
   // runner as long as the windows that look into it.
   const auto facts = runner_->monitor().facts();
-  const std::string protocol = facts == nullptr ? std::string{} : facts->protocol->name;
   // A session that did not begin is started again with the same answers.
   if (facts != nullptr && start_page_ != nullptr) start_page_->forget_person();
   auto* runner = runner_.release();
@@ -291,8 +307,9 @@ void SessionDesk::finish(const QString& page, std::function<void()> next) {
     trials->show_session(facts->row.id);
   }
   if (!page.isEmpty()) window_.show_page(page);
-  if (auto* analysis = qobject_cast<AnalysisPage*>(window_.page("analysis"))) {
-    analysis->choose(protocol);
+  if (auto* analysis = qobject_cast<AnalysisPage*>(window_.page("analysis"));
+      analysis != nullptr && facts != nullptr) {
+    analysis->choose(facts->protocol->name, facts->row.mode);
   }
   study_->announce_change();
   window_.raise();

@@ -16,6 +16,7 @@
 
 namespace asperity {
 
+class BatchSimulation;
 class OpenStudy;
 class StartPage;
 class StudyWindow;
@@ -43,6 +44,8 @@ class SessionDesk final : public QObject {
  private:
   void take_study(OpenStudy& study);
   void choose(const SessionWish& wish);
+  void simulate(const SimulationInputs& inputs);
+  bool refuse_another();
   void open_participant_window();
   void open_session_window();
   void stop_for_lost_screen(const QString& screen);
@@ -53,6 +56,7 @@ class SessionDesk final : public QObject {
 
   StudyWindow& window_;
   SoundMaker make_sound_{};
+  BatchSimulation* simulation_ = nullptr;
   OpenStudy* study_ = nullptr;
   std::function<void()> finish_later_{};  ///< the session's window is left, its thread not done yet
   QPointer<StartPage> start_page_{};

@@ -276,6 +276,10 @@ void StudyWindow::close_study() {
   make_pages();
 }
 
+void StudyWindow::add_line(QWidget* line) {
+  qobject_cast<QVBoxLayout*>(centralWidget()->layout())->insertWidget(1, line);
+}
+
 void StudyWindow::set_busy(const QString& reason) { busy_ = reason; }
 
 ProtocolEditorPage* StudyWindow::editor() const {

@@ -69,6 +69,8 @@ class StudyWindow final : public QMainWindow {
   void set_count(const QString& key, const QString& count);
 
   Banner& banner() noexcept { return *banner_; }
+  /// Below the banner, above every page, until the window is made anew for another theme or language.
+  void add_line(QWidget* line);
   /// While it says something, no other study, theme or language can be chosen and the window does
   /// not close; the sentence is shown as the reason.
   void set_busy(const QString& reason);

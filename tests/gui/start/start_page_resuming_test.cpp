@@ -11,7 +11,6 @@
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
-#include <QtWidgets/QProgressBar>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QSpinBox>
 #include <gtest/gtest.h>
@@ -258,43 +257,29 @@ TEST_F(TheStartPage, RunsOneVirtualParticipantFromEndToEnd) {
   EXPECT_EQ(page->order().inputs.participant, "virtual0002");
 }
 
-TEST_F(TheStartPage, SimulatesSeveralInTheBackgroundAndReportsThem) {
+TEST_F(TheStartPage, WantsSeveralVirtualParticipantsToBeSimulated) {
   page->show();
   choose(protocol);
   click("mode_simulate");
   find<QSpinBox>("virtual_participants").setValue(3);
   ASSERT_TRUE(wait_for_checks());
   EXPECT_EQ(find<QPushButton>("start").text(), "Simulate 3 participants");
-  QSignalSpy wanted(page.get(), &StartPage::start_wanted);
-  QSignalSpy table(page.get(), &StartPage::sessions_wanted);
+  QSignalSpy session(page.get(), &StartPage::start_wanted);
+  std::vector<SimulationInputs> wanted{};
+  QObject::connect(page.get(), &StartPage::simulation_wanted, page.get(),
+                   [&wanted](const SimulationInputs& inputs) { wanted.push_back(inputs); });
   click("start");
-  EXPECT_TRUE(is_shown("simulation_cancel"));
-  auto* banner = page->findChild<Banner*>();
-  ASSERT_TRUE(eventually([&] { return banner->isVisible(); }));
-  // Two sessions each, of three trials.
-  EXPECT_EQ(banner->text(), "6 sessions were simulated. Responses: 18.");
-  EXPECT_EQ(wanted.size(), 0);
-  EXPECT_EQ(Study::open(folder, Access::read_only).sessions().size(), 6U);
-  for (auto* button : banner->findChildren<QPushButton*>()) {
-    if (button->text() == "Show the sessions") QTest::mouseClick(button, Qt::LeftButton);
-  }
-  EXPECT_EQ(table.size(), 1);
-}
-
-TEST_F(TheStartPage, StopsASimulationThatIsCancelledAndKeepsWhatIsDone) {
-  page->show();
-  choose(protocol);
-  click("mode_simulate");
-  find<QSpinBox>("virtual_participants").setValue(200);
-  ASSERT_TRUE(wait_for_checks());
   click("start");
-  ASSERT_TRUE(eventually([&] { return find<QProgressBar>("simulation_progress").value() > 0; }));
-  click("simulation_cancel");
-  auto* banner = page->findChild<Banner*>();
-  ASSERT_TRUE(eventually([&] { return banner->isVisible(); }));
-  EXPECT_TRUE(banner->text().contains("The simulation was stopped."))
-      << banner->text().toStdString();
-  EXPECT_LT(Study::open(folder, Access::read_only).sessions().size(), 400U);
+  EXPECT_EQ(session.size(), 0);
+  ASSERT_EQ(wanted.size(), 2U);
+  EXPECT_EQ(wanted[0].participants, 3);
+  EXPECT_EQ(wanted[0].protocols, std::vector{protocol});
+  EXPECT_NE(wanted[0].seed, wanted[1].seed);
+  page->set_simulating(true);
+  EXPECT_FALSE(find<QPushButton>("start").isEnabled());
+  EXPECT_NE(shown_reason().find("are being simulated"), std::string::npos);
+  page->set_simulating(false);
+  EXPECT_TRUE(find<QPushButton>("start").isEnabled());
 }
 
 }  // namespace

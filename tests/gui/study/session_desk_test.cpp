@@ -113,9 +113,10 @@ TEST_F(TheSessionDesk, SimulatesSeveralWithTheWindowKeptOpen) {
   ASSERT_TRUE(can_start());
   click("start");
   EXPECT_FALSE(window_.close());
-  EXPECT_TRUE(window_.banner().text().contains("Stop the simulation first."));
-  click("simulation_cancel");
-  ASSERT_TRUE(eventually([this] { return child<QPushButton>(window_, "start").isVisible(); }));
+  EXPECT_TRUE(window_.banner().text().contains("Cancel the simulation first."));
+  QTest::mouseClick(&child<QPushButton>(child<QWidget>(window_, "simulating"), "task_cancel"),
+                    Qt::LeftButton);
+  ASSERT_TRUE(eventually([this] { return child<QPushButton>(window_, "start").isEnabled(); }));
   EXPECT_TRUE(window_.close());
 }
 

@@ -346,8 +346,9 @@ TEST_F(StudyPages, CutNoTitleAndNoActionOfAProtocolOnASmallScreen) {
   StudyTable& table = table_of("protocols", "protocols_table", 3);
   expect_whole(table, 0);
   EXPECT_GE(table.columnWidth(0), 250);
-  for (const char* const name : {"protocol_start", "protocol_edit", "protocol_preview",
-                                 "protocol_simulate", "protocol_more"}) {
+  for (const char* const name :
+       {"protocol_start", "protocol_edit", "protocol_preview", "protocol_simulate",
+        "protocol_simulate_several", "protocol_more"}) {
     const auto& button = child<QPushButton>(window_, name);
     EXPECT_TRUE(eventually([&] { return button.width() >= button.sizeHint().width(); }))
         << name << ": " << button.width() << " of " << button.sizeHint().width();
