@@ -15,6 +15,7 @@
 
 #include "app/exports/export_study.h"
 #include "app/findings/study/analyze_study.h"
+#include "app/gui/base/command_lines.h"
 #include "app/gui/base/open_study.h"
 #include "app/gui/base/shown_text.h"
 #include "app/gui/data/figure_saver.h"
@@ -26,6 +27,7 @@
 #include "app/study_files/study_metadata.h"
 #include "app/study_files/study_outputs.h"
 #include "app/tasks/study_overview.h"
+#include "renderers/built_in_models.h"
 
 namespace asperity {
 
@@ -98,6 +100,7 @@ AnalysisPage::AnalysisPage(OpenStudy& study, QWidget* parent) : QWidget(parent),
   export_->setObjectName("export_tables");
   header->addWidget(report_);
   header->addWidget(export_);
+  header->addWidget(make_commands_button([this] { return commands(); }, this));
   layout->addLayout(header);
   layout->addWidget(banner_);
   figure_saver_ = new FigureSaver(*banner_, *this);
@@ -254,6 +257,18 @@ void AnalysisPage::show_outcome(int index) {
                 .copy = [this](const Figure& figure) { figure_saver_->copy(figure); }}));
 }
 
+std::vector<ShownCommand> AnalysisPage::commands() const {
+  const std::filesystem::path& study = study_.folder();
+  std::optional<std::string> protocol{};
+  if (const int shown = list_->currentRow(); shown >= 0) {
+    protocol = outcomes_.at(static_cast<std::size_t>(shown)).protocol;
+  }
+  return {{.action = tr("Analysis"), .line = analyze_line(study, protocol)},
+          {.action = report_->verb(), .line = report_line(study, path_of_text(report_->file()))},
+          {.action = export_->text(),
+           .line = export_line(study, path_of_text(exported_to_), exported_)}};
+}
+
 void AnalysisPage::ask_where_to_export() {
   auto* dialog = new QFileDialog(this, tr("New folder for the tables"));
   dialog->setObjectName("export_dialog");
@@ -295,6 +310,8 @@ void AnalysisPage::ask_where_to_export() {
 }
 
 void AnalysisPage::export_to(const QString& folder, const ExportOptions& options) {
+  exported_to_ = folder;
+  exported_ = options;
   writing_->set_words(tr("Writing the tables to %1 …").arg(folder));
   exporting_.run<Exported>(
       [study = study_.folder(), to = std::filesystem::path(folder.toStdString()), options](
@@ -339,4 +356,3 @@ void AnalysisPage::export_to(const QString& folder, const ExportOptions& options
 }  // namespace asperity
 
 #include "moc_analysis_page.cpp"
-#include "renderers/built_in_models.h"

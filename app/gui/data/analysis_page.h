@@ -8,7 +8,9 @@
 
 #include <QtWidgets/QWidget>
 
+#include "app/exports/export_options.h"
 #include "app/findings/outcome/analysis_outcome.h"
+#include "app/gui/base/commands_button.h"
 #include "app/gui/look/background_task.h"
 
 class QListWidget;
@@ -23,7 +25,6 @@ class FigureSaver;
 class OpenStudy;
 class ReportSaving;
 class TaskLine;
-struct ExportOptions;
 
 /// One entry per protocol, version and group of participants; the groups never mix. Read anew
 /// whenever the study changes while the page is seen.
@@ -56,11 +57,15 @@ class AnalysisPage final : public QWidget {
   void select_wanted();
   void ask_where_to_export();
   void export_to(const QString& folder, const ExportOptions& options);
+  std::vector<ShownCommand> commands() const;
 
   OpenStudy& study_;
   bool outdated_ = true;
   std::string wanted_{};  ///< the protocol to show next
   SessionMode wanted_mode_ = SessionMode::run;
+  /// Of the last export; before the first one, what the dialog suggests.
+  QString exported_to_ = "tables";
+  ExportOptions exported_{};
   std::vector<AnalysisOutcome> outcomes_{};
   std::set<std::string> running_{};
   Banner* banner_ = nullptr;

@@ -30,7 +30,10 @@ struct Saved {
 }  // namespace
 
 ReportSaving::ReportSaving(OpenStudy& study, Banner& banner, QWidget* parent)
-    : QWidget(parent), study_(study), banner_(banner) {
+    : QWidget(parent),
+      study_(study),
+      banner_(banner),
+      file_(text(study.study().name()) + "-report.pdf") {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   button_ = make_button(tr("Save a report…"), ButtonRole::plain, this);
@@ -44,6 +47,8 @@ ReportSaving::ReportSaving(OpenStudy& study, Banner& banner, QWidget* parent)
   connect(&saving_, &BackgroundTask::finished, this, &ReportSaving::show_whether_possible);
   show_whether_possible();
 }
+
+QString ReportSaving::verb() const { return button_->text(); }
 
 void ReportSaving::set_any(bool any) {
   any_ = any;
@@ -93,6 +98,7 @@ void ReportSaving::save_to(const QString& file, Overwrite overwrite) {
                       tr("Replace it"), [this, file] { save_to(file, Overwrite::allow); });
     return;
   }
+  file_ = file;
   line_->set_words(tr("Writing the report to %1 …").arg(file));
   saving_.run<Saved>(
       [study = study_.folder(), path, overwrite](const std::stop_token& stop,

@@ -27,6 +27,9 @@ class ReportSaving final : public QWidget {
   ReportSaving(OpenStudy& study, Banner& banner, QWidget* parent);
 
   TaskLine* line() const noexcept { return line_; }
+  /// The file of the last report; before the first one, the name that the dialog suggests.
+  const QString& file() const noexcept { return file_; }
+  QString verb() const;
   /// Whether there is anything to report.
   void set_any(bool any);
 
@@ -37,6 +40,7 @@ class ReportSaving final : public QWidget {
 
   OpenStudy& study_;
   Banner& banner_;
+  QString file_{};
   bool any_ = false;
   QPushButton* button_ = nullptr;
   TaskLine* line_ = nullptr;

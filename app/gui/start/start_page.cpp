@@ -243,6 +243,8 @@ QWidget* StartPage::make_footer() {
   reason_ = new StateLabel(footer);
   reason_->setObjectName("start_reason");
   row->addWidget(reason_, 1);
+  commands_ = make_commands_button([this] { return commands(); }, footer);
+  row->addWidget(commands_);
   start_ = make_button(tr("Start session"), ButtonRole::primary, footer);
   start_->setObjectName("start");
   start_->setStyleSheet(kTall);

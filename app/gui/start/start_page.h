@@ -11,6 +11,7 @@
 #include <QtCore/QString>
 #include <QtWidgets/QWidget>
 
+#include "app/gui/base/commands_button.h"
 #include "app/gui/base/new_seed.h"
 #include "app/gui/base/open_study.h"
 #include "app/gui/look/background_task.h"
@@ -153,6 +154,7 @@ class StartPage final : public QWidget {
   void examine_stimuli();
   void press_start();
   SimulationInputs simulation() const;
+  std::vector<ShownCommand> commands() const;
 
   OpenStudy& study_;
   StartFacts facts_{};    ///< as last read; `chosen` is ahead of the rest while a file is read
@@ -202,6 +204,7 @@ class StartPage final : public QWidget {
   CheckList* check_list_ = nullptr;
   StateLabel* reason_ = nullptr;
   QPushButton* start_ = nullptr;
+  QPushButton* commands_ = nullptr;
   QTimer* check_timer_ = nullptr;
   BackgroundTask read_task_{};
   BackgroundTask check_task_{};

@@ -281,6 +281,7 @@ void StartPage::show_start() {
     start_->setText(is_batch() ? tr("Simulate %n participants", nullptr, virtual_people_->value())
                                : tr("Start session"));
   }
+  commands_->setEnabled(chosen() != nullptr);
   if (is_simulating_) {
     start_->setEnabled(false);
     reason_->set_state(State::unknown,

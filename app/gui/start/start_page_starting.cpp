@@ -6,6 +6,7 @@
 #include <QtGui/QGuiApplication>
 #include <QtWidgets/QSpinBox>
 
+#include "app/gui/base/command_lines.h"
 #include "app/gui/base/settings.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
@@ -19,6 +20,7 @@
 #include "app/gui/start/program_chooser.h"
 #include "app/gui/start/setup_card.h"
 #include "app/gui/start/start_page.h"
+#include "app/profiles/device_kind.h"
 #include "app/tasks/checks/protocol_check.h"
 #include "app/tasks/checks/session_checks.h"
 #include "renderers/built_in_models.h"
@@ -215,6 +217,25 @@ SimulationInputs StartPage::simulation() const {
   inputs.seed = seed_;
   inputs.level_program = program_->program();
   return inputs;
+}
+
+std::vector<ShownCommand> StartPage::commands() const {
+  ShownCommand command{.action = start_->text()};
+  const RunInputs inputs = order().inputs;
+  if (is_batch()) {
+    command.line = simulate_line(simulation(), plugin_files());
+  } else if (inputs.is_virtual) {
+    command.line = run_line(inputs, plugin_files());
+  } else if (inputs.device.empty() || kind_of_device(inputs.device) == DeviceKind::pointer) {
+    command.remark = tr("A terminal has no mouse: choose another device.");
+  } else if (inputs.mirrored) {
+    command.remark = tr("A terminal does not mirror the workspace for a left hand.");
+  } else {
+    command.line = run_line(inputs, plugin_files());
+    command.remark = tr(
+        "The terminal asks for the consent, the details of a new participant and all responses.");
+  }
+  return {command};
 }
 
 }  // namespace asperity

@@ -12,7 +12,9 @@
 #include <QtWidgets/QSplitter>
 #include <QtWidgets/QStackedWidget>
 
+#include "app/gui/base/command_lines.h"
 #include "app/gui/base/progress_cell.h"
+#include "app/gui/base/settings.h"
 #include "app/gui/base/shown_text.h"
 #include "app/gui/base/study_table.h"
 #include "app/gui/look/controls.h"
@@ -162,10 +164,11 @@ QWidget* ProtocolsPage::make_detail() {
   }
   file_actions_ = new ProtocolFileActions(study(), card);
   file_actions_->button()->setParent(row);
+  QPushButton* shown_commands = make_commands_button([this] { return commands(); }, row);
   close_ = make_button(tr("Close the plan"), ButtonRole::link, row);
   close_->setObjectName("protocol_close_below");
-  row->set_buttons(
-      {start_, edit_, preview_, simulate_, simulate_several_, file_actions_->button(), close_});
+  row->set_buttons({start_, edit_, preview_, simulate_, simulate_several_, file_actions_->button(),
+                    shown_commands, close_});
   close_->hide();
   layout->addSpacing(kGrid);
   layout->addWidget(row);
@@ -347,6 +350,19 @@ SimulationInputs ProtocolsPage::simulation_of(const ProtocolOverview& protocol) 
   inputs.participants = kVirtualParticipants;
   inputs.seed = seed_;
   return inputs;
+}
+
+std::vector<ShownCommand> ProtocolsPage::commands() {
+  const ProtocolOverview* protocol = selected();
+  if (protocol == nullptr) return {};
+  std::vector<ShownCommand> commands{
+      {.action = tr("Check the protocol"),
+       .line = check_line(protocol->check.file, study().folder(), plugin_files())}};
+  if (simulate_several_->isEnabled()) {
+    commands.push_back({.action = simulate_several_->text(),
+                        .line = simulate_line(simulation_of(*protocol), plugin_files())});
+  }
+  return commands;
 }
 
 void ProtocolsPage::show_selected() {

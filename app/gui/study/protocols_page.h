@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "app/gui/base/commands_button.h"
 #include "app/gui/base/new_seed.h"
 #include "app/gui/base/session_wish.h"
 #include "app/gui/base/study_page.h"
@@ -58,6 +59,7 @@ class ProtocolsPage final : public StudyPage {
   void show_below(Below below);
   const ProtocolOverview* selected() const;
   SimulationInputs simulation_of(const ProtocolOverview& protocol);
+  std::vector<ShownCommand> commands();
   void watch_files();
 
   std::vector<ProtocolOverview> read_{};       ///< as read from the study

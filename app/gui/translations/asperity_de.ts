@@ -4648,6 +4648,21 @@
     </message>
 </context>
 <context>
+    <name>CommandWords</name>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Command…</source>
+        <translation>Befehl…</translation>
+    </message>
+    <message>
+        <source>The same on the command line</source>
+        <translation>Dasselbe in der Befehlszeile</translation>
+    </message>
+</context>
+<context>
     <name>DeviceSurvey</name>
     <message>
         <source>The udev rules file %1 is not installed: only root can open USB devices. Copy %2 into /etc/udev/rules.d, then unplug the device and plug it in again (docs/devices.md).</source>
@@ -15947,6 +15962,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>Virtual participants, in the background. Their results are then shown. “Simulate…” offers another number.</source>
         <translation>Virtuelle Versuchspersonen, im Hintergrund. Danach werden ihre Ergebnisse gezeigt. „Simulieren…“ bietet eine andere Anzahl an.</translation>
     </message>
+    <message>
+        <source>Check the protocol</source>
+        <translation>Protokoll prüfen</translation>
+    </message>
 </context>
 <context>
     <name>asperity::QuestionForm</name>
@@ -17380,6 +17399,18 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>The earlier sessions of this participant were in the language “%1”: add this translation of the protocol, or choose another participant.</source>
         <translation>Die früheren Sitzungen dieser Versuchsperson waren in der Sprache „%1“: diese Übersetzung des Protokolls hinzufügen oder eine andere Versuchsperson wählen.</translation>
+    </message>
+    <message>
+        <source>A terminal has no mouse: choose another device.</source>
+        <translation>Ein Terminal hat keine Maus: ein anderes Gerät wählen.</translation>
+    </message>
+    <message>
+        <source>A terminal does not mirror the workspace for a left hand.</source>
+        <translation>Ein Terminal spiegelt den Arbeitsraum nicht für eine linke Hand.</translation>
+    </message>
+    <message>
+        <source>The terminal asks for the consent, the details of a new participant and all responses.</source>
+        <translation>Das Terminal fragt nach der Einwilligung, den Angaben einer neuen Versuchsperson und allen Antworten.</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,143 @@
+// Leaves out what is a command's default.
+
+#include "app/gui/base/command_lines.h"
+
+#include "app/device_bench/device_choice.h"
+#include "app/words/shell_word.h"
+
+namespace asperity {
+
+namespace {
+
+class CommandLine final {
+ public:
+  explicit CommandLine(const std::string& command) : text_("asperity " + command) {}
+
+  CommandLine& word(const std::string& value) {
+    text_ += ' ' + shell_word(value);
+    return *this;
+  }
+  CommandLine& flag(const char* name, bool is_set = true) {
+    if (is_set) text_ += std::string(" ") + name;
+    return *this;
+  }
+  CommandLine& option(const char* name, const std::string& value) { return flag(name).word(value); }
+  CommandLine& plugins(const std::vector<std::filesystem::path>& files) {
+    for (const std::filesystem::path& file : files) option("--plugin", file.string());
+    return *this;
+  }
+  CommandLine& level_program(const std::optional<ExternalProgram>& program) {
+    if (!program) return *this;
+    option("--external", program->file.string());
+    // Joined: an argument may begin with "--".
+    for (const std::string& argument : program->arguments) {
+      word("--external-argument=" + argument);
+    }
+    return *this;
+  }
+  CommandLine& raw(const std::string& words) {
+    text_ += words;
+    return *this;
+  }
+  std::string text() const { return text_; }
+
+ private:
+  std::string text_{};
+};
+
+const char* text_of(Recordings recordings) {
+  switch (recordings) {
+    case Recordings::all:
+      return "all";
+    case Recordings::first:
+      return "first";
+    case Recordings::none:
+      return "none";
+  }
+  return "first";
+}
+
+std::string text_of(const std::set<ExportFormat>& formats) {
+  std::string text{};
+  for (const ExportFormat format : formats) {
+    text += (text.empty() ? "" : ",") + std::string(name_of(format));
+  }
+  return text.empty() ? "none" : text;
+}
+
+}  // namespace
+
+std::string check_line(const std::filesystem::path& protocol, const std::filesystem::path& study,
+                       const std::vector<std::filesystem::path>& plugins) {
+  return CommandLine("check")
+      .word(protocol.string())
+      .option("--study", study.string())
+      .plugins(plugins)
+      .text();
+}
+
+std::string simulate_line(const SimulationInputs& inputs,
+                          const std::vector<std::filesystem::path>& plugins) {
+  CommandLine line("simulate");
+  for (const std::filesystem::path& protocol : inputs.protocols) line.word(protocol.string());
+  line.option("--study", inputs.study.string())
+      .option("--participants", std::to_string(inputs.participants))
+      .option("--seed", std::to_string(inputs.seed));
+  if (inputs.device != SimulationInputs{}.device) line.option("--device", inputs.device);
+  if (inputs.recordings != SimulationInputs{}.recordings) {
+    line.option("--recordings", text_of(inputs.recordings));
+  }
+  return line.level_program(inputs.level_program)
+      .flag("--resume", inputs.resume)
+      .plugins(plugins)
+      .text();
+}
+
+std::string run_line(const RunInputs& inputs, const std::vector<std::filesystem::path>& plugins) {
+  CommandLine line("run");
+  line.word(inputs.protocol.string())
+      .option("--study", inputs.study.string())
+      .option("--participant", inputs.participant);
+  if (inputs.device != RunInputs{}.device) {
+    line.option("--device", inputs.device).raw(as_command_options(inputs.driver_options));
+  }
+  if (inputs.resume) {
+    line.flag("--resume");
+    if (!inputs.late_reason.empty()) line.option("--late-reason", inputs.late_reason);
+  } else {
+    line.option("--seed", std::to_string(inputs.seed));
+    if (inputs.group) line.option("--group", *inputs.group);
+  }
+  if (inputs.is_virtual) {
+    line.flag("--virtual").flag("--realtime", inputs.pacing == RunPacing::real_time);
+  } else if (inputs.mode == SessionMode::pilot) {
+    line.option("--mode", "pilot");
+  }
+  return line.level_program(inputs.level_program).plugins(plugins).text();
+}
+
+std::string analyze_line(const std::filesystem::path& study,
+                         const std::optional<std::string>& protocol) {
+  CommandLine line("analyze");
+  line.word(study.string());
+  if (protocol) line.option("--protocol", *protocol);
+  return line.text();
+}
+
+std::string report_line(const std::filesystem::path& study, const std::filesystem::path& out) {
+  return CommandLine("report").word(study.string()).option("--out", out.string()).text();
+}
+
+std::string export_line(const std::filesystem::path& study, const std::filesystem::path& out,
+                        const ExportOptions& options) {
+  CommandLine line("export");
+  line.word(study.string())
+      .option("--out", out.string())
+      .flag("--public", is_public(options.audience))
+      .flag("--relabel", options.audience == ExportAudience::relabelled)
+      .flag("--age-bands", options.has_age_bands);
+  if (options.formats != usual_export_formats()) line.option("--formats", text_of(options.formats));
+  return line.text();
+}
+
+}  // namespace asperity

@@ -1,0 +1,33 @@
+// Writes the command lines that do the same as actions of the windows.
+
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/exports/export_options.h"
+#include "app/tasks/run_session.h"
+#include "app/tasks/simulation/simulation.h"
+
+namespace asperity {
+
+// Each line is made from the values that the action uses, and gives the same result in a shell, in any folder: paths are
+// words of a shell. `plugins`: the files that the study was opened with.
+
+std::string check_line(const std::filesystem::path& protocol, const std::filesystem::path& study,
+                       const std::vector<std::filesystem::path>& plugins);
+/// The number of sessions that run in parallel, which does not affect the results, is left out.
+std::string simulate_line(const SimulationInputs& inputs,
+                          const std::vector<std::filesystem::path>& plugins);
+/// At a terminal, which asks for the consent and the questions about a new participant.
+std::string run_line(const RunInputs& inputs, const std::vector<std::filesystem::path>& plugins);
+/// `protocol`: its name; without one, of all protocols.
+std::string analyze_line(const std::filesystem::path& study,
+                         const std::optional<std::string>& protocol);
+std::string report_line(const std::filesystem::path& study, const std::filesystem::path& out);
+std::string export_line(const std::filesystem::path& study, const std::filesystem::path& out,
+                        const ExportOptions& options);
+
+}  // namespace asperity
