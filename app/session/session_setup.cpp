@@ -169,6 +169,14 @@ std::vector<StimulusFileRow> hash_files(const Protocol& protocol,
   return rows;
 }
 
+void copy_files(const Protocol& protocol, const std::filesystem::path& from,
+                const std::filesystem::path& to) {
+  for (const StimulusFileRow& file : hash_files(protocol, from)) {
+    std::filesystem::create_directories((to / file.path).parent_path());
+    std::filesystem::copy_file(from / file.path, to / file.path);
+  }
+}
+
 OpenSession begin_session(Study& study, const Protocol& protocol, const std::string& participant,
                           const SessionConditions& conditions, const ProgramIdentity& program) {
   OpenSession session{};

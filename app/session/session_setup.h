@@ -69,6 +69,12 @@ bool guides_participants(const Protocol& protocol);
 std::vector<StimulusFileRow> hash_files(const Protocol& protocol,
                                         const std::filesystem::path& study_folder);
 
+/// Copies the files that a protocol names from one study to another, which has none of them.
+///
+/// Errors: as `hash_files`; std::filesystem::filesystem_error.
+void copy_files(const Protocol& protocol, const std::filesystem::path& from,
+                const std::filesystem::path& to);
+
 /// Stores a new session of `participant` with its plan, as far as it is determined. The protocol must
 /// outlive the session. Errors: ResultsError.
 OpenSession begin_session(Study& study, const Protocol& protocol, const std::string& participant,

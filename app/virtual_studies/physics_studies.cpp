@@ -39,10 +39,7 @@ void make_origin(const std::filesystem::path& folder, const Protocol& protocol,
                              ", which are rendered on the full physics; state the study that has "
                              "them with --study");
   }
-  for (const StimulusFileRow& file : hash_files(protocol, from)) {
-    std::filesystem::create_directories((folder / file.path).parent_path());
-    std::filesystem::copy_file(from / file.path, folder / file.path);
-  }
+  copy_files(protocol, from, folder);
 }
 
 }  // namespace

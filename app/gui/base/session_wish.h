@@ -19,6 +19,7 @@ struct SessionWish {
   /// The participant's unfinished session that goes on, by its id in the store.
   std::optional<std::int64_t> session{};
   bool simulate = false;  ///< by virtual participants
+  bool by_mouse = false;  ///< two trials with the mouse, of which nothing is stored
   /// Several of them, at once and in the background; the rest is not used then.
   std::optional<SimulationInputs> simulation{};
 };

@@ -11,6 +11,7 @@
 #include "app/gui/look/words.h"
 #include "app/gui/sound/qt_sound.h"
 #include "app/tasks/checks/protocol_check.h"
+#include "app/tasks/mouse_trial.h"
 #include "app/words/reason.h"
 #include "protocols/file/diagnostic.h"
 
@@ -97,7 +98,13 @@ void SessionRunner::run(const std::stop_token& stop) {
     };
     Respondent* respondent = order_.inputs.is_virtual ? nullptr : person_.get();
     tell_end(run_session(
-        inputs, models_, respondent, stop, [this](const AttemptDone&) { announce_attempt(); },
+        inputs, models_, respondent, stop,
+        [this](const AttemptDone& attempt) {
+          if (order_.mouse_trial != nullptr && attempt.trial >= MouseTrial::kLastTrial) {
+            requests_.stop_after(StopAfter::trial);
+          }
+          announce_attempt();
+        },
         links, drivers_));
   } catch (const OpeningStopped&) {
     tell_not_begun();
@@ -131,15 +138,18 @@ void SessionRunner::announce_attempt() {
 void SessionRunner::fail(const Phrase& what, AfterFailure unbegun) {
   // Every attempt that was reported is on disk: the conductor tells of none before its commit.
   const bool had_begun = attempts_ > 0 || monitor_.facts() != nullptr;
-  QString text = words_of(what.as_sentence()) + ' ';
-  if (had_begun) {
-    text +=
-        tr("The force is zero and the session has stopped. Every completed trial is stored (%n "
-           "attempt(s) since the session was started or resumed). Fix the cause, then resume "
-           "this session on the Sessions page.",
-           nullptr, attempts_);
+  QString text = words_of(what.as_sentence());
+  if (order_.mouse_trial != nullptr) {
+    text += ' ' + tr("Nothing was stored in the study.");
+  } else if (had_begun) {
+    text += ' ' +
+            tr("The force is zero and the session has stopped. Every completed trial is stored (%n "
+               "attempt(s) since the session was started or resumed). Fix the cause, then resume "
+               "this session on the Sessions page.",
+               nullptr, attempts_);
   } else {
     text +=
+        ' ' +
         tr("The session did not begin and no trial was run. Fix the cause, then start it again.");
   }
   const std::string language = monitor_.snapshot().scene->language;

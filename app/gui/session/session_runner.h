@@ -25,6 +25,8 @@
 
 namespace asperity {
 
+class MouseTrial;
+
 /// A session as it was decided before it starts.
 struct SessionOrder {
   RunInputs inputs{};
@@ -39,6 +41,8 @@ struct SessionOrder {
   std::string consent_seen_by{};
   /// Of the protocol as it was checked. Empty: whatever the file says when the session starts.
   std::string protocol_sha256{};
+  /// The temporary study of the session, which ends after two trials; kept as long as the runner. Null: the open study.
+  std::shared_ptr<const MouseTrial> mouse_trial{};
 };
 
 /// Makes what a session sounds through, on the session's thread; null: nothing sounds. What it throws

@@ -32,6 +32,7 @@ namespace {
 
 constexpr int kStateColumn = 5;
 constexpr int kVirtualParticipants = 12;
+constexpr int kLeastBelow = 64;
 
 }  // namespace
 
@@ -156,10 +157,13 @@ QWidget* ProtocolsPage::make_detail() {
   simulate_several_->setToolTip(
       tr("Virtual participants, in the background. Their results are then shown. “Simulate…” "
          "offers another number."));
+  by_mouse_ = make_button(tr("Try it with the mouse"), ButtonRole::plain, row);
+  by_mouse_->setObjectName("protocol_by_mouse");
+  by_mouse_->setToolTip(tr("Two trials, without force, in a temporary copy. Nothing is stored."));
   reason_ = make_text(tr("The protocols are being read."), card, true);
   reason_->setObjectName("protocol_reason");
-  for (QWidget* widget :
-       std::initializer_list<QWidget*>{start_, edit_, preview_, simulate_, simulate_several_}) {
+  for (QWidget* widget : std::initializer_list<QWidget*>{start_, edit_, preview_, simulate_,
+                                                         simulate_several_, by_mouse_}) {
     widget->setEnabled(false);  // until there is a protocol
   }
   file_actions_ = new ProtocolFileActions(study(), card);
@@ -167,8 +171,8 @@ QWidget* ProtocolsPage::make_detail() {
   QPushButton* shown_commands = make_commands_button([this] { return commands(); }, row);
   close_ = make_button(tr("Close the plan"), ButtonRole::link, row);
   close_->setObjectName("protocol_close_below");
-  row->set_buttons({start_, edit_, preview_, simulate_, simulate_several_, file_actions_->button(),
-                    shown_commands, close_});
+  row->set_buttons({start_, edit_, preview_, simulate_, simulate_several_, by_mouse_,
+                    file_actions_->button(), shown_commands, close_});
   close_->hide();
   layout->addSpacing(kGrid);
   layout->addWidget(row);
@@ -177,6 +181,7 @@ QWidget* ProtocolsPage::make_detail() {
   layout->addSpacing(kGrid);
 
   below_ = new QStackedWidget(card);
+  below_->setMinimumHeight(kLeastBelow);  // the list keeps half of the height
   auto* scroll = new QScrollArea(below_);
   scroll->setAccessibleName(tr("Description"));
   scroll->setWidgetResizable(true);
@@ -219,6 +224,11 @@ QWidget* ProtocolsPage::make_detail() {
     if (const ProtocolOverview* protocol = selected()) {
       emit session_wanted({.simulation = simulation_of(*protocol)});
       seed_ = new_seed();
+    }
+  });
+  connect(by_mouse_, &QPushButton::clicked, this, [this] {
+    if (const ProtocolOverview* protocol = selected()) {
+      emit session_wanted({.protocol = protocol->check.file, .by_mouse = true});
     }
   });
   connect(close_, &QPushButton::clicked, this, [this] { show_below(what_it_asks); });
@@ -380,6 +390,7 @@ void ProtocolsPage::show_selected() {
   const bool can_run = valid && study().can_be_written();
   for (QPushButton* button : {start_, simulate_, simulate_several_}) button->setEnabled(can_run);
   preview_->setEnabled(valid);
+  by_mouse_->setEnabled(valid);
   edit_->setEnabled(true);
   if (!valid) {
     reason_->setText(tr("Fix the problems listed below first."));

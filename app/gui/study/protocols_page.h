@@ -85,6 +85,7 @@ class ProtocolsPage final : public StudyPage {
   QPushButton* preview_ = nullptr;
   QPushButton* simulate_ = nullptr;
   QPushButton* simulate_several_ = nullptr;
+  QPushButton* by_mouse_ = nullptr;
   std::uint64_t seed_ = new_seed();  ///< of the next simulation
   ProtocolFileActions* file_actions_ = nullptr;
   QPushButton* close_ = nullptr;  ///< of the plan below

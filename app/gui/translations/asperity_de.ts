@@ -10051,6 +10051,13 @@
     </message>
 </context>
 <context>
+    <name>MouseTrial</name>
+    <message>
+        <source>the protocol takes its levels from an external program; run a pilot session with the mouse to try it</source>
+        <translation>das Protokoll erhält seine Stufen von einem externen Programm; zum Ausprobieren eine Pilotsitzung mit der Maus starten</translation>
+    </message>
+</context>
+<context>
     <name>NewStudy</name>
     <message>
         <source>This is version %1. Before 1.0.0, finish a study with the version that began it; the package of each version stays available.</source>
@@ -15966,6 +15973,14 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>Check the protocol</source>
         <translation>Protokoll prüfen</translation>
     </message>
+    <message>
+        <source>Try it with the mouse</source>
+        <translation>Mit der Maus ausprobieren</translation>
+    </message>
+    <message>
+        <source>Two trials, without force, in a temporary copy. Nothing is stored.</source>
+        <translation>Zwei Durchgänge, ohne Kraft, in einer vorübergehenden Kopie. Nichts wird gespeichert.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::QuestionForm</name>
@@ -16580,6 +16595,30 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>The sessions of virtual participants are being simulated. Cancel the simulation first, or wait until it is complete.</source>
         <translation>Die Sitzungen virtueller Versuchspersonen werden simuliert. Zuerst die Simulation abbrechen, oder warten, bis sie abgeschlossen ist.</translation>
     </message>
+    <message>
+        <source>You try this experiment with the mouse.</source>
+        <translation>Sie probieren dieses Experiment mit der Maus aus.</translation>
+    </message>
+    <message>
+        <source>The mouse exerts no force: you will not feel the surfaces. The forces that a device would exert are computed, and the session window plots them. Where a surface is shown, keep the left mouse button pressed on it and stroke it.</source>
+        <translation>Die Maus übt keine Kraft aus: Sie werden die Oberflächen nicht fühlen. Die Kräfte, die ein Gerät ausüben würde, werden berechnet und im Sitzungsfenster gezeichnet. Wo eine Oberfläche gezeigt wird, halten Sie die linke Maustaste auf ihr gedrückt und streichen Sie über sie.</translation>
+    </message>
+    <message>
+        <source>Do not put on the eye mask when a text asks for it.</source>
+        <translation>Setzen Sie die Augenbinde nicht auf, wenn ein Text darum bittet.</translation>
+    </message>
+    <message>
+        <source>The experiment ends after two trials. They belong to a temporary copy, and nothing is stored in the study.</source>
+        <translation>Das Experiment endet nach zwei Durchgängen. Sie gehören zu einer vorübergehenden Kopie; in der Studie wird nichts gespeichert.</translation>
+    </message>
+    <message>
+        <source>A session is being prepared.</source>
+        <translation>Eine Sitzung wird vorbereitet.</translation>
+    </message>
+    <message>
+        <source>The trial with the mouse has ended. Nothing was stored in the study.</source>
+        <translation>Der Versuch mit der Maus ist beendet. In der Studie wurde nichts gespeichert.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SessionHeader</name>
@@ -16726,6 +16765,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>The session did not begin and no trial was run. Fix the cause, then start it again.</source>
         <translation>Die Sitzung hat nicht begonnen, und kein Durchgang lief. Die Ursache beheben, dann erneut starten.</translation>
+    </message>
+    <message>
+        <source>Nothing was stored in the study.</source>
+        <translation>In der Studie wurde nichts gespeichert.</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,7 @@
 #include <QtGui/QScreen>
 
 #include "app/device_bench/device_choice.h"
+#include "app/gui/base/new_seed.h"
 #include "app/gui/base/open_study.h"
 #include "app/gui/base/settings.h"
 #include "app/gui/data/analysis_page.h"
@@ -20,6 +21,8 @@
 #include "app/gui/study/trials_page.h"
 #include "app/gui/window/batch_simulation.h"
 #include "app/gui/window/study_window.h"
+#include "app/tasks/mouse_trial.h"
+#include "app/tasks/protocol_files.h"
 
 namespace asperity {
 
@@ -39,6 +42,23 @@ SurfaceLook look_of(VisualTexture texture) {
       return SurfaceLook::pattern;
   }
   return SurfaceLook::plain;
+}
+
+/// The first text of a trial with the mouse.
+QString introduction_of(const Protocol& protocol) {
+  QStringList paragraphs{
+      SessionDesk::tr("You try this experiment with the mouse."),
+      SessionDesk::tr(
+          "The mouse exerts no force: you will not feel the surfaces. The forces that a "
+          "device would exert are computed, and the session window plots them. Where a "
+          "surface is shown, keep the left mouse button pressed on it and stroke it.")};
+  if (protocol.vision == Vision::blindfold) {
+    paragraphs += SessionDesk::tr("Do not put on the eye mask when a text asks for it.");
+  }
+  paragraphs += SessionDesk::tr(
+      "The experiment ends after two trials. They belong to a temporary copy, "
+      "and nothing is stored in the study.");
+  return paragraphs.join("\n\n");
 }
 
 /// As soon as the session says what its protocol lets the participant see.
@@ -108,8 +128,37 @@ void SessionDesk::simulate(const SimulationInputs& inputs) {
   if (!refuse_another()) simulation_->run(inputs);
 }
 
+void SessionDesk::try_by_mouse(const std::filesystem::path& protocol) {
+  if (prepare_task_.is_running() || refuse_another()) return;
+  window_.set_busy(tr("A session is being prepared."));
+  prepare_task_.run<SessionOrder>(
+      [protocol, folder = study_->folder(), models = study_->models(), servo = study_->servo()](
+          const std::stop_token&, const BackgroundTask::Progress&) {
+        const Protocol loaded = load_protocol(protocol, models, folder);
+        const auto trial = std::make_shared<const MouseTrial>(
+            loaded, folder, introduction_of(loaded).toStdString(), new_seed());
+        SessionOrder order{.inputs = trial->inputs(), .mouse_trial = trial};
+        order.inputs.servo = servo;
+        for (const auto& [cue, path] : loaded.speech) {
+          order.speech[cue] = order.inputs.study / path;
+        }
+        return order;
+      },
+      [this](const SessionOrder& order) { begin(order); },
+      [this](const QString& what) {
+        window_.set_busy({});
+        window_.banner().show_news(State::stop, what);
+      });
+}
+
+void SessionDesk::end_mouse_trial(State state, const QString& what) {
+  finish("protocols");
+  window_.banner().show_news(state, what);
+}
+
 void SessionDesk::choose(const SessionWish& wish) {
   if (wish.simulation) return simulate(*wish.simulation);
+  if (wish.by_mouse) return try_by_mouse(wish.protocol);
   if (refuse_another()) return;
   if (wish.simulate) {
     start_page_->set_mode(SessionMode::simulate);
@@ -127,7 +176,8 @@ void SessionDesk::begin(const SessionOrder& order) {
   study_->examiner().hold();  // the servo loop needs the processor
   runner_->start(order);
   window_.set_busy(tr("A session is running. End it in its own window first."));
-  window_.show_page("sessions");  // the page before a session has done its part
+  // The page before a session has done its part.
+  if (order.mouse_trial == nullptr) window_.show_page("sessions");
   if (!order.inputs.is_virtual) open_participant_window();
   open_session_window();
   // First of all: the session's window may close at once, and then nothing is busy any more.
@@ -138,12 +188,22 @@ void SessionDesk::begin(const SessionOrder& order) {
   connect(runner_.get(), &SessionRunner::ended, this, is_over);
   connect(runner_.get(), &SessionRunner::failed, this, is_over);
   connect(runner_.get(), &SessionRunner::told, session_window_, &SessionWindow::tell_device_wish);
+  finish_later_ = nullptr;
+  if (order.mouse_trial != nullptr) {
+    connect(runner_.get(), &SessionRunner::ended, this, [this] {
+      end_mouse_trial(State::fine,
+                      tr("The trial with the mouse has ended. Nothing was stored in the "
+                         "study."));
+    });
+    connect(runner_.get(), &SessionRunner::failed, this,
+            [this](const QString& what) { end_mouse_trial(State::stop, what); });
+    return;
+  }
   connect(runner_.get(), &SessionRunner::attempt_done, study_, &OpenStudy::announce_change);
   connect(runner_.get(), &SessionRunner::ended, session_window_, &SessionWindow::show_end);
   connect(runner_.get(), &SessionRunner::failed, session_window_, &SessionWindow::show_failure);
   connect(runner_.get(), &SessionRunner::failed, study_, &OpenStudy::announce_change);
   connect(runner_.get(), &SessionRunner::ended, study_, &OpenStudy::announce_change);
-  finish_later_ = nullptr;
   const auto finish_if_closed = [this] {
     if (const auto finish_now = std::exchange(finish_later_, nullptr)) finish_now();
   };
@@ -152,8 +212,9 @@ void SessionDesk::begin(const SessionOrder& order) {
 }
 
 void SessionDesk::open_participant_window() {
-  participant_window_ = new ParticipantWindow(runner_->monitor(), study_->folder());
-  add_workspace(participant_window_->view(), runner_->monitor(), study_->folder());
+  const std::filesystem::path& study = runner_->order().inputs.study;
+  participant_window_ = new ParticipantWindow(runner_->monitor(), study);
+  add_workspace(participant_window_->view(), runner_->monitor(), study);
   participant_window_->keys().set_own_keyboard(runner_->order().own_keyboard);
   SessionRunner* runner = runner_.get();
   if (kind_of_device(runner_->order().inputs.device) == DeviceKind::pointer) {
@@ -212,16 +273,17 @@ void SessionDesk::put_participant_back(const QString& screen) {
 }
 
 void SessionDesk::open_session_window() {
-  session_window_ = new SessionWindow(runner_->monitor(), runner_->requests(), study_->folder());
+  const std::filesystem::path& study = runner_->order().inputs.study;
+  session_window_ = new SessionWindow(runner_->monitor(), runner_->requests(), study);
   session_window_->setAttribute(Qt::WA_DeleteOnClose, false);
   if (participant_window_ != nullptr) {
     participant_window_->keys().set_session_window(session_window_);
   }
   session_window_->set_own_keyboard(runner_->order().own_keyboard);
-  auto* mirror = new ParticipantView(runner_->monitor(), study_->folder(),
-                                     ParticipantView::Role::mirror, session_window_);
+  auto* mirror = new ParticipantView(runner_->monitor(), study, ParticipantView::Role::mirror,
+                                     session_window_);
   if (participant_window_ != nullptr) mirror->follow(participant_window_->view());
-  add_workspace(*mirror, runner_->monitor(), study_->folder());
+  add_workspace(*mirror, runner_->monitor(), study);
   session_window_->set_mirror(mirror);
   connect(session_window_, &SessionWindow::closed, this, [this] { finish({}); });
   connect(session_window_, &SessionWindow::cancel_wanted, runner_.get(), &SessionRunner::cancel);
@@ -285,7 +347,9 @@ void SessionDesk::finish(const QString& page, std::function<void()> next) {
   window_.set_busy({});
   // The signal comes from inside the session's window: it lives until the event is over, and the
   // runner as long as the windows that look into it.
-  const auto facts = runner_->monitor().facts();
+  // Of a trial with the mouse the study has nothing.
+  const bool is_stored = runner_->order().mouse_trial == nullptr;
+  const auto facts = is_stored ? runner_->monitor().facts() : nullptr;
   // A session that did not begin is started again with the same answers.
   if (facts != nullptr && start_page_ != nullptr) start_page_->forget_person();
   auto* runner = runner_.release();

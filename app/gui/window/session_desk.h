@@ -10,6 +10,8 @@
 #include <QtCore/QString>
 
 #include "app/gui/base/session_wish.h"
+#include "app/gui/look/background_task.h"
+#include "app/gui/look/controls.h"
 #include "app/gui/participant/participant_window.h"
 #include "app/gui/session/session_runner.h"
 #include "app/gui/session/session_window.h"
@@ -45,6 +47,8 @@ class SessionDesk final : public QObject {
   void take_study(OpenStudy& study);
   void choose(const SessionWish& wish);
   void simulate(const SimulationInputs& inputs);
+  void try_by_mouse(const std::filesystem::path& protocol);
+  void end_mouse_trial(State state, const QString& what);
   bool refuse_another();
   void open_participant_window();
   void open_session_window();
@@ -59,6 +63,7 @@ class SessionDesk final : public QObject {
   BatchSimulation* simulation_ = nullptr;
   OpenStudy* study_ = nullptr;
   std::function<void()> finish_later_{};  ///< the session's window is left, its thread not done yet
+  BackgroundTask prepare_task_{};
   QPointer<StartPage> start_page_{};
   std::unique_ptr<SessionRunner> runner_{};
   QPointer<SessionWindow> session_window_{};

@@ -310,11 +310,11 @@ void SessionRoom::start_by_mouse(const QString& protocol, const char* mode) {
   press_start();
 }
 
-void SessionRoom::stroke_by_mouse() {
+void SessionRoom::stroke_by_mouse(double contact_s) {
   const SessionSnapshot now = monitor().snapshot();
   if (now.trial != stroked_trial_) enough_of_ = 0;
   stroked_trial_ = now.trial;
-  if (is_in(SessionPhase::contact) && now.contact_s > 0.6 && now.surface != enough_of_) {
+  if (is_in(SessionPhase::contact) && now.contact_s > contact_s && now.surface != enough_of_) {
     enough_of_ = now.surface;
     key(Qt::Key_Space);
   }

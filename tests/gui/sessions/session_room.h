@@ -97,9 +97,9 @@ class SessionRoom : public QuietHome {
   void start(const QString& protocol, const char* mode = "mode_pilot");
   /// As `start`, with the mouse as the device: in a run as well, since the protocols of the room need no force.
   void start_by_mouse(const QString& protocol, const char* mode = "mode_pilot");
-  /// Holds the mouse's button on the surface and strokes while it can be felt, until it was felt for 0.6 s; lifts when it
+  /// Holds the mouse's button on the surface and strokes while it can be felt, until it was felt for so long; lifts when it
   /// cannot.
-  void stroke_by_mouse();
+  void stroke_by_mouse(double contact_s = 0.6);
   /// The consent of the start page, seen by AB, who has measured the masking noise as well.
   void agree();
   /// Presses the start page's button once the checklist allows it.

@@ -348,7 +348,7 @@ TEST_F(StudyPages, CutNoTitleAndNoActionOfAProtocolOnASmallScreen) {
   EXPECT_GE(table.columnWidth(0), 250);
   for (const char* const name :
        {"protocol_start", "protocol_edit", "protocol_preview", "protocol_simulate",
-        "protocol_simulate_several", "protocol_more"}) {
+        "protocol_simulate_several", "protocol_by_mouse", "protocol_more"}) {
     const auto& button = child<QPushButton>(window_, name);
     EXPECT_TRUE(eventually([&] { return button.width() >= button.sizeHint().width(); }))
         << name << ": " << button.width() << " of " << button.sizeHint().width();

@@ -1,0 +1,33 @@
+// Protocols are tried with the mouse, and the study has the same bytes afterwards.
+
+#include <gtest/gtest.h>
+
+#include "protocols/file/library_protocols.h"
+#include "results_schema/files/atomic_file.h"
+#include "tests/gui/sessions/mouse_trial_room.h"
+
+namespace asperity {
+namespace {
+
+class MouseTrials : public MouseTrialRoom {};
+
+TEST_F(MouseTrials, LeaveTheStudyAsItIs) {
+  make_study();
+  add_protocol({.trials = 3});
+  try_by_mouse("small", 0.6, chooses_a());
+}
+
+// The participant's texts, questions and pictures of two protocols of the library.
+TEST_F(MouseTrials, ShowProtocolsOfTheLibrary) {
+  std::filesystem::create_directories(folder().parent_path());
+  std::filesystem::copy(small_demo_study(), folder(), std::filesystem::copy_options::recursive);
+  for (const LibraryProtocol& protocol : library_protocols()) {
+    if (protocol.name != "amplitude_jnd") continue;
+    write_file(folder() / "protocols" / "amplitude_jnd.json", protocol.text, Overwrite::refuse);
+  }
+  try_by_mouse("amplitude_jnd", 1.8, chooses_a());
+  try_by_mouse("chapter_recognition", 2.2, [this](const Scene&) { choose(Qt::Key_2); });
+}
+
+}  // namespace
+}  // namespace asperity
