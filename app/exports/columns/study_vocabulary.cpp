@@ -182,10 +182,6 @@ void learn_declaration(const std::string& model, const Parameter& parameter,
   meaning.maximum = std::max(meaning.maximum.value_or(parameter.maximum), parameter.maximum);
 }
 
-}  // namespace
-
-namespace {
-
 bool holds(const StudyVocabulary& vocabulary, const std::string& question,
            bool StudyVocabulary::AnswerMeaning::*what) {
   const auto known = vocabulary.questions.find(question);

@@ -73,8 +73,7 @@ ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
   edit_ = &views_->text();
   question_ = new QuestionBar(this);
   body().addWidget(question_);
-  sides_ = new EditorSides(make_edit_side(), make_plan_side(), this);
-  body().addWidget(sides_, 1);
+  body().addWidget(new EditorSides(make_edit_side(), make_plan_side(), this), 1);
   auto* empty = new EmptyState(tr("No protocol open"),
                                tr("Choose one of the study's protocols and press “Edit”."), this);
   empty->add_action(tr("Show the protocols"), ButtonRole::primary, [this] { emit back_wanted(); });

@@ -17,7 +17,6 @@ class QStackedWidget;
 
 namespace asperity {
 
-class EditorSides;
 class FittedLabel;
 class LiveExamination;
 class PlanPreview;
@@ -102,7 +101,6 @@ class ProtocolEditorPage final : public StudyPage {
   FittedLabel* name_ = nullptr;  ///< of the file, in place of the title of the page
   FittedLabel* note_ = nullptr;
   QPushButton* save_ = nullptr;
-  EditorSides* sides_ = nullptr;
   ProtocolViews* views_ = nullptr;
   ProtocolTextEdit* edit_ = nullptr;  ///< of the views
   StateLabel* state_ = nullptr;

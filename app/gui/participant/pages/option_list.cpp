@@ -32,16 +32,16 @@ OptionRows option_rows(const PageFrame& frame, const std::vector<ListedOption>& 
     const double room = (frame.body().width() - (columns - 1) * frame.px(2 * frame.kGap)) / columns;
     double width = 0.0;
     double longest_word = 0.0;
-    for (const auto& [option, key, pointed_at] : options) {
-      width = std::max(width, frame.width_of_answer(option));
-      longest_word =
-          std::max(longest_word, frame.width_of_longest_word(option, frame.letters(frame.kText)));
+    for (const ListedOption& option : options) {
+      width = std::max(width, frame.width_of_answer(option.text));
+      longest_word = std::max(longest_word,
+                              frame.width_of_longest_word(option.text, frame.letters(frame.kText)));
     }
     if (columns > 1 && longest_word + frame.em(frame.kAroundAnswer) > room) break;
     width = std::min(width, room);
     OptionRows rows{.columns = columns, .width = width};
-    for (const auto& [option, key, pointed_at] : options) {
-      rows.row_height = std::max(rows.row_height, frame.height_of_answer(option, width));
+    for (const ListedOption& option : options) {
+      rows.row_height = std::max(rows.row_height, frame.height_of_answer(option.text, width));
     }
     const int needed = (count + columns - 1) / columns;
     rows.rows = std::max(1, static_cast<int>((height + gap) / (rows.row_height + gap)));
