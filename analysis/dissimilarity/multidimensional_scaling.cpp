@@ -3,6 +3,7 @@
 #include "analysis/dissimilarity/multidimensional_scaling.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -55,13 +56,30 @@ std::vector<JudgedPair> judged_pairs(const Dissimilarities& values,
   return pairs;
 }
 
-/// Stress-1 and its disparities for given distances of the pairs, which are in ascending order of dissimilarity.
+/// Stress-1 and its disparities for given distances of the pairs, which are in ascending order of dissimilarity. Its loops use pointers
+/// and its memory is kept: a permutation test calls it millions of times.
 class Disparities {
  public:
   Disparities(const std::vector<JudgedPair>& pairs, ScalingLevel level)
-      : pairs_(pairs), level_(level), fitted_(pairs.size()), order_(pairs.size()) {}
+      : pairs_(pairs),
+        level_(level),
+        fitted_(pairs.size()),
+        order_(pairs.size()),
+        ordered_(pairs.size()),
+        weights_(pairs.size()),
+        regression_(pairs.size()) {
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    for (std::size_t first = 0; first < pairs.size();) {
+      std::size_t end = first + 1;
+      while (end < pairs.size() && pairs[end].delta == pairs[first].delta) ++end;
+      if (end > first + 1) ties_.push_back({.first = first, .end = end});
+      first = end;
+    }
+  }
 
   const std::vector<double>& fitted() const { return fitted_; }
+  /// Σ w·d̂².
+  double square() const { return square_; }
 
   double fit(const std::vector<double>& distances) {
     switch (level_) {
@@ -72,13 +90,20 @@ class Disparities {
         fit_order(distances);
         break;
     }
+    const std::size_t number = pairs_.size();
+    const JudgedPair* const pairs = pairs_.data();
+    const double* const d = distances.data();
+    const double* const fitted = fitted_.data();
     double residual = 0.0;
     double total = 0.0;
-    for (std::size_t p = 0; p < pairs_.size(); ++p) {
-      const double difference = distances[p] - fitted_[p];
-      residual += pairs_[p].weight * difference * difference;
-      total += pairs_[p].weight * distances[p] * distances[p];
+    double square = 0.0;
+    for (std::size_t p = 0; p < number; ++p) {
+      const double difference = d[p] - fitted[p];
+      residual += pairs[p].weight * difference * difference;
+      total += pairs[p].weight * d[p] * d[p];
+      square += pairs[p].weight * fitted[p] * fitted[p];
     }
+    square_ = square;
     return total > 0.0 ? std::sqrt(residual / total) : 1.0;
   }
 
@@ -94,49 +119,82 @@ class Disparities {
     for (std::size_t p = 0; p < pairs_.size(); ++p) fitted_[p] = product / square * pairs_[p].delta;
   }
 
-  /// Ties of δ are put in the order of their distances, so that the regression never pools them only for being equal.
+  /// Ties of δ are put in the order of their distances, so that the regression never pools them only for being equal. The order
+  /// of the last distances is nearly that of the next ones.
   void fit_order(const std::vector<double>& distances) {
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    for (std::size_t first = 0; first < pairs_.size();) {
-      std::size_t end = first + 1;
-      while (end < pairs_.size() && pairs_[end].delta == pairs_[first].delta) ++end;
-      const auto at = [this](std::size_t p) {
-        return order_.begin() + static_cast<std::ptrdiff_t>(p);
-      };
-      std::sort(at(first), at(end), [&distances](std::size_t a, std::size_t b) {
-        return distances[a] != distances[b] ? distances[a] < distances[b] : a < b;
-      });
-      first = end;
+    const auto is_before = [&distances](std::size_t a, std::size_t b) {
+      return distances[a] != distances[b] ? distances[a] < distances[b] : a < b;
+    };
+    for (const Tie& tie : ties_) {
+      const auto first = order_.begin() + static_cast<std::ptrdiff_t>(tie.first);
+      const auto end = order_.begin() + static_cast<std::ptrdiff_t>(tie.end);
+      if (!std::is_sorted(first, end, is_before)) std::sort(first, end, is_before);
     }
-    ordered_.clear();
-    weights_.clear();
-    for (const std::size_t p : order_) {
-      ordered_.push_back(distances[p]);
-      weights_.push_back(pairs_[p].weight);
+    const std::size_t number = order_.size();
+    const std::size_t* const order = order_.data();
+    const JudgedPair* const pairs = pairs_.data();
+    const double* const d = distances.data();
+    double* const ordered = ordered_.data();
+    double* const weights = weights_.data();
+    for (std::size_t k = 0; k < number; ++k) {
+      ordered[k] = d[order[k]];
+      weights[k] = pairs[order[k]].weight;
     }
-    const std::vector<double> regressed = isotonic_regression(ordered_, weights_);
-    for (std::size_t k = 0; k < order_.size(); ++k) fitted_[order_[k]] = regressed[k];
+    regression_.fit(ordered_, weights_, ordered_);
+    double* const fitted = fitted_.data();
+    for (std::size_t k = 0; k < number; ++k) fitted[order[k]] = ordered[k];
   }
+
+  struct Tie {
+    std::size_t first = 0;
+    std::size_t end = 0;
+  };
 
   const std::vector<JudgedPair>& pairs_;
   ScalingLevel level_;
+  double square_ = 0.0;
   std::vector<double> fitted_;
   std::vector<std::size_t> order_;
-  std::vector<double> ordered_{};
-  std::vector<double> weights_{};
+  std::vector<double> ordered_;
+  std::vector<double> weights_;
+  std::vector<Tie> ties_{};
+  IsotonicRegression regression_;
 };
+
+/// The coordinates of m items on a number of axes that is known to the compiler (2 or 3) or Eigen::Dynamic.
+template <int kAxes>
+using Points = Eigen::Matrix<double, Eigen::Dynamic, kAxes,
+                             kAxes == Eigen::Dynamic ? static_cast<int>(Eigen::ColMajor)
+                                                     : static_cast<int>(Eigen::RowMajor)>;
+
+template <int kAxes>
+void find_distances(const std::vector<JudgedPair>& pairs, const Points<kAxes>& points,
+                    std::vector<double>& distances) {
+  const std::size_t number = pairs.size();
+  const JudgedPair* const pair = pairs.data();
+  const double* const x = points.data();
+  double* const d = distances.data();
+  const Eigen::Index axes = points.cols();
+  const Eigen::Index next_item = points.rowStride();
+  const Eigen::Index next_axis = points.colStride();
+  for (std::size_t p = 0; p < number; ++p) {
+    const double* const first = x + pair[p].i * next_item;
+    const double* const second = x + pair[p].j * next_item;
+    double square = 0.0;
+    for (Eigen::Index axis = 0; axis < axes; ++axis) {
+      const double apart = first[axis * next_axis] - second[axis * next_axis];
+      square += apart * apart;
+    }
+    d[p] = square;
+  }
+  Eigen::Map<Eigen::ArrayXd> all(d, static_cast<Eigen::Index>(number));
+  all = all.sqrt();
+}
 
 std::vector<double> distances_of_pairs(const std::vector<JudgedPair>& pairs,
                                        const Eigen::MatrixXd& points) {
   std::vector<double> distances(pairs.size());
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
-    double square = 0.0;
-    for (Eigen::Index axis = 0; axis < points.cols(); ++axis) {
-      const double apart = points(pairs[p].i, axis) - points(pairs[p].j, axis);
-      square += apart * apart;
-    }
-    distances[p] = std::sqrt(square);
-  }
+  find_distances<Eigen::Dynamic>(pairs, points, distances);
   return distances;
 }
 
@@ -148,6 +206,85 @@ Eigen::MatrixXd inverse_of_weights(const Eigen::MatrixXd& weights) {
   const Eigen::MatrixXd constant = Eigen::MatrixXd::Constant(m, m, 1.0 / static_cast<double>(m));
   return SymmetricFactors(v + constant).inverse() - constant;
 }
+
+/// One fit: its configuration Y, and the steps to the next ones.
+template <int kAxes>
+class Descent {
+ public:
+  Descent(const std::vector<JudgedPair>& pairs, const Eigen::MatrixXd& inverse,
+          const Eigen::MatrixXd& start)
+      : pairs_(pairs),
+        inverse_(inverse),
+        points_(start),
+        pulled_(start.rows(), start.cols()),
+        pulls_(pairs.size()),
+        distances_(pairs.size()) {
+    find_distances<kAxes>(pairs_, points_, distances_);
+  }
+
+  const Points<kAxes>& points() const { return points_; }
+  const std::vector<double>& distances() const { return distances_; }
+
+  /// V⁺·B(Y)·Y, with the disparities multiplied by the factor.
+  void step(const std::vector<double>& disparities, double factor) {
+    pull(disparities, factor);
+    multiply();
+    find_distances<kAxes>(pairs_, points_, distances_);
+  }
+
+ private:
+  void pull(const std::vector<double>& disparities, double factor) {
+    const std::size_t number = pairs_.size();
+    const JudgedPair* const pair = pairs_.data();
+    const double* const disparity = disparities.data();
+    const double* const d = distances_.data();
+    double* const b = pulls_.data();
+    for (std::size_t p = 0; p < number; ++p) b[p] = pair[p].weight * factor * disparity[p] / d[p];
+    const Eigen::Index axes = points_.cols();
+    const Eigen::Index next_item = points_.rowStride();
+    const Eigen::Index next_axis = points_.colStride();
+    const double* const x = points_.data();
+    pulled_.setZero();
+    double* const by = pulled_.data();
+    for (std::size_t p = 0; p < number; ++p) {
+      if (!(d[p] > 0.0)) continue;
+      const Eigen::Index first = pair[p].i * next_item;
+      const Eigen::Index second = pair[p].j * next_item;
+      for (Eigen::Index axis = 0; axis < axes; ++axis) {
+        const Eigen::Index offset = axis * next_axis;
+        const double pull = b[p] * (x[first + offset] - x[second + offset]);
+        by[first + offset] += pull;
+        by[second + offset] -= pull;
+      }
+    }
+  }
+
+  /// With two or three axes, Eigen takes as long to prepare the product as to compute it. The order of the sums is Eigen's.
+  void multiply() {
+    if constexpr (kAxes == Eigen::Dynamic) {
+      points_.noalias() = inverse_ * pulled_;
+    } else {
+      const Eigen::Index items = points_.rows();
+      const double* const by = pulled_.data();
+      for (Eigen::Index i = 0; i < items; ++i) {
+        const double* const row = inverse_.data() + i;
+        std::array<double, kAxes> sum{};
+        for (Eigen::Index k = 0; k < items; ++k) {
+          for (std::size_t axis = 0; axis < kAxes; ++axis)
+            sum[axis] += row[k * items] * by[k * kAxes + static_cast<Eigen::Index>(axis)];
+        }
+        std::copy(sum.begin(), sum.end(), points_.data() + i * kAxes);
+      }
+    }
+  }
+
+  const std::vector<JudgedPair>& pairs_;
+  const Eigen::MatrixXd& inverse_;
+  Points<kAxes> points_;
+  Points<kAxes> pulled_;
+  std::vector<double> pulls_;
+  std::vector<double> distances_;
+};
 
 /// The fit of one set of pairs from any start.
 class Majorisation {
@@ -169,23 +306,15 @@ class Majorisation {
     std::size_t steps = 0;
     double change = 0.0;
   };
-  Configuration from(Eigen::MatrixXd points, const Limits& limits) const {
-    Disparities disparities(pairs_, level_);
-    std::vector<double> distances = distances_of_pairs(pairs_, points);
-    Configuration made{.stress_1 = disparities.fit(distances), .converged = false};
-    for (std::size_t step = 0; step < limits.steps; ++step) {
-      points = next(points, disparities.fitted(), distances);
-      distances = distances_of_pairs(pairs_, points);
-      const double stress = disparities.fit(distances);
-      const double change = made.stress_1 - stress;
-      made.stress_1 = stress;
-      if (std::abs(change) < limits.change) {
-        made.converged = true;
-        break;
-      }
+  Configuration from(const Eigen::MatrixXd& start, const Limits& limits) const {
+    switch (start.cols()) {
+      case 2:
+        return descended<2>(start, limits);
+      case 3:
+        return descended<3>(start, limits);
+      default:
+        return descended<Eigen::Dynamic>(start, limits);
     }
-    made.points = std::move(points);
-    return made;
   }
 
   /// In the unit that Configuration::points states.
@@ -203,25 +332,26 @@ class Majorisation {
   }
 
  private:
-  /// The disparities are brought to Σ w·d̂² = Σ w first: without that, their regression on the distances would shrink
+  /// The disparities are brought to Σ w·d̂² = Σ w before each step: without that, their regression on the distances would shrink
   /// the configuration towards a point.
-  Eigen::MatrixXd next(const Eigen::MatrixXd& points, const std::vector<double>& disparities,
-                       const std::vector<double>& distances) const {
-    double square = 0.0;
-    for (std::size_t p = 0; p < pairs_.size(); ++p)
-      square += pairs_[p].weight * disparities[p] * disparities[p];
-    const double factor = square > 0.0 ? std::sqrt(weight_ / square) : 1.0;
-    Eigen::MatrixXd by = Eigen::MatrixXd::Zero(points.rows(), points.cols());
-    for (std::size_t p = 0; p < pairs_.size(); ++p) {
-      if (!(distances[p] > 0.0)) continue;
-      const double b = pairs_[p].weight * factor * disparities[p] / distances[p];
-      for (Eigen::Index axis = 0; axis < points.cols(); ++axis) {
-        const double pull = b * (points(pairs_[p].i, axis) - points(pairs_[p].j, axis));
-        by(pairs_[p].i, axis) += pull;
-        by(pairs_[p].j, axis) -= pull;
+  template <int kAxes>
+  Configuration descended(const Eigen::MatrixXd& start, const Limits& limits) const {
+    Disparities disparities(pairs_, level_);
+    Descent<kAxes> descent(pairs_, inverse_, start);
+    Configuration made{.stress_1 = disparities.fit(descent.distances()), .converged = false};
+    for (std::size_t taken = 0; taken < limits.steps; ++taken) {
+      const double square = disparities.square();
+      descent.step(disparities.fitted(), square > 0.0 ? std::sqrt(weight_ / square) : 1.0);
+      const double stress = disparities.fit(descent.distances());
+      const double change = made.stress_1 - stress;
+      made.stress_1 = stress;
+      if (std::abs(change) < limits.change) {
+        made.converged = true;
+        break;
       }
     }
-    return inverse_ * by;
+    made.points = descent.points();
+    return made;
   }
 
   std::vector<JudgedPair> pairs_{};
@@ -325,17 +455,17 @@ Configuration scaled(const WeightedDissimilarities& given, const ScalingQuestion
     if (first.col(axis).cwiseAbs().maxCoeff() > 0.0) continue;
     for (Eigen::Index i = 0; i < m; ++i) first(i, axis) = 0.1 * reach * spread.normal();
   }
-  Configuration best = fit.from(std::move(first), kSearch);
+  Configuration best = fit.from(first, kSearch);
   for (std::size_t start = 0; start < question.random_starts; ++start) {
     Random draws = random.split(static_cast<std::uint64_t>(start));
     Eigen::MatrixXd points(m, question.dimensions);
     for (Eigen::Index i = 0; i < m; ++i) {
       for (Eigen::Index axis = 0; axis < points.cols(); ++axis) points(i, axis) = draws.normal();
     }
-    Configuration made = fit.from(std::move(points), kSearch);
+    Configuration made = fit.from(points, kSearch);
     if (made.stress_1 < best.stress_1 - 1e-9) best = std::move(made);
   }
-  best = fit.from(std::move(best.points), kFinal);
+  best = fit.from(best.points, kFinal);
   fit.finish(best);
   return best;
 }

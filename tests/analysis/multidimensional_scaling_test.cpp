@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -29,6 +30,18 @@ TEST(IsotonicRegression, PoolsAdjacentViolators) {
   const std::array uneven{3.0, 1.0, 1.0, 1.0};
   EXPECT_EQ(isotonic_regression(values, uneven), (std::vector<double>{2.4, 2.4, 2.4, 5.0}));
   EXPECT_THROW(isotonic_regression(values, std::array{1.0}), std::invalid_argument);
+}
+
+// Memory of a longer regression is used again, and the fit replaces the values.
+TEST(IsotonicRegression, FitsInPlaceAndRepeatedly) {
+  IsotonicRegression regression(4);
+  std::array values{4.0, 3.0, 2.0, 1.0};
+  const std::array weights{1.0, 1.0, 1.0, 1.0};
+  regression.fit(values, weights, values);
+  EXPECT_EQ(values, (std::array{2.5, 2.5, 2.5, 2.5}));
+  std::array fewer{3.0, 1.0, 5.0};
+  regression.fit(fewer, std::span(weights).first(3), fewer);
+  EXPECT_EQ(fewer, (std::array{2.0, 2.0, 5.0}));
 }
 
 TEST(MultidimensionalScaling, RestoresExactDistancesInTheirUnit) {
