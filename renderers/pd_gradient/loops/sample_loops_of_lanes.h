@@ -137,14 +137,22 @@ std::int32_t sample_surface_by_lanes(const SurfaceTask& task) {
     for (std::int32_t i = 0; i < rows; ++i) {
       for (std::int32_t column = 0; column < across_all; column += Lanes::kWidth) {
         const std::int32_t at = i * field.stride + column;
+        float* const to = field.height_m + band * field.stride + at;
+        const Floats height_m = Lanes::load(room.height_m + at);
+        const Lanes::Mask covered = Lanes::less(Lanes::all(kNothing_m), height_m);
+        // Reading the texels takes longer than everything else here; the other rooms of these lanes have no meaning.
+        if (Lanes::bits(covered) == 0) {
+          Lanes::store(to, Lanes::all(kNoSurface_m));
+          continue;
+        }
         const auto inside = [&](const float* place, Floats last) {
           return Lanes::min(Lanes::max(Lanes::load(place + at), nothing), last);
         };
         const Floats texture = Lanes::texture(texels, inside(room.place_x, last_column),
                                               inside(room.place_y, last_row));
-        Lanes::store(field.height_m + band * field.stride + at,
-                     Lanes::add(Lanes::load(room.height_m + at),
-                                Lanes::mul(Lanes::load(room.lift_m + at), texture)));
+        const Floats textured_m =
+            Lanes::add(height_m, Lanes::mul(Lanes::load(room.lift_m + at), texture));
+        Lanes::store(to, Lanes::choose(covered, textured_m, Lanes::all(kNoSurface_m)));
       }
     }
   }

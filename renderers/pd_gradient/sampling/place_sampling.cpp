@@ -153,13 +153,16 @@ void PlaceSampling::sample_rows(KeptPlace& place, const PackedSurface& surface,
 // For the window in the lattice's middle.
 void PlaceSampling::count_covered(KeptPlace& place, int first_row, int end_row) const noexcept {
   const int end = std::min(end_row, lattice_.margin + lattice_.window.samples);
+  const int across = lattice_.window.samples;
+  std::int32_t covered = 0;
   for (int row = std::max(first_row, lattice_.margin); row < end; ++row) {
     const auto from = static_cast<std::size_t>(row * lattice_.stride + lattice_.margin);
-    const auto to = from + static_cast<std::size_t>(lattice_.window.samples);
-    for (std::size_t i = from; i < to; ++i) {
-      place.covered += place.a.height_m[i] + place.b.height_m[i] > kNothing_m ? 1 : 0;
-    }
+    // Pointers: the elements of a vector are checked, which takes longer than the comparison.
+    const float* const a = place.a.height_m.data() + from;
+    const float* const b = place.b.height_m.data() + from;
+    for (int i = 0; i < across; ++i) covered += static_cast<std::int32_t>(a[i] + b[i] > kNothing_m);
   }
+  place.covered += covered;
 }
 
 }  // namespace asperity
