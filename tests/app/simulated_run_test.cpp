@@ -6,6 +6,7 @@
 #include <fstream>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -15,6 +16,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/findings/outcome/figures_of.h"
 #include "app/findings/outcome/study_analysis.h"
 #include "app/findings/outcome/study_tests.h"
 #include "app/power/power_model.h"
@@ -151,6 +153,15 @@ std::string cell_text(const StoredTable& table, const std::vector<Cell>& row,
   return text == nullptr ? std::string() : *text;
 }
 
+/// A figure whose question the outcome does not ask would stand among the further tables.
+void expect_asked_questions(const AnalysisOutcome& outcome) {
+  std::set<std::string> questions{""};
+  for (const AnsweredQuestion& asked : outcome.questions) questions.insert(asked.name);
+  for (const Figure& figure : figures_of(outcome)) {
+    EXPECT_TRUE(questions.contains(figure.question)) << figure.name << ": " << figure.question;
+  }
+}
+
 /// The tests of a family have the p values of the complete analysis.
 void expect_same_tests(const std::string& name, const StatedValues& stated, int participants) {
   SCOPED_TRACE(name);
@@ -161,6 +172,7 @@ void expect_same_tests(const std::string& name, const StatedValues& stated, int 
     AnalysisOutcome outcome{};
     outcome.kind = gathered.kind;
     analysis.analyze(gathered, outcome);
+    expect_asked_questions(outcome);
     const StoredTable& table = table_of(outcome, StudyTests::kTable);
     const std::vector<StudyTest> tests = analysis.test_family(gathered);
     std::size_t next = 0;
