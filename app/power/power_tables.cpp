@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "protocols/design/block_factors.h"
+#include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/plan.h"
 
 namespace asperity {
@@ -97,7 +98,7 @@ std::map<std::string, TabulatedBlock, std::less<>> tabulated_blocks(const Protoc
     if (!has_simulated_responses(block) || runs_of(protocol, block).empty()) continue;
     refuse_external_levels(block);
     for (const Protocol::TrialQuestionTemplate& question : block.questions) {
-      if (question.is_additional) continue;
+      if (kind_of_question(kind_of(block), question) == nullptr) continue;
       blocks[name].questions.push_back(tabulated(protocol, block, question, possible));
     }
   }

@@ -20,6 +20,7 @@
 #include "app/findings/outcome/display_number.h"
 #include "protocols/design/block_factors.h"
 #include "protocols/kinds/discrimination.h"
+#include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/block_design.h"
 #include "protocols/plan/roughness_matching.h"
 
@@ -66,9 +67,10 @@ UnforcedParticipants unforced_participants(const AnalysisOutcome& outcome) {
 }
 
 bool allows_cannot_tell(const Block& block) {
-  return std::any_of(block.questions.begin(), block.questions.end(), [](const auto& question) {
-    return question.allow_cannot_tell && !question.is_additional;
-  });
+  return std::any_of(
+      block.questions.begin(), block.questions.end(), [&block](const auto& question) {
+        return question.allow_cannot_tell && kind_of_question(kind_of(block), question) != nullptr;
+      });
 }
 
 /// " Each response “cannot tell” counted as …"

@@ -12,6 +12,7 @@
 #include "analysis/numbers/number_text.h"
 #include "app/findings/methods/magnitude/magnitude_sentences.h"
 #include "app/findings/outcome/display_number.h"
+#include "protocols/kinds/experiment_kind.h"
 
 namespace asperity {
 
@@ -61,7 +62,7 @@ const LineForm* lines_of(const Protocol& protocol) {
     if (block.kind != "magnitude" || block.phase != Phase::main) continue;
     for (const auto& question : block.questions) {
       const auto* const lines = std::get_if<LineForm>(&question.form);
-      if (lines != nullptr && !question.is_additional) return lines;
+      if (lines != nullptr && kind_of_question(kind_of(block), question) != nullptr) return lines;
     }
   }
   return nullptr;

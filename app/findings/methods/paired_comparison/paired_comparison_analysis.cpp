@@ -11,6 +11,7 @@
 #include "app/findings/outcome/task_words.h"
 #include "app/findings/shared/selection_questions.h"
 #include "app/words/text_parts.h"
+#include "protocols/kinds/experiment_kind.h"
 #include "protocols/kinds/paired_comparison.h"
 
 namespace asperity {
@@ -42,7 +43,7 @@ PairedQuestions paired_questions(const Protocol& protocol) {
   for (const auto& [name, block] : protocol.blocks) {
     if (block.phase != Phase::main || block.kind != paired_comparison_kind().id) continue;
     for (const Protocol::TrialQuestionTemplate& question : block.questions) {
-      if (question.is_additional || !question.is_answered_by<ChoiceForm>()) continue;
+      if (kind_of_question(kind_of(block), question) != &kind_of(block)) continue;
       asked.have_ties = asked.have_ties || !question.tie.empty();
       const std::string prompt = quoted(question.prompt);
       if (std::find(asked.prompts.begin(), asked.prompts.end(), prompt) == asked.prompts.end()) {

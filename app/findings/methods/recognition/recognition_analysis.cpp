@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/findings/outcome/display_number.h"
+#include "protocols/kinds/experiment_kind.h"
 
 namespace asperity {
 
@@ -42,8 +43,9 @@ std::string among_pictures(const Protocol& protocol) {
   for (const auto& [name, block] : protocol.blocks) {
     if (block.phase != Phase::main || block.kind != "recognition") continue;
     for (const auto& question : block.questions) {
-      if (has_options(question.form) && !question.is_additional)
+      if (kind_of_question(kind_of(block), question) == &kind_of(block)) {
         numbers.insert(question.pictures.size());
+      }
     }
   }
   return " among " + (numbers.size() == 1 && *numbers.begin() > 1 ? count_in_words(*numbers.begin())
