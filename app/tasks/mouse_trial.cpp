@@ -8,6 +8,7 @@
 
 #include "app/session/levels/external_program.h"
 #include "app/session/session_setup.h"
+#include "protocols/keys/key.h"
 #include "protocols/plan/groups.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"
@@ -59,6 +60,13 @@ std::string mouse_trial_text(const Protocol& protocol, const std::string& introd
   }
   json["device"] = std::move(device);
   if (json.contains("environment")) json["environment"].erase("masking_noise");
+  // A trial with the mouse need not comply with the instructions: none is repeated.
+  json.erase("instability");
+  for (auto& [name, exploration] : json.at("explorations").items()) {
+    if (is_comment(name)) continue;
+    exploration["on_failure"] = "flag";
+    exploration.erase("maximum_repeats");
+  }
   return json.dump(2);
 }
 

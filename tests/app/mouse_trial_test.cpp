@@ -5,6 +5,7 @@
 #include <map>
 #include <variant>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/tasks/protocol_files.h"
@@ -15,6 +16,7 @@
 #include "results_schema/hashes/sha256.h"
 #include "results_schema/study.h"
 #include "tests/app/small_study.h"
+#include "tests/support/replaced.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -66,6 +68,10 @@ TEST_P(MouseTrialOfLibrary, BeginsWithTwoTrialsOfItsFirstMainBlock) {
     EXPECT_TRUE(tried.input_only);
     EXPECT_EQ(tried.masking_noise.kind, Protocol::Noise::Kind::none);
     EXPECT_EQ(tried.blocks.size(), protocol.blocks.size());
+    EXPECT_FALSE(tried.instability);
+    for (const auto& [name, exploration] : tried.explorations) {
+      EXPECT_EQ(exploration.on_failure, Exploration::OnFailure::flag) << "no trial is repeated";
+    }
     for (const NamedFile& file : files_of(protocol)) {
       for (const std::string& path : paths_of(file)) {
         EXPECT_EQ(read_file(inputs.study / path), read_file(study / path));
@@ -93,6 +99,13 @@ TEST_P(MouseTrialOfLibrary, BeginsWithTwoTrialsOfItsFirstMainBlock) {
 
 INSTANTIATE_TEST_SUITE_P(Protocols, MouseTrialOfLibrary, testing::ValuesIn(library_protocols()),
                          [](const auto& each) { return std::string(each.param.name); });
+
+TEST(MouseTrial, KeepsComments) {
+  const std::string text = replaced(small_protocol(), R"("explorations": {)",
+                                    R"("explorations": {"$comment": "one of two", )");
+  const Protocol protocol = read_small_protocol(built_in_models(), text);
+  EXPECT_THAT(mouse_trial_text(protocol, kIntroduction), testing::HasSubstr("one of two"));
+}
 
 TEST(MouseTrial, RefusesWhatItCannotShow) {
   const TemporaryFolder folder{};
