@@ -35,16 +35,20 @@ configure() {
 }
 
 # report_progress NAME LOG: copies ninja's output from standard input to the log. Of a build of more than a few steps it
-# writes to the screen how many there are, and each tenth of them.
+# writes to the screen how many there are, each tenth of them, and every two minutes where it is: the last steps take longest.
 report_progress() {
-  local name=$1 log=$2 line finished steps shown=-1
+  local name=$1 log=$2 line finished steps shown=-1 last=0
   local -r few=10  # what is linked and checked again without a change, and some files
   while IFS= read -r line; do
     printf '%s\n' "$line" >&3
     if [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]]; then
       finished=${BASH_REMATCH[1]} steps=${BASH_REMATCH[2]}
-      if ((steps <= few || finished * 10 / steps <= shown)); then continue; fi
-      if ((shown < 0)); then say "Building $name: $steps steps, up to a minute each. The compiler's output is in $log"; fi
+      if ((steps <= few || (finished * 10 / steps <= shown && SECONDS < last + 120))); then continue; fi
+      if ((shown < 0)); then
+        say "Building $name: $steps steps, the last of which take longest."
+        say "The compiler's output is in ${log#"$root/"}"
+      fi
+      last=$SECONDS
       shown=$((finished * 10 / steps))
       if ((shown > 0)); then
         say "$(printf 'Building %s: %d of %d steps after %d:%02d' "$name" "$finished" "$steps" $((SECONDS / 60)) $((SECONDS % 60)))"

@@ -58,7 +58,7 @@ simulate_participants() {
       exit 1
     fi
   done
-  echo "$kParticipants virtual participants, ${#files[@]} sessions each: simulating those that are not stored yet" >&2
+  echo "$kParticipants virtual participants, ${#files[@]} sessions each: those that are not stored yet are simulated" >&2
   # Without the line for every stored attempt, and on a terminal with one moving line of progress. At Ctrl-C asperity
   # finishes the trials under way, and writes that it does.
   trap 'interrupted=1' INT
