@@ -2,6 +2,7 @@
 
 #include "app/gui/look/wrapped_buttons.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QtCore/QEvent>
@@ -63,7 +64,7 @@ int WrappedButtons::place_within(int width, void (*put)(QPushButton&, const QRec
       y = height + kGrid;
     }
     if (put != nullptr) put(*button, QRect(QPoint(x, y), size));
-    height = y + size.height();
+    height = std::max(height, y + size.height());
     x += size.width() + kGrid;
   }
   return height;

@@ -353,6 +353,11 @@ TEST_F(StudyPages, CutNoTitleAndNoActionOfAProtocolOnASmallScreen) {
     EXPECT_TRUE(eventually([&] { return button.width() >= button.sizeHint().width(); }))
         << name << ": " << button.width() << " of " << button.sizeHint().width();
   }
+  // A lower button at the end of a row does not cut the others.
+  window_.resize(1280, 720);
+  const auto& last = child<QPushButton>(window_, "protocol_more");
+  EXPECT_TRUE(eventually([&] { return last.visibleRegion().boundingRect() == last.rect(); }))
+      << last.visibleRegion().boundingRect().height() << " of " << last.height();
 }
 
 TEST_F(StudyPages, DuplicateRenameAndDeleteAProtocolThatWasNeverRun) {
