@@ -35,7 +35,8 @@ configure() {
 }
 
 # report_progress NAME LOG: copies ninja's output from standard input to the log. Of a build of more than a few steps it
-# writes to the screen how many there are, each tenth of them, and every two minutes where it is: the last steps take longest.
+# writes to the screen how many there are, each tenth of them, and, as the last steps take longest, the first step that ends two
+# minutes after the line before.
 report_progress() {
   local name=$1 log=$2 line finished steps shown=-1 last=0
   local -r few=10  # what is linked and checked again without a change, and some files
