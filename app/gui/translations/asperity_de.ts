@@ -16619,6 +16619,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>The trial with the mouse has ended. Nothing was stored in the study.</source>
         <translation>Der Versuch mit der Maus ist beendet. In der Studie wurde nichts gespeichert.</translation>
     </message>
+    <message>
+        <source>The trial with the mouse has ended: %1. Nothing was stored in the study.</source>
+        <translation>Der Versuch mit der Maus ist beendet: %1. In der Studie wurde nichts gespeichert.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SessionHeader</name>

@@ -15,6 +15,7 @@
 #include "app/gui/base/settings.h"
 #include "app/gui/data/analysis_page.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
 #include "app/gui/participant/live_workspace.h"
 #include "app/gui/session/window_place.h"
 #include "app/gui/start/start_page.h"
@@ -23,6 +24,8 @@
 #include "app/gui/window/study_window.h"
 #include "app/tasks/mouse_trial.h"
 #include "app/tasks/protocol_files.h"
+#include "app/words/coded_phrases.h"
+#include "app/words/reason.h"
 
 namespace asperity {
 
@@ -190,10 +193,15 @@ void SessionDesk::begin(const SessionOrder& order) {
   connect(runner_.get(), &SessionRunner::told, session_window_, &SessionWindow::tell_device_wish);
   finish_later_ = nullptr;
   if (order.mouse_trial != nullptr) {
-    connect(runner_.get(), &SessionRunner::ended, this, [this] {
-      end_mouse_trial(State::fine,
-                      tr("The trial with the mouse has ended. Nothing was stored in the "
-                         "study."));
+    connect(runner_.get(), &SessionRunner::ended, this, [this](const SessionEnd& end) {
+      const bool as_planned =
+          end.reason.empty() || end.reason.code() == phrase_of(Reason::as_asked_after_trial).code();
+      end_mouse_trial(as_planned ? State::fine : State::look,
+                      as_planned ? tr("The trial with the mouse has ended. Nothing was stored in "
+                                      "the study.")
+                                 : tr("The trial with the mouse has ended: %1. Nothing was stored "
+                                      "in the study.")
+                                       .arg(words_of(end.reason)));
     });
     connect(runner_.get(), &SessionRunner::failed, this,
             [this](const QString& what) { end_mouse_trial(State::stop, what); });

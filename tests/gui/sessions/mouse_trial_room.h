@@ -34,10 +34,8 @@ class MouseTrialRoom : public SessionRoom {
     return hashes;
   }
 
-  /// Tries the protocol with this name; each surface is felt for `contact_s`.
-  void try_by_mouse(const QString& protocol, double contact_s,
-                    const std::function<void(const Scene&)>& answer) {
-    const auto before = hashes();
+  /// Until the first text is shown.
+  void begin_by_mouse(const QString& protocol) {
     open();
     window->show_page("protocols");
     click_row(*window, "protocols_table", protocol);
@@ -45,6 +43,13 @@ class MouseTrialRoom : public SessionRoom {
     wait_for("the session",
              [&] { return desk->runner() != nullptr && monitor().facts() != nullptr; });
     wait_for("the first text", [&] { return view().scene().kind == Scene::Kind::text; });
+  }
+
+  /// Tries the protocol with this name; each surface is felt for `contact_s`.
+  void try_by_mouse(const QString& protocol, double contact_s,
+                    const std::function<void(const Scene&)>& answer) {
+    const auto before = hashes();
+    begin_by_mouse(protocol);
     EXPECT_NE(view().scene().text.find("The mouse exerts no force"), std::string::npos)
         << view().scene().text;
     EXPECT_FALSE(std::filesystem::is_empty(temporary()));

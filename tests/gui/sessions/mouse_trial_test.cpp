@@ -17,6 +17,17 @@ TEST_F(MouseTrials, LeaveTheStudyAsItIs) {
   try_by_mouse("small", 0.6, chooses_a());
 }
 
+TEST_F(MouseTrials, StateWhyTheyEndedEarly) {
+  make_study();
+  add_protocol({.trials = 3});
+  begin_by_mouse("small");
+  desk->runner()->requests().abort(Phrase("The participant is unwell"));
+  wait_for("the end", [&] { return desk->runner() == nullptr; });
+  EXPECT_EQ(window->banner().text(),
+            "The trial with the mouse has ended: The participant is unwell. Nothing was stored in "
+            "the study.");
+}
+
 // The participant's texts, questions and pictures of two protocols of the library.
 TEST_F(MouseTrials, ShowProtocolsOfTheLibrary) {
   std::filesystem::create_directories(folder().parent_path());

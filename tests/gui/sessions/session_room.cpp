@@ -311,6 +311,7 @@ void SessionRoom::start_by_mouse(const QString& protocol, const char* mode) {
 }
 
 void SessionRoom::stroke_by_mouse(double contact_s) {
+  constexpr std::int64_t kPressedInVain_ns = 1'000'000'000;
   const SessionSnapshot now = monitor().snapshot();
   if (now.trial != stroked_trial_) enough_of_ = 0;
   stroked_trial_ = now.trial;
@@ -321,11 +322,15 @@ void SessionRoom::stroke_by_mouse(double contact_s) {
   const bool can_be_felt =
       is_in(SessionPhase::fore) || (is_in(SessionPhase::contact) && now.surface != enough_of_);
   const QPoint middle = view().surface_rect().value_or(QRectF(view().rect())).center().toPoint();
+  // A press on the page before, which was still drawn, touches nothing: a person presses again.
+  const bool touches_nothing =
+      is_mouse_down_ && is_in(SessionPhase::fore) && now.now_ns - pressed_ns_ > kPressedInVain_ns;
   if (can_be_felt && !is_mouse_down_) {
     QTest::mouseMove(&view(), middle);
     QTest::mousePress(&view(), Qt::LeftButton, {}, middle);
     is_mouse_down_ = true;
-  } else if (can_be_felt) {
+    pressed_ns_ = now.now_ns;
+  } else if (can_be_felt && !touches_nothing) {
     ++mouse_steps_;
     QTest::mouseMove(&view(), middle + QPoint(30 - mouse_steps_ % 60, 0));
   } else if (is_mouse_down_) {

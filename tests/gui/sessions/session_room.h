@@ -132,6 +132,7 @@ class SessionRoom : public QuietHome {
   int stroked_trial_ = 0;
   int enough_of_ = 0;  // which surface of that trial
   bool is_mouse_down_ = false;
+  std::int64_t pressed_ns_ = 0;
   int mouse_steps_ = 0;
 };
 
