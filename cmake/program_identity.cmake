@@ -1,4 +1,4 @@
-# Writes program_identity.h; run at every build, so that the commit is the one that was built.
+# Writes program_identity.cpp; run at every build, so that the commit is the one that was built.
 # Input: SOURCE_DIR OUTPUT VERSION BUILD
 set(commit "unknown")
 execute_process(COMMAND git -C "${SOURCE_DIR}" describe --always --dirty=+changes --abbrev=12 --exclude=*
@@ -8,11 +8,12 @@ if(failed EQUAL 0)
 endif()
 file(CONFIGURE OUTPUT "${OUTPUT}" CONTENT [[
 // Generated: which program this is.
-#pragma once
+
+#include "app/study_files/program_identity.h"
 
 namespace asperity {
-inline constexpr char kProgramVersion[] = "@VERSION@";
-inline constexpr char kProgramCommit[] = "@commit@";
-inline constexpr char kProgramBuild[] = "@BUILD@";
+const char kProgramVersion[] = "@VERSION@";
+const char kProgramCommit[] = "@commit@";
+const char kProgramBuild[] = "@BUILD@";
 }  // namespace asperity
 ]] @ONLY)

@@ -7,7 +7,7 @@
 
 #include <gnu/libc-version.h>
 
-#include "app/study_files/program_identity.h"  // written by CMake
+#include "app/study_files/program_identity.h"
 #include "results_schema/hashes/sha256.h"
 
 namespace asperity {
