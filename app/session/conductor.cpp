@@ -454,7 +454,8 @@ void Conductor::run_trial(const Trial& trial, AttemptPurpose purpose) {
     }
     if (waits_for_others(trial, attempt)) break;  // finish_block asks again
   }
-  if (requests_.take_stop(StopAfter::trial)) {
+  const bool is_last = settings_.links.last_trial && trial.ordinal >= *settings_.links.last_trial;
+  if (requests_.take_stop(StopAfter::trial) || is_last) {
     stop(phrase_of(Reason::as_asked_after_trial));
   }
 }

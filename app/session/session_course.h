@@ -72,6 +72,7 @@ class SessionCourse final {
   std::int64_t now_ns() const noexcept { return rig_.clock().now_ns(); }
   const SessionRow& row() const noexcept { return row_; }
   bool has_monitor() const noexcept { return links_.monitor != nullptr; }
+  std::optional<int> last_trial() const noexcept { return links_.last_trial; }
 
   // --- time ---
 

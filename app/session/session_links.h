@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace asperity {
@@ -20,6 +21,8 @@ struct SessionLinks {
   /// An experimenter is present: after a fault, or when the masking noise stops, the session waits
   /// for their decision; otherwise it ends and can be resumed.
   bool experimenter_is_there = false;
+  /// The session ends after this trial of its plan, as one that only tries a protocol.
+  std::optional<int> last_trial{};
   /// Receives, as lines, the problems of the device, that a problem is over, and why a trial is
   /// repeated; for callers without a monitor.
   std::function<void(const std::string& line)> tell{};

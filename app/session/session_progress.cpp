@@ -53,6 +53,10 @@ void SessionProgress::extend() {
     snapshot.blocks = plan_.blocks;
     snapshot.trials = static_cast<int>(plan_.trials.size()) + unknown_trials();
     snapshot.trials_are_estimated = !trials_.is_complete();
+    if (const auto last = course_.last_trial(); last && *last <= snapshot.trials) {
+      snapshot.trials = *last;
+      snapshot.trials_are_estimated = false;
+    }
   });
 }
 

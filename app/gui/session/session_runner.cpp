@@ -88,23 +88,18 @@ void SessionRunner::run(const std::stop_token& stop) {
     if (!order_.protocol_sha256.empty()) {
       require_unchanged(order_.inputs.protocol, order_.protocol_sha256);
     }
-    const SessionLinks links{.requests = &requests_,
-                             .monitor = &monitor_,
-                             .sound = sound_.get(),
-                             .experimenter_is_there = true};
+    SessionLinks links{.requests = &requests_,
+                       .monitor = &monitor_,
+                       .sound = sound_.get(),
+                       .experimenter_is_there = true};
+    if (order_.mouse_trial != nullptr) links.last_trial = MouseTrial::kLastTrial;
     RunInputs inputs = order_.inputs;
     inputs.ready = [&stop](const Protocol&) {
       if (stop.stop_requested()) throw RespondentGone(phrase_of(Reason::stopped_as_asked));
     };
     Respondent* respondent = order_.inputs.is_virtual ? nullptr : person_.get();
     tell_end(run_session(
-        inputs, models_, respondent, stop,
-        [this](const AttemptDone& attempt) {
-          if (order_.mouse_trial != nullptr && attempt.trial >= MouseTrial::kLastTrial) {
-            requests_.stop_after(StopAfter::trial);
-          }
-          announce_attempt();
-        },
+        inputs, models_, respondent, stop, [this](const AttemptDone&) { announce_attempt(); },
         links, drivers_));
   } catch (const OpeningStopped&) {
     tell_not_begun();

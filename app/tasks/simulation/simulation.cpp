@@ -447,7 +447,8 @@ void Simulation::take_through(Study& study, int number) {
 void Simulation::report_sessions(int done) {
   const std::lock_guard lock(mutex_);
   sessions_seen_ += done;
-  if (progress_) {
+  // A study that is complete already has no progress.
+  if (progress_ && result_.sessions > 0) {
     const int participants = inputs_.shard ? static_cast<int>(inputs_.shard->number_of(
                                                  static_cast<std::size_t>(batch_.participants)))
                                            : batch_.participants;

@@ -57,6 +57,8 @@ class MouseTrialRoom : public SessionRoom {
     take_part(
         [&](const Scene& scene) {
           ++questions;
+          EXPECT_EQ(monitor().snapshot().trials, 2);
+          EXPECT_FALSE(monitor().snapshot().trials_are_estimated);
           answer(scene);
         },
         [&] {
