@@ -74,7 +74,9 @@ def main():
         print("Usage: scripts/key_texts.py\n\nPrints a QT_TRANSLATE_NOOP line for each text, for scripts/translations.")
         sys.exit(0 if sys.argv[1:] in (["-h"], ["--help"]) else 2)
     texts = {}
-    for path in sorted((PROTOCOLS / "keys").iterdir()) + [PROTOCOLS / "form" / "form_pages.cpp"]:
+    folders = [PROTOCOLS / name for name in ("keys", "kind_keys", "shapes")]
+    paths = [path for folder in folders for path in sorted(folder.iterdir())]
+    for path in paths + [PROTOCOLS / "form" / "form_pages.cpp"]:
         texts |= dict.fromkeys(texts_in(path.read_text(encoding="utf-8")))
     for text in filter(None, texts):
         print(f'QT_TRANSLATE_NOOP("Keys", "{text}")')

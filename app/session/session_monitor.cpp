@@ -7,7 +7,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "analysis/numbers/random.h"
-#include "protocols/kinds/experiment_kind.h"
+#include "protocols/kinds/discrimination.h"
 
 namespace asperity {
 
@@ -126,8 +126,7 @@ void SessionMonitor::add_bin(const LiveBin& bin) {
 }
 
 bool is_named_by_places(const Trial& trial) {
-  const ExperimentKind* const kind = find_kind(trial.kind);
-  return trial.is_of_procedure() || (kind != nullptr && kind->has_judgement);
+  return trial.is_of_procedure() || trial.kind == discrimination_kind().id;
 }
 
 BlindCodes::BlindCodes(const Plan& plan, const std::string& seed) {

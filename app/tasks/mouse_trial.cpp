@@ -8,8 +8,8 @@
 
 #include "app/session/levels/external_program.h"
 #include "app/session/session_setup.h"
-#include "protocols/keys/key.h"
 #include "protocols/plan/groups.h"
+#include "protocols/shapes/key.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"
 

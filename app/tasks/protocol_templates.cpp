@@ -16,7 +16,7 @@
 #include "protocols/design/json_pointer.h"
 #include "protocols/form/form_edits.h"
 #include "protocols/form/new_values.h"
-#include "protocols/keys/key.h"
+#include "protocols/shapes/key.h"
 #include "protocols/texts/translatable_texts.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/files/part_folder.h"

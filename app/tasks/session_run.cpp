@@ -38,7 +38,7 @@ std::string observer_json(const Protocol& protocol) {
   json["feature_noise"] = observer.feature_noise;
   json["position_bias"] = observer.position_bias;
   json["lapse"] = observer.lapse;
-  if (observer.magnitude_decreases) json["effect"] = "decreases";
+  if (observer.discrimination.magnitude_decreases) json["effect"] = "decreases";
   const std::vector<const ExperimentKind*> kinds = kinds_of(protocol);
   const bool asks_for_numbers = std::any_of(
       kinds.begin(), kinds.end(),
@@ -47,7 +47,7 @@ std::string observer_json(const Protocol& protocol) {
       std::any_of(kinds.begin(), kinds.end(),
                   [](const ExperimentKind* kind) { return !kind->has_expectations; });
   if (judges_magnitudes) json["magnitude_of"] = text_of(observer.magnitude_of);
-  if (asks_for_numbers) json["exponent"] = observer.exponent;
+  if (asks_for_numbers) json["exponent"] = observer.magnitude.exponent;
   return json.dump();
 }
 

@@ -43,7 +43,7 @@ bool is_derived(const Protocol& protocol, const std::string& factor) {
 
 const Protocol::TrialQuestionTemplate* judged_question(const Protocol::Block& block) noexcept {
   for (const Protocol::TrialQuestionTemplate& question : block.questions) {
-    if (question.judgement) return &question;
+    if (question.judgement()) return &question;
   }
   return nullptr;
 }
@@ -56,7 +56,8 @@ const Protocol::TrialQuestionTemplate* question_named(const Protocol::Block& blo
 }
 
 std::size_t surfaces_in_trial(const Protocol::Block& block) noexcept {
-  return block.design == &two_alternatives() ? block.presented.size() : block.design->surfaces();
+  return block.design() == &two_alternatives() ? block.presented.size()
+                                               : block.design()->surfaces();
 }
 
 bool chooses_levels_from_answers(const Protocol::Block& block) {

@@ -64,18 +64,6 @@ const char* text_of(AnchorPlace place) noexcept {
   return "";
 }
 
-const char* text_of(CatchType type) noexcept {
-  switch (type) {
-    case CatchType::easy:
-      return "easy";
-    case CatchType::no_signal:
-      return "no_signal";
-    case CatchType::identical_pair:
-      return "identical_pair";
-  }
-  return "";
-}
-
 const char* text_of(ObserverDeclaration::MagnitudeOf what) noexcept {
   switch (what) {
     case ObserverDeclaration::MagnitudeOf::lateral_force:

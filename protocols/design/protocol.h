@@ -16,8 +16,14 @@
 #include "protocols/design/analysis_declaration.h"
 #include "protocols/design/arrangement.h"
 #include "protocols/design/dimension.h"
-#include "protocols/design/discrimination_design.h"
+#include "protocols/kind_keys/discrimination.h"
+#include "protocols/kind_keys/magnitude.h"
+#include "protocols/kind_keys/paired_comparison.h"
+#include "protocols/kind_keys/recognition.h"
+#include "protocols/kind_keys/selection.h"
+#include "protocols/kind_keys/similarity.h"
 #include "protocols/procedures/procedure.h"
+#include "protocols/shapes/binding.h"
 #include "stimuli/meshes/solid_body.h"
 #include "stimuli/properties/material.h"
 #include "stimuli/properties/parameter.h"
@@ -28,13 +34,6 @@ namespace asperity {
 /// `chapter`: one outcome per participant and column of the published table, as in [Wu 2009]. `improved`: balanced
 /// order and position, reshuffled pictures, familiarisation, practice.
 enum class ProtocolDesign { chapter, improved };
-
-/// The reference for "realistic" in a selection.
-enum class RealismStandard {
-  photograph,       ///< the texture's picture is shown
-  physical_sample,  ///< the experimenter places the coded sample that the prompt names
-  memory,           ///< the participant's own idea of the material
-};
 
 /// What the participant can see.
 enum class Vision {
@@ -50,23 +49,7 @@ enum class VisualTexture {
   neutral,  ///< the surface shows a pattern that is unrelated to the textures
 };
 
-/// What a response of a discrimination means.
-enum class DiscriminationJudgement {
-  performance,  ///< the comparison is the correct response
-  comparison,   ///< no response is correct: which of the two has more of something
-};
-
-/// What the scale of a similarity increases with.
-enum class RatedQuantity { dissimilarity, similarity };
-
 enum class Phase { familiarisation, practice, main };
-
-/// What a catch trial presents, and therefore which response in it is an error.
-enum class CatchType {
-  easy,  ///< the comparison at an easy level: every response but the correct one is a lapse of attention
-  no_signal,  ///< two standards, where the comparison has to be found: every response but "cannot tell" is a false alarm
-  identical_pair,  ///< two standards, where no response is correct: every response but "cannot tell" is an error
-};
 
 /// Where an anchor stands in a run of its block.
 enum class AnchorPlace {
@@ -80,7 +63,6 @@ const char* text_of(ProtocolDesign design) noexcept;
 const char* text_of(Vision vision) noexcept;
 const char* text_of(VisualTexture texture) noexcept;
 const char* text_of(Phase phase) noexcept;
-const char* text_of(CatchType type) noexcept;
 const char* text_of(AnchorPlace place) noexcept;
 
 /// A range and a target value; each of them is optional.
@@ -138,13 +120,6 @@ struct Texture {
   std::string note{};
 };
 
-/// A value, or the name of the factor that supplies it.
-template <class Value>
-struct Binding {
-  std::optional<Value> value{};
-  std::string factor{};  ///< used when `value` is absent
-};
-
 /// A request to equalise the texture force, see renderers/offline/force_matching.h.
 struct EqualForce {
   std::optional<double> rms_N{};  ///< a stated target, or else
@@ -200,7 +175,7 @@ struct ObserverDeclaration {
   double feature_noise = 0.1;  ///< standard deviation added to every feature
   double position_bias = 0.0;  ///< added to the evidence of the first position
   double lapse = 0.02;         ///< probability of a guess
-  /// Of a magnitude: the quantity that estimates are computed from, and the exponent of its power law.
+  /// The quantity that is judged.
   enum class MagnitudeOf {
     lateral_force,  ///< as a fraction of the mean normal force
     normal_force,   ///< as a fraction of the mean normal force
@@ -208,18 +183,8 @@ struct ObserverDeclaration {
     compliance,     ///< how far the surface yields (ForceFeatures::compliance_m_per_N)
   };
   MagnitudeOf magnitude_of = MagnitudeOf::lateral_force;
-  double exponent = 1.0;
-  /// Of a comparison: the magnitude decreases where the varied parameter increases (with the spacing).
-  bool magnitude_decreases = false;
-  /// Of a yes/no task: the magnitude above which the response is "yes", as a fraction of the mean normal force, in m/s²,
-  /// or in mm/N (below which, where the signal has the smaller magnitude).
-  std::optional<double> yes_above{};
-  /// Of a same–different task: the relative difference between two magnitudes from which on the response is "different";
-  /// 0.1 is a difference of 10 %.
-  std::optional<double> different_above{};
-  /// Of a choice between surfaces with the option "cannot tell": the relative difference between two magnitudes below which
-  /// this is the response. Absent: it never is.
-  std::optional<double> unsure_within{};
+  MagnitudeObserver magnitude{};
+  DiscriminationObserver discrimination{};
 };
 
 /// The text in a protocol file and in the store.
@@ -297,22 +262,38 @@ struct Protocol {
   /// A question of the trials of a block. Its form is that of the kind of its block, unless the file states another; its
   /// options are those in words.
   struct TrialQuestionTemplate : Question {
-    /// The text of the option "tie" after those for the surfaces; empty: no such option.
-    std::string tie{};
     /// The options are words, pictures of these textures, or otherwise the felt alternatives.
     std::vector<std::string> pictures{};
     bool reshuffle_pictures = false;  ///< for every trial; otherwise once per session
     bool allow_cannot_tell = false;
-    std::optional<DiscriminationJudgement> judgement{};  ///< of a discrimination
-    /// Of the judgement "comparison": for the surface with this value of the varied parameter; `more` if it is not stated.
-    enum class AsksFor { more, less };
-    std::optional<AsksFor> asks_for{};
-    bool asks_for_less() const noexcept { return asks_for == AsksFor::less; }
-    std::optional<RatedQuantity>
-        rates{};                   ///< of a similarity; dissimilarity where it is not stated
-    std::string correct_factor{};  ///< recognition: the factor with the correct picture
+    /// What only the question of one kind of experiment states.
+    std::variant<std::monostate, DiscriminationQuestion, ConfidenceRating, RecognitionQuestion,
+                 PairQuestion, SimilarityQuestion>
+        own{};
+    /// Null where the question states nothing of this kind.
+    template <class Own>
+    const Own* own_as() const noexcept {
+      return std::get_if<Own>(&own);
+    }
+    /// Of a discrimination.
+    std::optional<DiscriminationJudgement> judgement() const noexcept {
+      const auto* const asked = own_as<DiscriminationQuestion>();
+      return asked == nullptr ? std::nullopt : asked->judgement;
+    }
+    /// The factor whose level is the correct option; empty where the kind determines the correct response.
+    std::string correct_factor() const {
+      const auto* const asked = own_as<RecognitionQuestion>();
+      return asked == nullptr ? std::string() : asked->correct_factor;
+    }
     /// Of a scale in a block of a discrimination: the question whose response it rates the confidence of; empty: none.
-    std::string confidence_of{};
+    std::string confidence_of() const {
+      const auto* const rating = own_as<ConfidenceRating>();
+      return rating == nullptr ? std::string() : rating->of;
+    }
+    bool asks_for_less() const noexcept {
+      const auto* const asked = own_as<DiscriminationQuestion>();
+      return asked != nullptr && asked->asks_for == DiscriminationQuestion::AsksFor::less;
+    }
   };
   /// Practice: the block ends when `correct` of the last `of_last` responses were correct, or after `maximum_trials`,
   /// the number of planned trials.
@@ -359,7 +340,13 @@ struct Protocol {
     std::string name{};
     std::string kind{};  ///< the id of an ExperimentKind: its own, or that of the protocol
     Phase phase = Phase::main;
-    const DiscriminationDesign* design = &two_alternatives();         ///< of a discrimination
+    /// What only blocks of one kind of experiment state.
+    std::variant<std::monostate, DiscriminationBlock> own{};
+    /// Of a discrimination; that of a block that states none.
+    const DiscriminationDesign* design() const noexcept {
+      const auto* const stated = std::get_if<DiscriminationBlock>(&own);
+      return stated == nullptr ? &two_alternatives() : stated->design;
+    }
     std::vector<std::string> crossed{};                               ///< factors, or
     std::vector<std::map<std::string, Level, std::less<>>> listed{};  ///< rows
     std::optional<Dimension>

@@ -12,7 +12,7 @@
 #include "protocols/editing/edits.h"
 #include "protocols/editing/text_entries.h"
 #include "protocols/keys/names_in.h"
-#include "protocols/keys/shape.h"
+#include "protocols/shapes/shape.h"
 
 namespace asperity {
 

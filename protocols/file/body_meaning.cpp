@@ -27,37 +27,20 @@ const std::array<ShapeKeys, 5>& shape_keys() {
 
 constexpr std::array<std::string_view, 3> kSizes{"size_m", "diameter_m", "length_m"};
 
-}  // namespace
-
-void Meaning::check_bodies() {
-  for (const auto& [name, body] : protocol_.bodies) {
-    const std::string pointer = pointer_to("/bodies", name);
-    check_path(body.mesh, pointer + "/mesh");
-    check_body_keys(name, pointer);
-    if (!body.texture) continue;
-    const auto texture = protocol_.textures.find(*body.texture);
-    if (texture == protocol_.textures.end()) {
-      report(pointer + "/texture", unknown_name("texture", *body.texture, protocol_.textures));
-    } else if (!texture->second.height_field) {
-      report(pointer + "/texture",
-             "the texture " + in_quotes(*body.texture) +
-                 " cannot be applied to a body: it has no \"height_field\"; give it one");
-    }
-  }
-}
-
-void Meaning::check_body_keys(const std::string& name, const std::string& pointer) {
-  const auto& object = document_.root().at("bodies").at(name);
+void check_body_keys(CheckedDocument& checked, const std::string& name,
+                     const std::string& pointer) {
+  const auto& object = checked.document.root().at("bodies").at(name);
   const bool is_mesh = object.contains("mesh");
   const auto shape = object.find("shape");
   if (is_mesh == (shape != object.end())) {
-    report(pointer,
-           std::string("a body is either a \"mesh\", a file of the study, or a \"shape\"") +
-               (is_mesh ? ", not both; remove one" : "; add one"));
+    checked.report(pointer,
+                   std::string("a body is either a \"mesh\", a file of the study, or a \"shape\"") +
+                       (is_mesh ? ", not both; remove one" : "; add one"));
     return;
   }
   const auto refuse_key = [&](std::string_view key, const std::string& why) {
-    if (object.contains(std::string(key))) report_key(pointer + '/' + std::string(key), why);
+    if (object.contains(std::string(key)))
+      checked.report_key(pointer + '/' + std::string(key), why);
   };
   if (is_mesh) {
     for (const std::string_view key : kSizes)
@@ -76,70 +59,94 @@ void Meaning::check_body_keys(const std::string& name, const std::string& pointe
       refuse_key(key, "a " + said + " does not have this key; use " +
                           one_of({keys->needed.begin(), keys->needed.end()}) + " instead");
     } else if (!object.contains(std::string(key))) {
-      report(pointer,
-             "a " + said + " needs " + in_quotes(std::string(key)) + ", in metres; add it");
+      checked.report(pointer,
+                     "a " + said + " needs " + in_quotes(std::string(key)) + ", in metres; add it");
     }
   }
   if (!keys->has_axis) refuse_key("axis", "a " + said + " has no axis; remove this key");
 }
 
-void Meaning::check_bodies_of(const StimulusTemplate& stimulus,
-                              const std::vector<const ModelDeclaration*>& models,
-                              const std::string& pointer) {
+}  // namespace
+
+void check_bodies(CheckedDocument& checked) {
+  for (const auto& [name, body] : checked.protocol.bodies) {
+    const std::string pointer = pointer_to("/bodies", name);
+    check_path(checked, body.mesh, pointer + "/mesh");
+    check_body_keys(checked, name, pointer);
+    if (!body.texture) continue;
+    const auto texture = checked.protocol.textures.find(*body.texture);
+    if (texture == checked.protocol.textures.end()) {
+      checked.report(pointer + "/texture",
+                     unknown_name("texture", *body.texture, checked.protocol.textures));
+    } else if (!texture->second.height_field) {
+      checked.report(pointer + "/texture",
+                     "the texture " + in_quotes(*body.texture) +
+                         " cannot be applied to a body: it has no \"height_field\"; give it one");
+    }
+  }
+}
+
+void check_bodies_of(CheckedDocument& checked, const StimulusTemplate& stimulus,
+                     const std::vector<const ModelDeclaration*>& models,
+                     const std::string& pointer) {
   const auto needs = std::find_if(models.begin(), models.end(),
                                   [](const ModelDeclaration* each) { return each->needs_bodies; });
   const auto check = [&](const Binding<std::string>& binding, const char* key, const char* what) {
     const bool is_given = binding.value || !binding.factor.empty();
     const std::string place = pointer + '/' + key;
     if (!is_given && needs != models.end()) {
-      report(pointer, "the model " + in_quotes((*needs)->id) +
-                          " needs two bodies: give the stimulus " + what +
-                          ", one of the bodies, as " + in_quotes(key));
+      checked.report(pointer, "the model " + in_quotes((*needs)->id) +
+                                  " needs two bodies: give the stimulus " + what +
+                                  ", one of the bodies, as " + in_quotes(key));
     }
-    for (const auto& [name, at] : texts_of(binding, place)) {
-      if (!protocol_.bodies.contains(name))
-        report(at, unknown_name("body", name, protocol_.bodies));
+    for (const auto& [name, at] : texts_of(checked, binding, place)) {
+      if (!checked.protocol.bodies.contains(name))
+        checked.report(at, unknown_name("body", name, checked.protocol.bodies));
     }
   };
-  if (needs != models.end() && protocol_.patch.motion_scale != 1.0) {
-    report("/surface/motion_scale",
-           "the model " + in_quotes((*needs)->id) +
-               " moves a tool exactly as the hand moves: set motion_scale to 1");
+  if (needs != models.end() && checked.protocol.patch.motion_scale != 1.0) {
+    checked.report("/surface/motion_scale",
+                   "the model " + in_quotes((*needs)->id) +
+                       " moves a tool exactly as the hand moves: set motion_scale to 1");
   }
   check(stimulus.surface, "surface", "the object that is touched");
   check(stimulus.tool, "tool", "the object that the hand holds");
   if (needs != models.end() || models.empty()) return;
   if (stimulus.tool.value || !stimulus.tool.factor.empty()) {
-    report_key(pointer + "/tool", "the model " + in_quotes(models.front()->id) +
-                                      " touches a surface with a point; remove this key");
-  } else if (is_point_on_body(stimulus) && protocol_.scene == VisualTexture::on) {
-    report("/environment/scene",
-           "the scene cannot show the texture that the model " + in_quotes(models.front()->id) +
-               " renders on a body; set visual_texture to \"off\" or \"neutral\"");
+    checked.report_key(pointer + "/tool", "the model " + in_quotes(models.front()->id) +
+                                              " touches a surface with a point; remove this key");
+  } else if (is_point_on_body(stimulus) && checked.protocol.scene == VisualTexture::on) {
+    checked.report("/environment/scene",
+                   "the scene cannot show the texture that the model " +
+                       in_quotes(models.front()->id) +
+                       " renders on a body; set visual_texture to \"off\" or \"neutral\"");
   }
 }
 
-bool Meaning::is_point_on_body(const StimulusTemplate& stimulus) {
+bool is_point_on_body(const StimulusTemplate& stimulus) {
   return (stimulus.surface.value || !stimulus.surface.factor.empty()) && !stimulus.tool.value &&
          stimulus.tool.factor.empty();
 }
 
-bool Meaning::brings_its_relief(const StimulusTemplate& stimulus, const std::string& pointer) {
-  const auto surfaces = texts_of(stimulus.surface, pointer + "/surface");
+bool brings_its_relief(CheckedDocument& checked, const StimulusTemplate& stimulus,
+                       const std::string& pointer) {
+  const auto surfaces = texts_of(checked, stimulus.surface, pointer + "/surface");
   return !surfaces.empty() &&
-         std::all_of(surfaces.begin(), surfaces.end(), [this](const auto& surface) {
-           const auto body = protocol_.bodies.find(surface.first);
-           return body == protocol_.bodies.end() || body->second.mesh || body->second.texture;
+         std::all_of(surfaces.begin(), surfaces.end(), [&checked](const auto& surface) {
+           const auto body = checked.protocol.bodies.find(surface.first);
+           return body == checked.protocol.bodies.end() || body->second.mesh ||
+                  body->second.texture;
          });
 }
 
-bool Meaning::is_on_a_body(const StimulusTemplate& stimulus, const std::string& texture,
-                           const std::string& pointer) {
-  auto bodies = texts_of(stimulus.surface, pointer + "/surface");
-  for (auto& tool : texts_of(stimulus.tool, pointer + "/tool")) bodies.push_back(std::move(tool));
+bool is_on_a_body(CheckedDocument& checked, const StimulusTemplate& stimulus,
+                  const std::string& texture, const std::string& pointer) {
+  auto bodies = texts_of(checked, stimulus.surface, pointer + "/surface");
+  for (auto& tool : texts_of(checked, stimulus.tool, pointer + "/tool"))
+    bodies.push_back(std::move(tool));
   return std::any_of(bodies.begin(), bodies.end(), [&](const auto& named) {
-    const auto body = protocol_.bodies.find(named.first);
-    return body != protocol_.bodies.end() && body->second.texture == texture;
+    const auto body = checked.protocol.bodies.find(named.first);
+    return body != checked.protocol.bodies.end() && body->second.texture == texture;
   });
 }
 

@@ -44,113 +44,71 @@ std::string limits_as_levels(const Dimension& dimension, const Parameter& declar
          " and " + rounded_text(greatest);
 }
 
-}  // namespace
-
-void Meaning::check_dimension(const Block& block, const std::string& pointer) {
-  if (!block.vary) return;
-  const Dimension& dimension = *block.vary;
-  const std::string place = pointer + "/vary";
-  const auto& stated = document_.root().at("blocks").at(block.name).at("vary");
-  int keys = 0;
-  for (const auto& [key, value] : stated.items()) keys += key.starts_with("levels") ? 1 : 0;
-  if (keys != 1) {
-    report(place, std::string(keys == 0 ? "no levels are stated" : "levels are stated twice") +
-                      "; write exactly one of \"levels\", \"levels_difference\", "
-                      "\"levels_percent\", \"levels_ratio\" and \"levels_decibels\"");
-    return;
-  }
-  const auto factors = document_.root().find("factors");
-  if (factors != document_.root().end() && factors->contains(dimension.factor)) {
-    report(place + (stated.contains("factor") ? "/factor" : "/parameter"),
-           "the factor " + in_quotes(dimension.factor) +
-               " is already declared under /factors; state another name as \"factor\" here, or "
-               "remove that factor");
-    return;
-  }
-  for (const auto& [name, other] : protocol_.blocks) {
-    if (name == block.name || !other.vary || other.vary->factor != dimension.factor ||
-        other.vary->parameter == dimension.parameter) {
-      continue;
-    }
-    report(place + (stated.contains("factor") ? "/factor" : "/parameter"),
-           "the block " + in_quotes(name) + " varies the parameter " +
-               in_quotes(other.vary->parameter) + " under the name " + in_quotes(dimension.factor) +
-               "; state another name as \"factor\" in one of them");
-    return;
-  }
-  if (count_of_role(block, dimension.role) != 1) {
-    report(place + "/of", std::to_string(count_of_role(block, dimension.role)) +
-                              " surfaces of the block have the role " + in_quotes(dimension.role) +
-                              "; state the role of exactly one: " + one_of(roles_in(block)));
-    return;
-  }
-  if (check_parameter(block, pointer) && check_standard(block, pointer)) {
-    check_values(block, pointer);
-  }
-}
-
 /// Whether all force models of the varied surface have the parameter.
-bool Meaning::check_parameter(const Block& block, const std::string& pointer) {
+bool check_parameter(CheckedDocument& checked, const Block& block, const std::string& pointer) {
   const Dimension& dimension = *block.vary;
   const auto presented =
       std::find_if(block.presented.begin(), block.presented.end(),
                    [&dimension](const auto& each) { return each.role == dimension.role; });
-  const auto stimulus = protocol_.stimuli.find(presented->stimulus);
-  if (stimulus == protocol_.stimuli.end() || dimension.is_relative_amplitude()) return true;
+  const auto stimulus = checked.protocol.stimuli.find(presented->stimulus);
+  if (stimulus == checked.protocol.stimuli.end() || dimension.is_relative_amplitude()) return true;
   bool all_have_it = true;
-  for (const auto& [id, place] :
-       texts_of(stimulus->second.model, pointer_to("/stimuli", stimulus->first) + "/model")) {
-    const auto model = models_.find(id);
-    if (model == models_.end()) continue;  // reported at its own location
+  for (const auto& [id, place] : texts_of(checked, stimulus->second.model,
+                                          pointer_to("/stimuli", stimulus->first) + "/model")) {
+    const auto model = checked.models.find(id);
+    if (model == checked.models.end()) continue;  // reported at its own location
     std::map<std::string, int> names{};
     for (const Parameter& each : model->second->parameters) {
       if (each.kind != ParameterKind::choice) names[each.name] = 0;
     }
     if (names.contains(dimension.parameter)) continue;
     all_have_it = false;
-    report(pointer + "/vary/parameter",
-           "the model " + in_quotes(id) + ": " +
-               unknown_name("numeric parameter", dimension.parameter, names));
+    checked.report(pointer + "/vary/parameter",
+                   "the model " + in_quotes(id) + ": " +
+                       unknown_name("numeric parameter", dimension.parameter, names));
   }
   return all_have_it;
 }
 
 /// The surface to which levels refer. False where the values of the levels cannot be computed.
-bool Meaning::check_standard(const Block& block, const std::string& pointer) {
+bool check_standard(CheckedDocument& checked, const Block& block, const std::string& pointer) {
   const Dimension& dimension = *block.vary;
   const std::string place = pointer + "/vary";
   if (!dimension.standard_role.empty() && (dimension.standard_role == dimension.role ||
                                            count_of_role(block, dimension.standard_role) != 1)) {
-    report(place + "/relative_to", "no other surface of the block has the role " +
-                                       in_quotes(dimension.standard_role) +
-                                       "; state the role of the surface to which levels refer");
+    checked.report(place + "/relative_to",
+                   "no other surface of the block has the role " +
+                       in_quotes(dimension.standard_role) +
+                       "; state the role of the surface to which levels refer");
     return false;
   }
   if (!is_relative(dimension.measure)) return true;
   const std::string key(key_of(dimension.measure));
   if (dimension.standard_role.empty()) {
-    report_key(levels_at(dimension, pointer),
-               in_quotes(key) +
-                   " needs a standard; add \"relative_to\" with the role of the "
-                   "surface to which the levels refer");
+    checked.report_key(levels_at(dimension, pointer),
+                       in_quotes(key) +
+                           " needs a standard; add \"relative_to\" with the role of the "
+                           "surface to which the levels refer");
     return false;
   }
   if (!dimension.standard) {
-    report(place + "/relative_to",
-           "the stimulus of the " + dimension.standard_role + " does not state a number for " +
-               in_quotes(dimension.parameter) + ", to which the levels refer; state it there");
+    checked.report(place + "/relative_to", "the stimulus of the " + dimension.standard_role +
+                                               " does not state a number for " +
+                                               in_quotes(dimension.parameter) +
+                                               ", to which the levels refer; state it there");
     return false;
   }
   if (needs_positive_standard(dimension.measure) && !(*dimension.standard > 0.0)) {
-    report_key(levels_at(dimension, pointer),
-               "the standard is " + digits(*dimension.standard) + ", and " + in_quotes(key) +
-                   " needs a standard above 0; use \"levels\" or \"levels_difference\"");
+    checked.report_key(levels_at(dimension, pointer),
+                       "the standard is " + digits(*dimension.standard) + ", and " +
+                           in_quotes(key) +
+                           " needs a standard above 0; use \"levels\" or \"levels_difference\"");
     return false;
   }
   return true;
 }
 
-void Meaning::check_values(const Block& block, const std::string& pointer) {
+void check_values(CheckedDocument& checked, const Block& block, const std::string& pointer) {
   const Dimension& dimension = *block.vary;
   const std::string at_levels = levels_at(dimension, pointer);
   const std::string at_parameter = pointer + "/vary/parameter";
@@ -158,41 +116,42 @@ void Meaning::check_values(const Block& block, const std::string& pointer) {
     ProcedureProblems problems{};
     check_grid(*dimension.grid, "", problems);
     for (const ProcedureProblem& problem : problems.all()) {
-      report(at_levels + "/" + problem.setting, problem.message);
+      checked.report(at_levels + "/" + problem.setting, problem.message);
     }
     if (!problems.empty()) return;
     if (size_of(*dimension.grid) > kMaximumTrials) {
-      report(at_levels + "/step", "the grid has " + std::to_string(size_of(*dimension.grid)) +
-                                      " levels, and every level is checked before a session; use "
-                                      "a larger step or a narrower range");
+      checked.report(at_levels + "/step",
+                     "the grid has " + std::to_string(size_of(*dimension.grid)) +
+                         " levels, and every level is checked before a session; use "
+                         "a larger step or a narrower range");
       return;
     }
   }
   const std::vector<double> levels = dimension.levels();
   if (std::adjacent_find(levels.begin(), levels.end()) != levels.end()) {
-    report(at_levels, "a level is stated twice; state each level once");
+    checked.report(at_levels, "a level is stated twice; state each level once");
   }
   const auto presented =
       std::find_if(block.presented.begin(), block.presented.end(),
                    [&dimension](const auto& each) { return each.role == dimension.role; });
-  const auto stimulus = protocol_.stimuli.find(presented->stimulus);
-  if (stimulus == protocol_.stimuli.end()) return;  // reported at its own location
+  const auto stimulus = checked.protocol.stimuli.find(presented->stimulus);
+  if (stimulus == checked.protocol.stimuli.end()) return;  // reported at its own location
   if (dimension.is_relative_amplitude()) {
-    check_relative_amplitude(block, stimulus->second, pointer);
+    check_relative_amplitude(checked, block, stimulus->second, pointer);
     return;
   }
   const auto bound = stimulus->second.parameters.find(dimension.parameter);
   if (bound != stimulus->second.parameters.end() && !bound->second.factor.empty()) {
-    report(at_parameter, "the stimulus " + in_quotes(presented->stimulus) +
-                             " binds this parameter to the factor " +
-                             in_quotes(bound->second.factor) +
-                             "; state a number there, or present another stimulus");
+    checked.report(at_parameter, "the stimulus " + in_quotes(presented->stimulus) +
+                                     " binds this parameter to the factor " +
+                                     in_quotes(bound->second.factor) +
+                                     "; state a number there, or present another stimulus");
     return;
   }
-  for (const auto& [id, place] :
-       texts_of(stimulus->second.model, pointer_to("/stimuli", stimulus->first) + "/model")) {
-    const auto model = models_.find(id);
-    if (model == models_.end()) continue;  // reported at its own location
+  for (const auto& [id, place] : texts_of(checked, stimulus->second.model,
+                                          pointer_to("/stimuli", stimulus->first) + "/model")) {
+    const auto model = checked.models.find(id);
+    if (model == checked.models.end()) continue;  // reported at its own location
     const std::vector<Parameter>& parameters = model->second->parameters;
     const auto declared =
         std::find_if(parameters.begin(), parameters.end(), [&dimension](const Parameter& each) {
@@ -200,16 +159,18 @@ void Meaning::check_values(const Block& block, const std::string& pointer) {
         });
     if (declared == parameters.end()) continue;  // check_parameter
     if (stimulus->second.equal_force && model->second->amplitude_parameter == dimension.parameter) {
-      report(at_parameter, "equal_force of the stimulus " + in_quotes(presented->stimulus) +
-                               " determines this parameter; remove it there, or vary another "
-                               "parameter");
+      checked.report(at_parameter,
+                     "equal_force of the stimulus " + in_quotes(presented->stimulus) +
+                         " determines this parameter; remove it there, or vary another "
+                         "parameter");
     }
     const auto check_level = [&](double level, const std::string& at) {
       const double value = dimension.value_of(level);
       const auto complaint = complaint_about(*declared, value);
       if (complaint) {
-        report(at, "the level " + rounded_text(level) + " is a value of " + rounded_text(value) +
-                       ": " + without_stop(*complaint) + limits_as_levels(dimension, *declared));
+        checked.report(at, "the level " + rounded_text(level) + " is a value of " +
+                               rounded_text(value) + ": " + without_stop(*complaint) +
+                               limits_as_levels(dimension, *declared));
       }
     };
     if (dimension
@@ -228,6 +189,55 @@ void Meaning::check_values(const Block& block, const std::string& pointer) {
         check_level(*level, pointer_to(pointer + "/anchor", dimension.factor));
       }
     }
+  }
+}
+
+}  // namespace
+
+void check_dimension(CheckedDocument& checked, const Block& block, const std::string& pointer) {
+  if (!block.vary) return;
+  const Dimension& dimension = *block.vary;
+  const std::string place = pointer + "/vary";
+  const auto& stated = checked.document.root().at("blocks").at(block.name).at("vary");
+  int keys = 0;
+  for (const auto& [key, value] : stated.items()) keys += key.starts_with("levels") ? 1 : 0;
+  if (keys != 1) {
+    checked.report(place,
+                   std::string(keys == 0 ? "no levels are stated" : "levels are stated twice") +
+                       "; write exactly one of \"levels\", \"levels_difference\", "
+                       "\"levels_percent\", \"levels_ratio\" and \"levels_decibels\"");
+    return;
+  }
+  const auto factors = checked.document.root().find("factors");
+  if (factors != checked.document.root().end() && factors->contains(dimension.factor)) {
+    checked.report(
+        place + (stated.contains("factor") ? "/factor" : "/parameter"),
+        "the factor " + in_quotes(dimension.factor) +
+            " is already declared under /factors; state another name as \"factor\" here, or "
+            "remove that factor");
+    return;
+  }
+  for (const auto& [name, other] : checked.protocol.blocks) {
+    if (name == block.name || !other.vary || other.vary->factor != dimension.factor ||
+        other.vary->parameter == dimension.parameter) {
+      continue;
+    }
+    checked.report(place + (stated.contains("factor") ? "/factor" : "/parameter"),
+                   "the block " + in_quotes(name) + " varies the parameter " +
+                       in_quotes(other.vary->parameter) + " under the name " +
+                       in_quotes(dimension.factor) +
+                       "; state another name as \"factor\" in one of them");
+    return;
+  }
+  if (count_of_role(block, dimension.role) != 1) {
+    checked.report(place + "/of",
+                   std::to_string(count_of_role(block, dimension.role)) +
+                       " surfaces of the block have the role " + in_quotes(dimension.role) +
+                       "; state the role of exactly one: " + one_of(roles_in(block)));
+    return;
+  }
+  if (check_parameter(checked, block, pointer) && check_standard(checked, block, pointer)) {
+    check_values(checked, block, pointer);
   }
 }
 

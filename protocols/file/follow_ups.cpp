@@ -12,7 +12,7 @@
 #include "protocols/file/form_check.h"
 #include "protocols/file/meaning.h"
 #include "protocols/file/protocol_from_json.h"
-#include "protocols/keys/key.h"
+#include "protocols/shapes/key.h"
 
 namespace asperity {
 

@@ -8,7 +8,7 @@
 
 #include "protocols/file/diagnostic.h"
 #include "protocols/file/json_document.h"
-#include "protocols/keys/key.h"
+#include "protocols/shapes/key.h"
 
 namespace asperity {
 

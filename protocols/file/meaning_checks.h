@@ -1,4 +1,4 @@
-// Declares the checks of `check_meaning` in one class; each file *_meaning.cpp contains those of one subject.
+// Declares the checks of meaning, functions over a CheckedDocument; each file *_meaning.cpp contains those of one subject.
 
 #pragma once
 
@@ -40,169 +40,151 @@ std::vector<std::string> names_of(const Map& map) {
 /// "/blocks/NAME/question", or "/blocks/NAME/questions/1".
 std::string place_of_question(const Protocol::Block& block, std::size_t question);
 
-/// Checks the complete protocol and collects the problems by location.
-class Meaning final : private ProblemSink {
+/// A protocol whose meaning is checked, and the problems that were found. The protocol was read from the document, and all
+/// outlive it.
+class CheckedDocument final : public ProblemSink {
  public:
-  Meaning(const Protocol& protocol, const JsonDocument& document,
-          const std::vector<ModelDeclaration>& models)
-      : protocol_(protocol), kinds_(kinds_of(protocol)), document_(document) {
-    for (const ModelDeclaration& model : models) models_.emplace(model.id, &model);
+  CheckedDocument(const Protocol& read, const JsonDocument& from,
+                  const std::vector<ModelDeclaration>& declared)
+      : protocol(read), kinds(kinds_of(read)), document(from) {
+    for (const ModelDeclaration& model : declared) models.emplace(model.id, &model);
   }
 
-  std::vector<Diagnostic> check();
-
- private:
+  /// A problem of the value, or of the key, at a pointer; one that was reported there already is not repeated.
   void report(const std::string& pointer, std::string message) override {
-    if (!said_.emplace(pointer, message).second) return;
-    found_.push_back(document_.at(pointer, std::move(message)));
+    if (!reported_.emplace(pointer, message).second) return;
+    found_.push_back(document.at(pointer, std::move(message)));
   }
   void report_key(const std::string& pointer, std::string message) override {
-    if (!said_.emplace(pointer, message).second) return;
-    found_.push_back(document_.at_key(pointer, std::move(message)));
+    if (!reported_.emplace(pointer, message).second) return;
+    found_.push_back(document.at_key(pointer, std::move(message)));
   }
+  const std::vector<Diagnostic>& found() const noexcept { return found_; }
 
-  void check_head();
-  void check_device_limits();
-  void check_instability();
-  void check_senses();
-  void check_blindfold();
-  void check_textures();
-  void check_path(const std::optional<std::string>& path, const std::string& pointer);
-  void check_factors();
-  void check_hed(const Factor& factor);
-  void check_explorations();
-  void check_band(const Band& band, const std::string& pointer);
-  void check_guidance(const Exploration& exploration, const std::string& pointer);
-  void check_questions();
-  /// Of a choice: its options are stated, or can be the surfaces of a trial.
-  enum class OptionsOfChoice { stated, surfaces };
-  /// Whether the parameters of the forms fit the form, which in a trial need not be stated.
-  void check_form(const Question& question, const std::string& pointer, OptionsOfChoice options);
-  void check_options(const Question& question, const std::string& pointer);
-  void check_participant_questions();
-  void check_conditions();
-  /// `asked`: the questions that the flow asks before.
-  void check_condition(const AnswerCondition& condition, const std::set<std::string>& asked,
-                       const std::string& pointer);
-  /// Whether the condition at the place states exactly one test.
-  bool states_one_test(const std::string& pointer);
-  /// Whether an answer to the question can meet the condition at the place.
-  void check_test(const AnswerCondition& condition, const Question& question,
-                  const std::string& pointer);
-  void check_stimulus(const StimulusTemplate& stimulus, const std::string& pointer);
-  void check_bodies();
-  void check_body_keys(const std::string& name, const std::string& pointer);
-  /// Whether a point model touches a body: a surface without a tool.
-  static bool is_point_on_body(const StimulusTemplate& stimulus);
-  void check_bodies_of(const StimulusTemplate& stimulus,
-                       const std::vector<const ModelDeclaration*>& models,
-                       const std::string& pointer);
-  /// Whether the textures have the files that the models declare.
-  void check_assets_of(const StimulusTemplate& stimulus,
-                       const std::vector<const ModelDeclaration*>& models,
-                       const std::string& pointer);
-  /// Whether every surface that the stimulus can have contains its own relief.
-  bool brings_its_relief(const StimulusTemplate& stimulus, const std::string& pointer);
-  bool is_on_a_body(const StimulusTemplate& stimulus, const std::string& texture,
-                    const std::string& pointer);
-  /// Checks for values that are valid individually and contradict each other.
-  void check_together(const ModelDeclaration& model, const ParameterValues& given,
-                      const std::string& pointer);
-  void check_equal_force(const StimulusTemplate& stimulus, const std::string& pointer);
-  void check_groups();
-  /// The factors that the trials of a block have: set by the block, by `run`, or by the participant's group.
-  std::set<std::string> factors_of(const Protocol::Block& block, const Protocol::Run* run) const;
-  void check_flow();
-  void check_break(const Protocol::Break& pause, const std::string& pointer);
-  void check_block(const Protocol::Block& block, const std::string& pointer);
-  void check_anchor(const Protocol::Block& block, const std::string& pointer);
-  void check_anchor_pair(const Protocol::Block& block, const std::string& place);
-  void check_presented(const Protocol::Block& block, const std::string& pointer);
-  void check_dimension(const Protocol::Block& block, const std::string& pointer);
-  bool check_parameter(const Protocol::Block& block, const std::string& pointer);
-  bool check_standard(const Protocol::Block& block, const std::string& pointer);
-  void check_values(const Protocol::Block& block, const std::string& pointer);
-  void check_relative_amplitude(const Protocol::Block& block, const StimulusTemplate& stimulus,
-                                const std::string& pointer);
-  void check_equal_roughness(const Protocol::Block& block, const std::string& pointer);
-  void check_matches(const std::vector<Trial>& possible);
-  void check_procedure(const Protocol::Block& block, const std::string& pointer);
-  void check_bayesian_procedure(const Protocol::Block& block, const std::string& method,
-                                const std::string& pointer);
-  void check_unforced(const Protocol::Block& block, const std::string& method,
-                      const std::string& pointer);
-  void check_pairs_of_standards(const Protocol::Block& block, const std::string& place);
-  void check_catch_trials(const Protocol::Block& block, const std::string& pointer);
-  void check_track_starts(const Protocol::Block& block, const std::string& pointer);
-  void check_arrangement(const Protocol::Block& block, const std::string& pointer);
-  void check_exposure(const Protocol::Block& block, const std::string& place);
-  void check_strokes_of_visit(const Protocol::Block& block, const Exploration& exploration,
-                              const std::string& place);
-  void check_side_by_side(const Protocol::Block& block, const std::string& place);
-  void check_drawn_phase(const Protocol::Block& block, const std::string& place);
-  void check_rove(const Protocol::Block& block, const std::string& place);
-  void check_plane_models(const Protocol::Block& block, const std::string& at,
-                          const std::string& what);
-  void check_shared_pairs(const Protocol::Block& block, const std::string& pointer);
-  void check_pairs(const Protocol::Block& block, const std::string& pointer);
-  void check_question(const Protocol::Block& block, const std::string& pointer);
-  void check_condition_in_trial(const Protocol::Block& block, std::size_t question);
-  /// Where the options are known: those of all trials of the block.
-  void check_tests_in_trials(const std::vector<Trial>& possible);
-  bool check_question_keys(const Protocol::Block& block, const std::string& pointer);
-  void check_additional(const Protocol::TrialQuestionTemplate& question, const std::string& place);
-  void check_direction(const Protocol::TrialQuestionTemplate& question, const std::string& place);
-  void check_pictures(const Protocol::Block& block, const Protocol::TrialQuestionTemplate& question,
-                      const std::string& place);
-  void check_same_form(const Protocol::Block& block,
-                       const Protocol::TrialQuestionTemplate& question, const std::string& place);
-  void check_same_scale(const Protocol::Block& block,
-                        const Protocol::TrialQuestionTemplate& question, const std::string& place);
-  void check_confidence(const Protocol::Block& block,
-                        const Protocol::TrialQuestionTemplate& question, const std::string& place);
-  void check_scale(const Protocol::TrialQuestionTemplate& question, const std::string& place);
-  void check_scale_form(const ScaleForm& scale, const std::string& at);
-  void check_rows(const Protocol::Block& block, const std::string& pointer);
-  void check_derived(const Protocol::Block& block, const std::string& pointer);
-  void check_repetitions_of(const Protocol::Block& block, const std::vector<BlockRow>& rows,
-                            const std::string& pointer);
-  void check_order(const Protocol::Block& block, const std::string& pointer);
-  std::vector<std::vector<BlockRow>> extreme_parts(const Protocol::Block& block) const;
-  void check_balance(const Protocol::Block& block, const std::string& pointer);
-  void check_constraints(const Protocol::Block& block, const std::string& pointer);
-  void check_possible_order(const Protocol::Block& block, const std::vector<BlockRow>& rows,
-                            const std::vector<BlockTrial>& trials, const std::string& pointer);
-  void check_places(const Protocol::Block& block, const std::vector<BlockRow>& rows,
-                    const std::vector<BlockTrial>& trials, const std::string& pointer);
-  /// Whether every row of the block has a level of the factor that is not computed.
-  bool is_row_factor(const Protocol::Block& block, const std::string& factor) const;
-  /// Reports factors and levels that the rows of the block do not have.
-  bool check_row_levels(const Protocol::Block& block, const FactorLevels& levels,
-                        const std::string& pointer);
-  void check_criterion(const Protocol::Block& block, const std::string& pointer);
-  /// Whether the placeholders of texts have a form, a name, and a value where they are.
-  void check_texts();
-  void check_analysis();
-  void check_constructs();
-  /// The items that can be chosen in main blocks, for the check of the declared target.
-  std::set<std::string> items_of_main_blocks();
-  void check_size();
-  void check_trials();
-  void check_draws();
-  void check_expectation(const Trial& trial, const std::set<std::string, std::less<>>& on_bodies);
+  const Protocol& protocol;
+  const std::vector<const ExperimentKind*> kinds{};  ///< of the blocks
+  const JsonDocument& document;
+  std::map<std::string, const ModelDeclaration*, std::less<>> models{};
 
-  /// The texts that a binding can have, each with the location for problems.
-  std::vector<std::pair<std::string, std::string>> texts_of(const Binding<std::string>& binding,
-                                                            const std::string& pointer);
-  /// The position of a level of a factor: of the formula, where the level is computed.
-  std::string place_of_level(const std::string& factor, std::size_t level) const;
-  bool check_level(const std::string& factor, const Level& level, const std::string& pointer);
-  const Protocol& protocol_;
-  std::vector<const ExperimentKind*> kinds_{};  ///< of the blocks
-  const JsonDocument& document_;
-  std::map<std::string, const ModelDeclaration*, std::less<>> models_{};
+ private:
   std::vector<Diagnostic> found_{};
-  std::set<std::pair<std::string, std::string>> said_{};
+  std::set<std::pair<std::string, std::string>> reported_{};
 };
+
+/// Of a choice: its options are stated, or can be the surfaces of a trial.
+enum class OptionsOfChoice { stated, surfaces };
+
+// The checks, in the source of their subject. Those of a block are given its place, "/blocks/NAME".
+
+// setting_meaning.cpp
+void check_head(CheckedDocument& checked);
+/// Whether every key applies where it is stated.
+void check_applicability(CheckedDocument& checked);
+void check_device_limits(CheckedDocument& checked);
+void check_instability(CheckedDocument& checked);
+void check_textures(CheckedDocument& checked);
+void check_path(CheckedDocument& checked, const std::optional<std::string>& path,
+                const std::string& pointer);
+void check_factors(CheckedDocument& checked);
+void check_explorations(CheckedDocument& checked);
+
+// senses_meaning.cpp
+void check_senses(CheckedDocument& checked);
+
+// questionnaire_meaning.cpp
+void check_questions(CheckedDocument& checked);
+/// Whether the parameters of the forms fit the form, which in a trial need not be stated.
+void check_form(CheckedDocument& checked, const Question& question, const std::string& pointer,
+                OptionsOfChoice options);
+void check_options(CheckedDocument& checked, const Question& question, const std::string& pointer);
+void check_conditions(CheckedDocument& checked);
+/// Whether the condition at the place states exactly one test.
+bool states_one_test(CheckedDocument& checked, const std::string& pointer);
+/// Whether an answer to the question can meet the condition at the place.
+void check_test(CheckedDocument& checked, const AnswerCondition& condition,
+                const Question& question, const std::string& pointer);
+
+// stimulus_meaning.cpp
+void check_stimulus(CheckedDocument& checked, const StimulusTemplate& stimulus,
+                    const std::string& pointer);
+/// Checks for values that are valid individually and contradict each other.
+void check_together(CheckedDocument& checked, const ModelDeclaration& model,
+                    const ParameterValues& given, const std::string& pointer);
+/// The texts that a binding can have, each with the location for problems.
+std::vector<std::pair<std::string, std::string>> texts_of(CheckedDocument& checked,
+                                                          const Binding<std::string>& binding,
+                                                          const std::string& pointer);
+
+// body_meaning.cpp
+void check_bodies(CheckedDocument& checked);
+/// Whether a point model touches a body: a surface without a tool.
+bool is_point_on_body(const StimulusTemplate& stimulus);
+void check_bodies_of(CheckedDocument& checked, const StimulusTemplate& stimulus,
+                     const std::vector<const ModelDeclaration*>& models,
+                     const std::string& pointer);
+/// Whether every surface that the stimulus can have contains its own relief.
+bool brings_its_relief(CheckedDocument& checked, const StimulusTemplate& stimulus,
+                       const std::string& pointer);
+bool is_on_a_body(CheckedDocument& checked, const StimulusTemplate& stimulus,
+                  const std::string& texture, const std::string& pointer);
+
+// groups_meaning.cpp
+void check_groups(CheckedDocument& checked);
+/// The factors that the trials of a block have: set by the block, by `run`, or by the participant's group.
+std::set<std::string> factors_of(const CheckedDocument& checked, const Protocol::Block& block,
+                                 const Protocol::Run* run);
+
+// flow_meaning.cpp
+void check_flow(CheckedDocument& checked);
+void check_size(CheckedDocument& checked);
+bool check_level(CheckedDocument& checked, const std::string& factor, const Level& level,
+                 const std::string& pointer);
+
+// block_meaning.cpp
+void check_block(CheckedDocument& checked, const Protocol::Block& block,
+                 const std::string& pointer);
+void check_criterion(CheckedDocument& checked, const Protocol::Block& block,
+                     const std::string& pointer);
+
+// dimension_meaning.cpp
+void check_dimension(CheckedDocument& checked, const Protocol::Block& block,
+                     const std::string& pointer);
+
+// roughness_meaning.cpp
+void check_relative_amplitude(CheckedDocument& checked, const Protocol::Block& block,
+                              const StimulusTemplate& stimulus, const std::string& pointer);
+void check_equal_roughness(CheckedDocument& checked, const Protocol::Block& block,
+                           const std::string& pointer);
+void check_matches(CheckedDocument& checked, const std::vector<Trial>& possible);
+
+// procedure_meaning.cpp
+void check_procedure(CheckedDocument& checked, const Protocol::Block& block,
+                     const std::string& pointer);
+
+// arrangement_meaning.cpp
+void check_arrangement(CheckedDocument& checked, const Protocol::Block& block,
+                       const std::string& pointer);
+
+// question_meaning.cpp
+void check_question(CheckedDocument& checked, const Protocol::Block& block,
+                    const std::string& pointer);
+/// Where the options are known: those of all trials of the block.
+void check_tests_in_trials(CheckedDocument& checked, const std::vector<Trial>& possible);
+void check_scale_form(CheckedDocument& checked, const ScaleForm& scale, const std::string& at);
+
+// rows_meaning.cpp
+void check_rows(CheckedDocument& checked, const Protocol::Block& block, const std::string& pointer);
+void check_order(CheckedDocument& checked, const Protocol::Block& block,
+                 const std::string& pointer);
+
+// texts_meaning.cpp
+/// Whether the placeholders of texts have a form, a name, and a value where they are.
+void check_texts(CheckedDocument& checked);
+
+// analysis_meaning.cpp
+void check_analysis(CheckedDocument& checked);
+
+// trial_meaning.cpp
+void check_trials(CheckedDocument& checked);
 
 }  // namespace asperity

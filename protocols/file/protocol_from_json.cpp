@@ -10,6 +10,7 @@
 #include "protocols/file/declared_estimation.h"
 #include "protocols/file/derived_levels.h"
 #include "protocols/file/levels_from_json.h"
+#include "protocols/keys/conditions.h"
 #include "protocols/keys/reading.h"
 #include "protocols/keys/tables.h"
 #include "protocols/kinds/experiment_kind.h"
@@ -47,16 +48,18 @@ void complete_block(Block& block, const nlohmann::json& stated, const Protocol& 
   complete_dimension(block, protocol, models);
   const auto procedure = stated.find("procedure");
   if (procedure == stated.end()) return;
-  block.procedure = procedure_in(*procedure, *block.vary, *block.design);
+  block.procedure = procedure_in(*procedure, *block.vary, *block.design());
   const auto* const judged = judged_question(block);
-  if (judged != nullptr && judged->allow_cannot_tell && block.design->alternatives() > 0) {
-    declare_unforced(block.design->alternatives(), block.procedure->tracks);
+  if (judged != nullptr && judged->allow_cannot_tell && block.design()->alternatives() > 0) {
+    declare_unforced(block.design()->alternatives(), block.procedure->tracks);
   }
 }
 
 namespace {
 
-Protocol as_written(const nlohmann::json& root, const std::vector<ModelDeclaration>& models) {
+Protocol as_written(const nlohmann::json& stated, const std::vector<ModelDeclaration>& models) {
+  // A key that does not apply is a problem or its default, and not read: it would replace what its owner states otherwise.
+  const nlohmann::json root = without_keys(stated, inapplicable_keys(stated));
   Protocol protocol{};
   read_keys(kProtocolTable, root, "", protocol);
   complete_estimation(protocol);

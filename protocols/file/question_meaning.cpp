@@ -27,294 +27,181 @@ std::string place_of_question(const Block& block, std::size_t question) {
                                  : pointer + "/question";
 }
 
-void Meaning::check_question(const Block& block, const std::string& pointer) {
-  if (!check_question_keys(block, pointer)) return;
-  const ExperimentKind& kind = kind_of(block);
-  std::size_t own = 0;
-  std::set<std::string> names{};
-  for (std::size_t i = 0; i < block.questions.size(); ++i) {
-    const TrialQuestionTemplate& question = block.questions[i];
-    const std::string place = place_of_question(block, i);
-    if (!names.insert(question.name).second) {
-      report(place + "/name",
-             "two questions of a trial have the name " + in_quotes(question.name) +
-                 ", under which their responses are stored; give each its own name");
-    }
-    check_direction(question, place);
-    check_pictures(block, question, place);
-    check_scale(question, place);
-    check_same_form(block, question, place);
-    check_same_scale(block, question, place);
-    check_confidence(block, question, place);
-    if (question.condition) check_condition_in_trial(block, i);
-    const ExperimentKind* const of_question = kind_of_question(kind, question);
-    if (of_question == &kind) ++own;
-    if (question.is_additional) {
-      check_additional(question, place);
-    } else if (of_question == nullptr) {
-      const bool is_line = std::holds_alternative<LineForm>(question.form);
-      report(
-          place + (is_line ? "/line" : "/scale"),
-          "a " + std::string(kind.name) + " needs " + needed_question(kind) + "; remove this key");
-    } else if (!question.options.empty() && !of_question->takes_words) {
-      report_key(place + "/options", "the options of a " + std::string(of_question->name) +
-                                         " are not words; remove this key");
-    } else if (!question.tie.empty() && !of_question->takes_ties) {
-      report_key(place + "/tie",
-                 "a " + std::string(of_question->name) + " has no ties; remove this key");
-    } else if (question.judgement && !of_question->has_judgement) {
-      report_key(place + "/judgement", "only a discrimination states a judgement; remove this key");
-    } else if (question.rates && !of_question->rates_differences) {
-      report_key(place + "/rates",
-                 "only the question of a similarity states what its scale rates; remove this key");
-    } else if (of_question == &kind && kind.check_block != nullptr) {
-      kind.check_block({protocol_, block, question, pointer, place}, *this);
-    }
-  }
-  const auto takes_its_place = [&kind](const TrialQuestionTemplate& question) {
-    return question.is_additional && question.form.index() == kind.form.index();
-  };
-  const auto additional = std::ranges::find_if(block.questions, takes_its_place);
-  if (own == 0 && additional != block.questions.end()) {
-    const auto index = static_cast<std::size_t>(additional - block.questions.begin());
-    report_key(place_of_question(block, index) + "/form",
-               "a question that states its form is additional, and a " + std::string(kind.name) +
-                   " needs " + needed_question(kind) +
-                   "; remove this key from the question that the analysis is about");
-  } else if (own == 0 || (own > 1 && !kind.asks_several)) {
-    report(block.has_question_list ? pointer + "/questions" : pointer + "/question",
-           "a " + std::string(kind.name) + " needs " + needed_question(kind) +
-               " in every trial; number given: " + std::to_string(own) +
-               "; add or remove questions");
-  }
-  if (block.feedback != Block::Feedback::none && !kind.has_correct_responses) {
-    report(pointer + "/feedback", "feedback needs a correct response, and no response of a " +
-                                      std::string(kind.name) +
-                                      " is correct or incorrect; set it to \"none\"");
-  }
-  if (!kind.has_judgement && document_.root().at("blocks").at(block.name).contains("design")) {
-    report_key(pointer + "/design", "only a discrimination has a design; remove this key");
-  }
-  check_criterion(block, pointer);
-}
+namespace {
 
 /// Whether there are questions, and the keys of the block fit them.
-bool Meaning::check_question_keys(const Block& block, const std::string& pointer) {
-  const auto& object = document_.root().at("blocks").at(block.name);
+bool check_question_keys(CheckedDocument& checked, const Block& block, const std::string& pointer) {
+  const auto& object = checked.document.root().at("blocks").at(block.name);
   if (block.has_question_list && object.contains("question")) {
-    report_key(pointer + "/question",
-               "\"question\" and \"questions\" exclude each other; keep one of the two");
+    checked.report_key(pointer + "/question",
+                       "\"question\" and \"questions\" exclude each other; keep one of the two");
   }
   if (block.questions.empty()) {
-    report(pointer,
-           "a block needs the key \"question\", or \"questions\" for several questions in a trial");
+    checked.report(
+        pointer,
+        "a block needs the key \"question\", or \"questions\" for several questions in a trial");
     return false;
   }
-  for (const char* const key : {"question_order", "question_layout", "page_prompt",
-                                "experimenter_prompt", "pictures_after_feeling", "allow_revisit"}) {
-    if (block.has_question_list || !object.contains(key)) continue;
-    report_key(pointer + "/" + key,
-               "this key belongs to a block with \"questions\"; remove it, or move it into "
-               "\"question\" if that has such a key");
-  }
-  if (!block.on_one_page) {
-    if (!block.page_prompt.empty()) {
-      report_key(pointer + "/page_prompt",
-                 "only questions on one page have a text above them; remove this key, or set "
-                 "question_layout to \"one_page\"");
-    }
-    return true;
-  }
+  if (!block.on_one_page) return true;
   for (std::size_t i = 0; i < block.questions.size(); ++i) {
     const auto* const scale = std::get_if<ScaleForm>(&block.questions[i].form);
     if (scale != nullptr && !scale->labels_every_point()) continue;
-    report(place_of_question(block, i),
-           "questions on one page must be scales without labels between the ends; set "
-           "question_layout to "
-           "\"one_after_another\"");
+    checked.report(place_of_question(block, i),
+                   "questions on one page must be scales without labels between the ends; set "
+                   "question_layout to "
+                   "\"one_after_another\"");
   }
   return true;
 }
 
-/// What only the question of a kind of experiment has.
-void Meaning::check_additional(const TrialQuestionTemplate& question, const std::string& place) {
-  const nlohmann::json& stated = document_.root().at(nlohmann::json::json_pointer(place));
-  for (const char* const key :
-       {"correct_factor", "judgement", "asks_for", "confidence_of", "rates", "tie"}) {
-    if (!stated.contains(key)) continue;
-    report_key(
-        place + "/" + key,
-        "this key belongs to the question that the kind of experiment analyses, and a question "
-        "with \"form\" is not analysed; keep one of the two keys");
-  }
-  for (const char* const key : {"pictures", "allow_cannot_tell"}) {
-    if (question.is_answered_by<ChoiceForm>() || !stated.contains(key)) continue;
-    report_key(place + "/" + key,
-               "only a choice of one option has this key; remove it, or set form to \"choice\"");
-  }
-  check_options(question, place);
-}
-
-void Meaning::check_direction(const TrialQuestionTemplate& question, const std::string& place) {
-  const nlohmann::json::json_pointer at(place + "/asks_for");
-  if (question.judgement == DiscriminationJudgement::comparison) return;
-  if (!document_.root().contains(at)) return;
-  report_key(
-      place + "/asks_for",
-      "only a question of a discrimination with the judgement \"comparison\" asks for more or "
-      "less; remove this key");
-}
-
-void Meaning::check_pictures(const Block& block, const TrialQuestionTemplate& question,
-                             const std::string& place) {
+void check_pictures(CheckedDocument& checked, const Block& block,
+                    const TrialQuestionTemplate& question, const std::string& place) {
   for (std::size_t i = 0; i < question.pictures.size(); ++i) {
     const std::string& name = question.pictures[i];
     const std::string at = pointer_to(place + "/pictures", i);
-    const auto texture = protocol_.textures.find(name);
+    const auto texture = checked.protocol.textures.find(name);
     const auto here = question.pictures.begin() + static_cast<std::ptrdiff_t>(i);
-    if (texture == protocol_.textures.end()) {
-      report(at, unknown_name("texture", name, protocol_.textures));
+    if (texture == checked.protocol.textures.end()) {
+      checked.report(at, unknown_name("texture", name, checked.protocol.textures));
     } else if (!texture->second.picture) {
-      report(at, "the texture " + in_quotes(name) + " has no \"picture\" to show; give it one");
+      checked.report(at,
+                     "the texture " + in_quotes(name) + " has no \"picture\" to show; give it one");
     }
     if (std::find(question.pictures.begin(), here, name) != here) {
-      report(at, "the picture of " + in_quotes(name) + " is listed twice; list it once");
+      checked.report(at, "the picture of " + in_quotes(name) + " is listed twice; list it once");
     }
   }
   if (!question.pictures.empty() && !question.options.empty()) {
-    report_key(place + "/options",
-               "options are either pictures or words; keep one of the two keys");
+    checked.report_key(place + "/options",
+                       "options are either pictures or words; keep one of the two keys");
   }
-  const nlohmann::json::json_pointer at_question(place);
   const std::string of_trial = block.has_question_list ? pointer_to("/blocks", block.name) : place;
-  if (question.pictures.empty()) {
-    for (const char* const key : {"reshuffle_pictures", "pictures_after_feeling"}) {
-      if (!question.reshuffle_pictures && !block.pictures_after_feeling) continue;
-      if (!document_.root().at(at_question).contains(key)) continue;
-      report_key(place + "/" + key,
-                 "this question shows no pictures to choose from; remove this key");
-    }
-  } else if (block.pictures_after_feeling && block.arrangement.allows_revisits()) {
-    report(of_trial + "/pictures_after_feeling",
-           "a participant who may return to a surface feels it with the pictures in view; set "
-           "allow_revisit to false, or in an arrangement a maximum of visits equal to the minimum");
+  if (!question.pictures.empty() && block.pictures_after_feeling &&
+      block.arrangement.allows_revisits()) {
+    checked.report(
+        of_trial + "/pictures_after_feeling",
+        "a participant who may return to a surface feels it with the pictures in view; set "
+        "allow_revisit to false, or in an arrangement a maximum of visits equal to the minimum");
   }
 }
 
 /// Responses are stored, exported and analysed by the name of their question.
-void Meaning::check_same_form(const Block& block, const TrialQuestionTemplate& question,
-                              const std::string& place) {
+void check_same_form(CheckedDocument& checked, const Block& block,
+                     const TrialQuestionTemplate& question, const std::string& place) {
   if (block.phase != Phase::main) return;
-  for (const auto& [name, other] : protocol_.blocks) {
+  for (const auto& [name, other] : checked.protocol.blocks) {
     if (other.phase != Phase::main || name >= block.name) continue;
     for (const TrialQuestionTemplate& earlier : other.questions) {
       if (earlier.name != question.name || earlier.form.index() == question.form.index()) continue;
-      report(place + "/name", "the block " + in_quotes(name) + " has the question " +
-                                  in_quotes(question.name) + " answered by " +
-                                  std::string(description_of(earlier.form)) +
-                                  ", and responses to both would be exported as one variable; give "
-                                  "one of the questions another name");
+      checked.report(place + "/name",
+                     "the block " + in_quotes(name) + " has the question " +
+                         in_quotes(question.name) + " answered by " +
+                         std::string(description_of(earlier.form)) +
+                         ", and responses to both would be exported as one variable; give "
+                         "one of the questions another name");
     }
   }
 }
 
 /// Ratings of several blocks are analysed together where their question has one name.
-void Meaning::check_same_scale(const Block& block, const TrialQuestionTemplate& question,
-                               const std::string& place) {
+void check_same_scale(CheckedDocument& checked, const Block& block,
+                      const TrialQuestionTemplate& question, const std::string& place) {
   const auto* const scale = std::get_if<ScaleForm>(&question.form);
   if (scale == nullptr || block.phase != Phase::main) return;
-  for (const auto& [name, other] : protocol_.blocks) {
+  for (const auto& [name, other] : checked.protocol.blocks) {
     if (other.phase != Phase::main || name >= block.name) continue;
     for (const TrialQuestionTemplate& earlier : other.questions) {
       const auto* const its = std::get_if<ScaleForm>(&earlier.form);
       if (earlier.name != question.name || its == nullptr || *its == *scale) continue;
-      report(place + "/name",
-             "the block " + in_quotes(name) + " has the question " + in_quotes(question.name) +
-                 " on another scale, and the responses to both are analysed together; give one of "
-                 "the questions another name, or use one scale for both");
+      checked.report(
+          place + "/name",
+          "the block " + in_quotes(name) + " has the question " + in_quotes(question.name) +
+              " on another scale, and the responses to both are analysed together; give one of "
+              "the questions another name, or use one scale for both");
     }
   }
 }
 
 /// An ROC needs categories of confidence, and a response of which one is correct.
-void Meaning::check_confidence(const Block& block, const TrialQuestionTemplate& question,
-                               const std::string& place) {
-  if (question.confidence_of.empty()) return;
+void check_confidence(CheckedDocument& checked, const Block& block,
+                      const TrialQuestionTemplate& question, const std::string& place) {
+  if (question.confidence_of().empty()) return;
   const std::string at = place + "/confidence_of";
   const TrialQuestionTemplate* const judged = judged_question(block);
-  if (judged == nullptr) {
-    report_key(at,
-               "only a scale next to the question of a discrimination rates the confidence of "
-               "its response; remove this key");
-    return;
-  }
-  if (question.confidence_of != judged->name) {
-    report(at, "this scale can rate the confidence of the response to " + in_quotes(judged->name) +
-                   "; write this name");
+  if (judged == nullptr) return;  // only a discrimination has this key
+  if (question.confidence_of() != judged->name) {
+    checked.report(at, "this scale can rate the confidence of the response to " +
+                           in_quotes(judged->name) + "; write this name");
     return;
   }
   if (&question < judged) {
-    report(place, "the confidence of a response is rated after it; list this question after " +
-                      in_quotes(judged->name));
+    checked.report(place,
+                   "the confidence of a response is rated after it; list this question after " +
+                       in_quotes(judged->name));
   }
-  if (judged->judgement != DiscriminationJudgement::performance) {
-    report_key(at,
-               "with the judgement \"comparison\" no response is correct, so that there is no "
-               "ROC; remove this key");
+  if (judged->judgement() != DiscriminationJudgement::performance) {
+    checked.report_key(
+        at,
+        "with the judgement \"comparison\" no response is correct, so that there is no "
+        "ROC; remove this key");
   }
   if (judged->allow_cannot_tell) {
-    report_key(at,
-               "the lowest category of confidence states already that a participant cannot tell, "
-               "and an ROC needs a choice in every trial; remove this key, or "
-               "\"allow_cannot_tell\" of the question " +
-                   in_quotes(judged->name));
+    checked.report_key(
+        at,
+        "the lowest category of confidence states already that a participant cannot tell, "
+        "and an ROC needs a choice in every trial; remove this key, or "
+        "\"allow_cannot_tell\" of the question " +
+            in_quotes(judged->name));
   }
-  if (block.design->is_choice_of_three()) {
-    report_key(at, "the confidence in the response of " + block.design->with_article() +
-                       " gives no ROC, because there are more than two responses; remove this key, "
-                       "and the scale is reported for correct and incorrect responses");
+  if (block.design()->is_choice_of_three()) {
+    checked.report_key(
+        at, "the confidence in the response of " + block.design()->with_article() +
+                " gives no ROC, because there are more than two responses; remove this key, "
+                "and the scale is reported for correct and incorrect responses");
   }
   if (chooses_levels_from_answers(block)) {
-    report_key(at,
-               "an ROC needs trials at levels that do not depend on the responses; remove this "
-               "key, or use \"constant_stimuli\"");
+    checked.report_key(
+        at,
+        "an ROC needs trials at levels that do not depend on the responses; remove this "
+        "key, or use \"constant_stimuli\"");
   }
   constexpr int kMostCategories = 10;
   const auto* const scale = std::get_if<ScaleForm>(&question.form);
   if (scale == nullptr || scale->points < 2 || scale->points > kMostCategories) {
-    report(place,
-           "a rating of confidence needs a \"scale\" with 2 to 10 \"points\", the "
-           "categories of its ROC; state them");
+    checked.report(place,
+                   "a rating of confidence needs a \"scale\" with 2 to 10 \"points\", the "
+                   "categories of its ROC; state them");
   }
   const auto is_other = [&question](const TrialQuestionTemplate& other) {
-    return &other != &question && other.confidence_of == question.confidence_of;
+    return &other != &question && other.confidence_of() == question.confidence_of();
   };
   const auto first = std::find_if(block.questions.begin(), block.questions.end(), is_other);
   if (first != block.questions.end() && &*first < &question) {
-    report_key(at, "the question " + in_quotes(first->name) +
-                       " rates the same confidence; remove one of the two keys");
+    checked.report_key(at, "the question " + in_quotes(first->name) +
+                               " rates the same confidence; remove one of the two keys");
   }
 }
 
 /// A question that another one does not decide is asked in every trial: the analysis of its kind, and a procedure, need its
 /// response.
-void Meaning::check_condition_in_trial(const Block& block, std::size_t question) {
+void check_condition_in_trial(CheckedDocument& checked, const Block& block, std::size_t question) {
   const TrialQuestionTemplate& asked = block.questions[question];
   const std::string at = place_of_question(block, question) + "/if";
-  if (!states_one_test(at)) return;
+  if (!states_one_test(checked, at)) return;
   const ExperimentKind& kind = kind_of(block);
   const bool is_rated = std::ranges::any_of(
-      block.questions, [&](const auto& each) { return each.confidence_of == asked.name; });
-  if (kind_of_question(kind, asked) == &kind || is_rated || !asked.confidence_of.empty()) {
-    report_key(at, std::string(asked.confidence_of.empty()
-                                   ? "the analysis of a " + std::string(kind.name) +
-                                         " needs the response to this question in every trial"
-                                   : "an ROC needs the rating of confidence in every trial") +
-                       "; remove this key");
+      block.questions, [&](const auto& each) { return each.confidence_of() == asked.name; });
+  if (kind_of_question(kind, asked) == &kind || is_rated || !asked.confidence_of().empty()) {
+    checked.report_key(at,
+                       std::string(asked.confidence_of().empty()
+                                       ? "the analysis of a " + std::string(kind.name) +
+                                             " needs the response to this question in every trial"
+                                       : "an ROC needs the rating of confidence in every trial") +
+                           "; remove this key");
     return;
   }
   if (block.on_one_page || block.shuffles_questions) {
-    report_key(
+    checked.report_key(
         at, std::string(block.on_one_page ? "the questions of one page are shown together"
                                           : "the questions are asked in an order that is drawn") +
                 ", so that the answer is not known before; remove this key, or set " +
@@ -327,12 +214,71 @@ void Meaning::check_condition_in_trial(const Block& block, std::size_t question)
   const bool is_earlier = std::any_of(block.questions.begin(), end,
                                       [&](const auto& each) { return each.name == needed; });
   if (is_earlier) return;
-  report(at + "/question", "no earlier question of the trial has the name " + in_quotes(needed) +
-                               "; name one that is listed before this question");
+  checked.report(at + "/question", "no earlier question of the trial has the name " +
+                                       in_quotes(needed) +
+                                       "; name one that is listed before this question");
 }
 
-void Meaning::check_tests_in_trials(const std::vector<Trial>& possible) {
-  for (const auto& [name, block] : protocol_.blocks) {
+}  // namespace
+
+void check_question(CheckedDocument& checked, const Block& block, const std::string& pointer) {
+  if (!check_question_keys(checked, block, pointer)) return;
+  const ExperimentKind& kind = kind_of(block);
+  std::size_t own = 0;
+  std::set<std::string> names{};
+  for (std::size_t i = 0; i < block.questions.size(); ++i) {
+    const TrialQuestionTemplate& question = block.questions[i];
+    const std::string place = place_of_question(block, i);
+    if (!names.insert(question.name).second) {
+      checked.report(place + "/name",
+                     "two questions of a trial have the name " + in_quotes(question.name) +
+                         ", under which their responses are stored; give each its own name");
+    }
+    check_pictures(checked, block, question, place);
+    check_form(checked, question, place, OptionsOfChoice::surfaces);
+    check_same_form(checked, block, question, place);
+    check_same_scale(checked, block, question, place);
+    check_confidence(checked, block, question, place);
+    if (question.condition) check_condition_in_trial(checked, block, i);
+    const ExperimentKind* const of_question = kind_of_question(kind, question);
+    if (of_question == &kind) ++own;
+    if (question.is_additional) {
+      check_options(checked, question, place);
+    } else if (of_question == nullptr) {
+      const bool is_line = std::holds_alternative<LineForm>(question.form);
+      checked.report(
+          place + (is_line ? "/line" : "/scale"),
+          "a " + std::string(kind.name) + " needs " + needed_question(kind) + "; remove this key");
+    } else if (of_question == &kind && kind.check_block != nullptr) {
+      kind.check_block({checked.protocol, block, question, pointer, place}, checked);
+    }
+  }
+  const auto takes_its_place = [&kind](const TrialQuestionTemplate& question) {
+    return question.is_additional && question.form.index() == kind.form.index();
+  };
+  const auto additional = std::ranges::find_if(block.questions, takes_its_place);
+  if (own == 0 && additional != block.questions.end()) {
+    const auto index = static_cast<std::size_t>(additional - block.questions.begin());
+    checked.report_key(place_of_question(block, index) + "/form",
+                       "a question that states its form is additional, and a " +
+                           std::string(kind.name) + " needs " + needed_question(kind) +
+                           "; remove this key from the question that the analysis is about");
+  } else if (own == 0 || (own > 1 && !kind.asks_several)) {
+    checked.report(block.has_question_list ? pointer + "/questions" : pointer + "/question",
+                   "a " + std::string(kind.name) + " needs " + needed_question(kind) +
+                       " in every trial; number given: " + std::to_string(own) +
+                       "; add or remove questions");
+  }
+  if (block.feedback != Block::Feedback::none && kind.correct_of == nullptr) {
+    checked.report(pointer + "/feedback",
+                   "feedback needs a correct response, and no response of a " +
+                       std::string(kind.name) + " is correct or incorrect; set it to \"none\"");
+  }
+  check_criterion(checked, block, pointer);
+}
+
+void check_tests_in_trials(CheckedDocument& checked, const std::vector<Trial>& possible) {
+  for (const auto& [name, block] : checked.protocol.blocks) {
     for (std::size_t i = 0; i < block.questions.size(); ++i) {
       const std::optional<AnswerCondition>& condition = block.questions[i].condition;
       if (!condition) continue;
@@ -344,46 +290,24 @@ void Meaning::check_tests_in_trials(const std::vector<Trial>& possible) {
           if (!needed.option_of(option.value)) needed.options.push_back(option);
         }
       }
-      check_test(*condition, needed, place_of_question(block, i) + "/if");
+      check_test(checked, *condition, needed, place_of_question(block, i) + "/if");
     }
   }
 }
 
-void Meaning::check_scale(const TrialQuestionTemplate& question, const std::string& place) {
-  check_form(question, place, OptionsOfChoice::surfaces);
-  const nlohmann::json& stated = document_.root().at(nlohmann::json::json_pointer(place));
-  if (stated.contains("line") && stated.contains("scale") && !stated.contains("form")) {
-    report_key(place + "/line",
-               "a question is answered by a line or on a scale; keep one of the two keys");
-  }
-  const auto* const scale = std::get_if<ScaleForm>(&question.form);
-  if (scale == nullptr) return;
-  const auto remove = [&](const char* key, const std::string& why) {
-    report(place + "/" + key, why + "; remove this key");
-  };
-  if (!question.pictures.empty()) remove("pictures", "a scale is not answered by a picture");
-  if (question.allow_cannot_tell) {
-    remove("allow_cannot_tell",
-           "a scale always has a response, and \"cannot tell\" is not available");
-  }
-  if (!question.correct_factor.empty()) {
-    remove("correct_factor", "no point of a scale is correct or incorrect");
-  }
-}
-
-void Meaning::check_scale_form(const ScaleForm& scale, const std::string& at) {
+void check_scale_form(CheckedDocument& checked, const ScaleForm& scale, const std::string& at) {
   if (scale.minimum >= scale.maximum) {
-    report(at, "the maximum of the scale, " + digits(scale.maximum) +
-                   ", must be greater than its minimum, " + digits(scale.minimum) +
-                   "; raise \"maximum\"");
+    checked.report(at, "the maximum of the scale, " + digits(scale.maximum) +
+                           ", must be greater than its minimum, " + digits(scale.minimum) +
+                           "; raise \"maximum\"");
   }
   const std::size_t labels = scale.labels.size();
   if (labels == 0 || labels == 2 || labels == static_cast<std::size_t>(scale.points)) return;
-  report(at + "/labels",
-         "a scale has labels for its two ends or for all of its points; labels given: " +
-             std::to_string(labels) + ", points: " +
-             (scale.points == 0 ? std::string("none") : std::to_string(scale.points)) +
-             "; add or remove labels");
+  checked.report(at + "/labels",
+                 "a scale has labels for its two ends or for all of its points; labels given: " +
+                     std::to_string(labels) + ", points: " +
+                     (scale.points == 0 ? std::string("none") : std::to_string(scale.points)) +
+                     "; add or remove labels");
 }
 
 }  // namespace asperity

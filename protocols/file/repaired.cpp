@@ -132,8 +132,9 @@ class Repairer final {
         if (!value) return {};
         made[name] = std::move(*value);
       }
-      const bool lacks_other = !key.needs.empty() && !made.contains(key.needs);
-      if (lacks_other && made.erase(name) > 0) places_.insert(pointer_to(pointer, name));
+      const bool applies = std::ranges::all_of(
+          key.conditions, [&made](const KeyCondition& each) { return holds_in(each, made); });
+      if (!applies && made.erase(name) > 0) places_.insert(pointer_to(pointer, name));
     }
     if (!table.may_be_empty && made.empty()) return {};
     return decide(made, table, pointer) ? std::optional(std::move(made)) : std::nullopt;

@@ -35,100 +35,105 @@ const PlannedPresentation* surface_of_role(const Trial& trial, const std::string
 
 }  // namespace
 
-void Meaning::check_relative_amplitude(const Block& block, const StimulusTemplate& stimulus,
-                                       const std::string& pointer) {
+void check_relative_amplitude(CheckedDocument& checked, const Block& block,
+                              const StimulusTemplate& stimulus, const std::string& pointer) {
   const Dimension& dimension = *block.vary;
   for (const auto& [id, place] :
-       texts_of(stimulus.model, pointer_to("/stimuli", stimulus.name) + "/model")) {
-    const auto model = models_.find(id);
-    if (model == models_.end() || model->second->amplitude_parameter) continue;
-    report(pointer + "/vary/parameter",
-           "the model " + in_quotes(id) + " of the stimulus " + in_quotes(stimulus.name) +
-               " has no amplitude; exclude it from the block, or use a model that has one");
+       texts_of(checked, stimulus.model, pointer_to("/stimuli", stimulus.name) + "/model")) {
+    const auto model = checked.models.find(id);
+    if (model == checked.models.end() || model->second->amplitude_parameter) continue;
+    checked.report(pointer + "/vary/parameter",
+                   "the model " + in_quotes(id) + " of the stimulus " + in_quotes(stimulus.name) +
+                       " has no amplitude; exclude it from the block, or use a model that has one");
   }
   if (!dimension.values().empty() && !(dimension.values().front() > 0.0)) {
-    report(pointer + "/vary/" + std::string(asperity::key_of(dimension.measure)),
-           "a relative amplitude is above 0, but the lowest level is " +
-               digits(dimension.levels().front()) + "; raise it, or state \"levels_decibels\"");
+    checked.report(pointer + "/vary/" + std::string(asperity::key_of(dimension.measure)),
+                   "a relative amplitude is above 0, but the lowest level is " +
+                       digits(dimension.levels().front()) +
+                       "; raise it, or state \"levels_decibels\"");
   }
   if (block.equal_roughness) {
-    report_key(pointer + "/equal_roughness",
-               "this block varies the relative amplitude, which equal roughness would determine; "
-               "remove one of the two keys");
+    checked.report_key(
+        pointer + "/equal_roughness",
+        "this block varies the relative amplitude, which equal roughness would determine; "
+        "remove one of the two keys");
   }
 }
 
 /// Whether the block that is named can match roughness, and is run before.
-void Meaning::check_equal_roughness(const Block& block, const std::string& pointer) {
+void check_equal_roughness(CheckedDocument& checked, const Block& block,
+                           const std::string& pointer) {
   if (!block.equal_roughness) return;
   const std::string place = pointer + "/equal_roughness/matched_in";
   const std::string& name = block.equal_roughness->matched_in;
-  const auto found = protocol_.blocks.find(name);
-  if (found == protocol_.blocks.end()) {
-    report(place, unknown_name("block", name, protocol_.blocks));
+  const auto found = checked.protocol.blocks.find(name);
+  if (found == checked.protocol.blocks.end()) {
+    checked.report(place, unknown_name("block", name, checked.protocol.blocks));
     return;
   }
   const Block& matching = found->second;
   const std::string at_matching = pointer_to("/blocks", name);
   if (!matching.vary || !matching.vary->is_relative_amplitude()) {
-    report(place, "the block " + in_quotes(name) +
-                      " does not match roughness: let it \"vary\" the parameter " +
-                      in_quotes(kRelativeAmplitude) + ", or name another block");
+    checked.report(place, "the block " + in_quotes(name) +
+                              " does not match roughness: let it \"vary\" the parameter " +
+                              in_quotes(kRelativeAmplitude) + ", or name another block");
     return;
   }
   const Protocol::TrialQuestionTemplate* const judged = judged_question(matching);
-  if (judged != nullptr && judged->judgement != DiscriminationJudgement::comparison) {
-    report(place_of_question(matching, static_cast<std::size_t>(judged - matching.questions.data())) +
-               "/judgement",
-           "roughness is matched where both surfaces are judged rougher equally often, which "
-           "the judgement \"performance\" does not estimate; use \"comparison\"");
+  if (judged != nullptr && judged->judgement() != DiscriminationJudgement::comparison) {
+    checked.report(
+        place_of_question(matching, static_cast<std::size_t>(judged - matching.questions.data())) +
+            "/judgement",
+        "roughness is matched where both surfaces are judged rougher equally often, which "
+        "the judgement \"performance\" does not estimate; use \"comparison\"");
   }
-  if (!matching.procedure || !std::all_of(matching.procedure->tracks.begin(),
-                                          matching.procedure->tracks.end(),
-                                          [](const ProcedureSettings& settings) {
-                                            return equality_track(settings).has_value();
-                                          })) {
-    report(at_matching + (matching.procedure ? "/procedure" : ""),
-           "the block " + in_quotes(block.name) +
-               " needs the amplitudes of equal roughness from this block: state a procedure "
-               "\"transformed_up_down\" with \"down\": 1, \"up\": 1 and equal steps");
+  if (!matching.procedure ||
+      !std::all_of(
+          matching.procedure->tracks.begin(), matching.procedure->tracks.end(),
+          [](const ProcedureSettings& settings) { return equality_track(settings).has_value(); })) {
+    checked.report(
+        at_matching + (matching.procedure ? "/procedure" : ""),
+        "the block " + in_quotes(block.name) +
+            " needs the amplitudes of equal roughness from this block: state a procedure "
+            "\"transformed_up_down\" with \"down\": 1, \"up\": 1 and equal steps");
   }
   for (const std::string& factor : matching.drawn) {
-    report(at_matching + "/drawn",
-           "a track matches one stimulus, but the factor " + in_quotes(factor) +
-               " is drawn for every trial; cross it instead");
+    checked.report(at_matching + "/drawn", "a track matches one stimulus, but the factor " +
+                                               in_quotes(factor) +
+                                               " is drawn for every trial; cross it instead");
   }
   std::size_t runs_before = 0;
-  for (std::size_t i = 0; i < protocol_.flow.size(); ++i) {
-    const auto* const run = std::get_if<Run>(&protocol_.flow[i]);
+  for (std::size_t i = 0; i < checked.protocol.flow.size(); ++i) {
+    const auto* const run = std::get_if<Run>(&checked.protocol.flow[i]);
     if (run == nullptr) continue;
     const std::string at_run = pointer_to("/flow", i);
     if (run->block == name) {
       if (++runs_before > 1) {
-        report(at_run + "/run", "the block " + in_quotes(name) +
-                                    " would match the same stimuli twice; run it once");
+        checked.report(at_run + "/run", "the block " + in_quotes(name) +
+                                            " would match the same stimuli twice; run it once");
       }
       if (!run->for_each.empty()) {
-        report(at_run + "/for_each", "the block " + in_quotes(name) +
-                                         " matches all stimuli in one run; cross the factor " +
-                                         in_quotes(run->for_each) + " in the block instead");
+        checked.report(at_run + "/for_each",
+                       "the block " + in_quotes(name) +
+                           " matches all stimuli in one run; cross the factor " +
+                           in_quotes(run->for_each) + " in the block instead");
       }
     }
     if (run->block == block.name && runs_before == 0) {
-      report(at_run + "/run", "the block " + in_quotes(block.name) +
-                                  " presents surfaces of equal roughness, but the block " +
-                                  in_quotes(name) +
-                                  ", which matches them, has not been run; run it before");
+      checked.report(at_run + "/run", "the block " + in_quotes(block.name) +
+                                          " presents surfaces of equal roughness, but the block " +
+                                          in_quotes(name) +
+                                          ", which matches them, has not been run; run it before");
     }
   }
 }
 
 /// Whether every surface of a block with equal roughness is matched, once, or is the reference.
-void Meaning::check_matches(const std::vector<Trial>& possible) {
-  for (const auto& [name, block] : protocol_.blocks) {
+void check_matches(CheckedDocument& checked, const std::vector<Trial>& possible) {
+  for (const auto& [name, block] : checked.protocol.blocks) {
     if (!block.equal_roughness) continue;
     const std::string& matched_in = block.equal_roughness->matched_in;
-    const Block& matching = protocol_.blocks.at(matched_in);
+    const Block& matching = checked.protocol.blocks.at(matched_in);
     const std::string at_matching = pointer_to("/blocks", matched_in);
     std::map<std::string, const PlannedPresentation*> matched{};
     std::vector<const PlannedPresentation*> references{};
@@ -141,15 +146,17 @@ void Meaning::check_matches(const std::vector<Trial>& possible) {
       references.push_back(reference);
       const auto [known, is_new] = matched.emplace(key_of(*varied), varied);
       if (!is_new && !are_of_same_stimulus(*known->second, *varied)) {
-        report(at_matching + "/presented",
-               name_of(*varied) +
-                   " would be matched several times, with different parameters; a match belongs to "
-                   "a stimulus, a model and a texture: define a stimulus for each of them, with a "
-                   "separate block that matches it and a separate block that presents it");
+        checked.report(
+            at_matching + "/presented",
+            name_of(*varied) +
+                " would be matched several times, with different parameters; a match belongs to "
+                "a stimulus, a model and a texture: define a stimulus for each of them, with a "
+                "separate block that matches it and a separate block that presents it");
       }
       if (are_of_same_stimulus(*varied, *reference)) {
-        report(at_matching, name_of(*varied) +
-                                " would be matched with itself: it is the reference; \"exclude\" it");
+        checked.report(at_matching,
+                       name_of(*varied) +
+                           " would be matched with itself: it is the reference; \"exclude\" it");
       }
     }
     for (const Trial& trial : possible) {
@@ -163,10 +170,11 @@ void Meaning::check_matches(const std::vector<Trial>& possible) {
             })) {
           continue;
         }
-        report(pointer_to("/blocks", name) + "/equal_roughness",
-               name_of(planned) + " is neither matched in the block " + in_quotes(matched_in) +
-                   " nor its reference; present the same stimulus there, with the same "
-                   "parameters, material and equal_force");
+        checked.report(pointer_to("/blocks", name) + "/equal_roughness",
+                       name_of(planned) + " is neither matched in the block " +
+                           in_quotes(matched_in) +
+                           " nor its reference; present the same stimulus there, with the same "
+                           "parameters, material and equal_force");
       }
     }
   }

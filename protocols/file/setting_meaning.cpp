@@ -8,108 +8,11 @@
 
 #include "protocols/file/device_limit.h"
 #include "protocols/file/meaning_checks.h"
+#include "protocols/keys/conditions.h"
+#include "protocols/keys/form_sentences.h"
 #include "stimuli/properties/other_unit.h"
 
 namespace asperity {
-
-void Meaning::check_head() {
-  for (const ExperimentKind* const kind : experiment_kinds()) {
-    for (const KindKey& key : kind->keys) {
-      const std::string name(key.name);
-      const bool is_there = document_.root().contains(name);
-      const auto has_key = [&name](const ExperimentKind* each) {
-        return std::any_of(each->keys.begin(), each->keys.end(),
-                           [&name](const KindKey& its) { return its.name == name; });
-      };
-      const bool is_used = std::find(kinds_.begin(), kinds_.end(), kind) != kinds_.end();
-      if (is_used && !is_there && !key.if_missing.empty()) {
-        report("/kind", std::string(key.if_missing));
-      }
-      if (is_there && std::none_of(kinds_.begin(), kinds_.end(), has_key)) {
-        report_key("/" + name, std::string(key.if_foreign));
-      }
-    }
-  }
-  const auto& patch = protocol_.patch;
-  if (2.0 * patch.edge_width_m >= std::min(patch.extent_m.x, patch.extent_m.y)) {
-    report("/surface/edge_width_m",
-           "edges of " + digits(patch.edge_width_m) + " m on both sides cover the whole patch of " +
-               digits(patch.extent_m.x) + " m by " + digits(patch.extent_m.y) +
-               " m; reduce edge_width_m or enlarge the patch");
-  }
-}
-
-void Meaning::check_instability() {
-  // Vibration is judged from 150 Hz to half the rate.
-  constexpr double kLowestRate_Hz = 300.0;
-  if (!protocol_.instability || protocol_.rate_Hz > kLowestRate_Hz) return;
-  report("/instability", "vibration above 150 Hz cannot be judged at a servo rate of " +
-                             digits(protocol_.rate_Hz) +
-                             " Hz: set device.rate_Hz above 300, or remove this key");
-}
-
-void Meaning::check_device_limits() {
-  const auto rate_Hz = protocol_.device_limits.find("rate_Hz");
-  if (rate_Hz == protocol_.device_limits.end()) return;
-  if (const auto complaint = complaint_about_rate_limit(rate_Hz->second, protocol_.rate_Hz)) {
-    report("/device/limits/rate_Hz", *complaint);
-  }
-}
-
-void Meaning::check_path(const std::optional<std::string>& path, const std::string& pointer) {
-  if (!path) return;
-  const std::string& text = *path;
-  const auto refuse = [&](const std::string& why) {
-    report(pointer, in_quotes(text) + " " + why +
-                        "; name a file inside the study, such as \"stimuli/metal.png\"");
-  };
-  if (text.starts_with('/') || text.starts_with('~') || (text.size() > 1 && text[1] == ':')) {
-    return refuse("is not a path relative to the study");
-  }
-  for (const char c : text) {
-    if (c == '\\' || static_cast<unsigned char>(c) < 0x20) {
-      return refuse("contains a backslash or a control character");
-    }
-  }
-  std::size_t from = 0;
-  while (from <= text.size()) {
-    const std::size_t end = std::min(text.find('/', from), text.size());
-    const std::string_view part = std::string_view(text).substr(from, end - from);
-    if (part == "..") return refuse("points outside the study");
-    if (part.empty() || part == ".") return refuse("has an empty part");
-    from = end + 1;
-  }
-}
-
-void Meaning::check_textures() {
-  std::map<std::string, std::string> codes{};
-  std::map<std::string, std::string> roles{};  // those that force models declare → a model
-  for (const auto& [id, model] : models_) {
-    for (const AssetDeclaration& asset : model->assets) roles.emplace(asset.role, id);
-  }
-  for (const auto& [name, texture] : protocol_.textures) {
-    const std::string pointer = pointer_to("/textures", name);
-    check_path(texture.height_field, pointer + "/height_field");
-    check_path(texture.picture, pointer + "/picture");
-    check_path(texture.true_height_field, pointer + "/true_height_field");
-    for (const auto& [role, path] : texture.assets) {
-      const std::string place = pointer_to(pointer + "/assets", role);
-      check_path(path, place);
-      if (!roles.contains(role)) report_key(place, unknown_name("role of an asset", role, roles));
-    }
-    if (!texture.height_field && !texture.picture && texture.assets.empty()) {
-      report(pointer,
-             "this texture can be neither felt nor seen: give it a \"height_field\", a "
-             "\"picture\" or both");
-    }
-    if (texture.code.empty()) continue;
-    const auto [other, is_new] = codes.emplace(texture.code, name);
-    if (!is_new) {
-      report(pointer + "/code", "the code " + in_quotes(texture.code) + " is also that of " +
-                                    in_quotes(other->second) + "; give each texture its own code");
-    }
-  }
-}
 
 namespace {
 
@@ -146,36 +49,9 @@ bool is_name_of(const Level& level, const std::string& name) {
   return error == std::errc() && rest == end && named == *number;
 }
 
-}  // namespace
-
-void Meaning::check_factors() {
-  const auto declared = document_.root().find("factors");
-  for (const auto& [name, factor] : protocol_.factors) {
-    // The factor of a varied parameter is declared by its block.
-    if (declared == document_.root().end() || !declared->contains(name)) continue;
-    const std::string pointer = pointer_to("/factors", name) + "/levels";
-    for (std::size_t i = 0; i < factor.levels.size(); ++i) {
-      const Level& level = factor.levels[i];
-      if (level.index() != factor.levels.front().index()) {
-        report(pointer_to(pointer, i),
-               "the levels of a factor must be all numbers or all names; write this level in the "
-               "form of the first one");
-      } else if (std::find(factor.levels.begin(),
-                           factor.levels.begin() + static_cast<std::ptrdiff_t>(i),
-                           level) != factor.levels.begin() + static_cast<std::ptrdiff_t>(i)) {
-        report(pointer_to(pointer, i),
-               in_quotes(text_of(level)) + " is listed twice; list it once");
-      } else if (std::holds_alternative<std::string>(level) && text_of(level).empty()) {
-        report(pointer_to(pointer, i), "a level cannot be empty; give it a name");
-      }
-    }
-    check_hed(factor);
-  }
-}
-
 /// The existence of tags is not checked: HED's vocabulary has thousands of them and its own validator.
-void Meaning::check_hed(const Factor& factor) {
-  const auto& declared = document_.root().at("factors").at(factor.name);
+void check_hed(CheckedDocument& checked, const Factor& factor) {
+  const auto& declared = checked.document.root().at("factors").at(factor.name);
   const auto hed = declared.find("hed");
   if (hed == declared.end()) return;
   std::vector<std::string> names{};
@@ -186,69 +62,217 @@ void Meaning::check_hed(const Factor& factor) {
         std::any_of(factor.levels.begin(), factor.levels.end(),
                     [&name = name](const Level& level) { return is_name_of(level, name); });
     if (!is_level) {
-      report_key(pointer, in_quotes(name) + " is not a level of the factor " +
-                              in_quotes(factor.name) + "; use " + one_of(names) +
-                              did_you_mean(name, names));
+      checked.report_key(pointer, in_quotes(name) + " is not a level of the factor " +
+                                      in_quotes(factor.name) + "; use " + one_of(names) +
+                                      did_you_mean(name, names));
     }
     const std::string problem = hed_problem(tags.get<std::string>());
     if (problem.empty()) continue;
-    report(pointer, problem +
-                        "; separate HED tags by commas and group them by parentheses, such as "
-                        "\"Sensory-event, (Rough, Large)\"");
+    checked.report(pointer,
+                   problem +
+                       "; separate HED tags by commas and group them by parentheses, such as "
+                       "\"Sensory-event, (Rough, Large)\"");
   }
 }
 
-void Meaning::check_band(const Band& band, const std::string& pointer) {
+void check_band(CheckedDocument& checked, const Band& band, const std::string& pointer) {
   const auto ordered = [](const std::optional<double>& a, const std::optional<double>& b) {
     return !a || !b || *a <= *b;
   };
   if (!ordered(band.minimum, band.target) || !ordered(band.target, band.maximum) ||
       !ordered(band.minimum, band.maximum)) {
-    report(pointer, "a band must be ascending: minimum ≤ target ≤ maximum");
+    checked.report(pointer, "a band must be ascending: minimum ≤ target ≤ maximum");
   }
 }
 
 /// Checks that there is guidance to show and that the participant can perceive it.
-void Meaning::check_guidance(const Exploration& exploration, const std::string& pointer) {
+void check_guidance(CheckedDocument& checked, const Exploration& exploration,
+                    const std::string& pointer) {
   using Guidance = Exploration::Guidance;
   if (exploration.guidance == Guidance::experimenter) return;
   const std::string place = pointer + "/guidance";
-  if (protocol_.vision == Vision::blindfold && exploration.guidance != Guidance::tones) {
-    report(place,
-           "a blindfolded participant sees neither bars nor a target; choose \"tones\" or "
-           "\"experimenter\", or another \"vision\"");
+  if (checked.protocol.vision == Vision::blindfold && exploration.guidance != Guidance::tones) {
+    checked.report(place,
+                   "a blindfolded participant sees neither bars nor a target; choose \"tones\" or "
+                   "\"experimenter\", or another \"vision\"");
   }
   const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
   if (exploration.guidance != Guidance::moving_target && !bounded(exploration.normal_force_N) &&
       !bounded(exploration.speed_m_per_s)) {
-    report(place,
-           "there is no band to indicate: give normal_force_N or speed_m_per_s a minimum or a "
-           "maximum");
+    checked.report(
+        place,
+        "there is no band to indicate: give normal_force_N or speed_m_per_s a minimum or a "
+        "maximum");
   }
   if (exploration.guidance == Guidance::moving_target) {
     const auto positive = [](const Band& band) { return band.target.value_or(0.0) > 0.0; };
     if (!positive(exploration.speed_m_per_s) || !positive(exploration.stroke_length_m)) {
-      report(place,
-             "a moving target needs a speed and a length: give speed_m_per_s and stroke_length_m a "
-             "target above 0");
+      checked.report(
+          place,
+          "a moving target needs a speed and a length: give speed_m_per_s and stroke_length_m a "
+          "target above 0");
     }
   }
 }
 
-void Meaning::check_explorations() {
-  for (const auto& [name, exploration] : protocol_.explorations) {
+}  // namespace
+
+void check_applicability(CheckedDocument& checked) {
+  for (const InapplicableKey& key : inapplicable_keys(checked.document.root())) {
+    if (key.is_permitted) continue;
+    if (key.condition->of != KeyCondition::Of::kind) {
+      checked.report_key(key.pointer, inapplicable_key(*key.condition));
+      continue;
+    }
+    std::vector<std::string> owners{};
+    std::vector<std::string> ids{};
+    for (const std::string_view kind : key.condition->values()) {
+      owners.push_back("a " + std::string(kind_named(kind).name));
+      ids.emplace_back(kind);
+    }
+    // A question that needs another kind needs another experiment.
+    const bool is_of_question = key.pointer.find("/question") != std::string::npos;
+    checked.report_key(key.pointer,
+                       "only " + listed_words(owners, " or ") + " has this key; remove it" +
+                           (is_of_question ? "" : ", or set \"kind\" to " + one_of(ids)));
+  }
+}
+
+void check_head(CheckedDocument& checked) {
+  for (const ExperimentKind* const kind : checked.kinds) {
+    for (const RequiredKey& key : kind->required) {
+      if (!checked.document.root().contains(key.name))
+        checked.report("/kind", std::string(key.if_missing));
+    }
+  }
+  const auto& patch = checked.protocol.patch;
+  if (2.0 * patch.edge_width_m >= std::min(patch.extent_m.x, patch.extent_m.y)) {
+    checked.report("/surface/edge_width_m", "edges of " + digits(patch.edge_width_m) +
+                                                " m on both sides cover the whole patch of " +
+                                                digits(patch.extent_m.x) + " m by " +
+                                                digits(patch.extent_m.y) +
+                                                " m; reduce edge_width_m or enlarge the patch");
+  }
+}
+
+void check_instability(CheckedDocument& checked) {
+  // Vibration is judged from 150 Hz to half the rate.
+  constexpr double kLowestRate_Hz = 300.0;
+  if (!checked.protocol.instability || checked.protocol.rate_Hz > kLowestRate_Hz) return;
+  checked.report("/instability", "vibration above 150 Hz cannot be judged at a servo rate of " +
+                                     digits(checked.protocol.rate_Hz) +
+                                     " Hz: set device.rate_Hz above 300, or remove this key");
+}
+
+void check_device_limits(CheckedDocument& checked) {
+  const auto rate_Hz = checked.protocol.device_limits.find("rate_Hz");
+  if (rate_Hz == checked.protocol.device_limits.end()) return;
+  if (const auto complaint =
+          complaint_about_rate_limit(rate_Hz->second, checked.protocol.rate_Hz)) {
+    checked.report("/device/limits/rate_Hz", *complaint);
+  }
+}
+
+void check_path(CheckedDocument& checked, const std::optional<std::string>& path,
+                const std::string& pointer) {
+  if (!path) return;
+  const std::string& text = *path;
+  const auto refuse = [&](const std::string& why) {
+    checked.report(pointer, in_quotes(text) + " " + why +
+                                "; name a file inside the study, such as \"stimuli/metal.png\"");
+  };
+  if (text.starts_with('/') || text.starts_with('~') || (text.size() > 1 && text[1] == ':')) {
+    return refuse("is not a path relative to the study");
+  }
+  for (const char c : text) {
+    if (c == '\\' || static_cast<unsigned char>(c) < 0x20) {
+      return refuse("contains a backslash or a control character");
+    }
+  }
+  std::size_t from = 0;
+  while (from <= text.size()) {
+    const std::size_t end = std::min(text.find('/', from), text.size());
+    const std::string_view part = std::string_view(text).substr(from, end - from);
+    if (part == "..") return refuse("points outside the study");
+    if (part.empty() || part == ".") return refuse("has an empty part");
+    from = end + 1;
+  }
+}
+
+void check_textures(CheckedDocument& checked) {
+  std::map<std::string, std::string> codes{};
+  std::map<std::string, std::string> roles{};  // those that force models declare → a model
+  for (const auto& [id, model] : checked.models) {
+    for (const AssetDeclaration& asset : model->assets) roles.emplace(asset.role, id);
+  }
+  for (const auto& [name, texture] : checked.protocol.textures) {
+    const std::string pointer = pointer_to("/textures", name);
+    check_path(checked, texture.height_field, pointer + "/height_field");
+    check_path(checked, texture.picture, pointer + "/picture");
+    check_path(checked, texture.true_height_field, pointer + "/true_height_field");
+    for (const auto& [role, path] : texture.assets) {
+      const std::string place = pointer_to(pointer + "/assets", role);
+      check_path(checked, path, place);
+      if (!roles.contains(role))
+        checked.report_key(place, unknown_name("role of an asset", role, roles));
+    }
+    if (!texture.height_field && !texture.picture && texture.assets.empty()) {
+      checked.report(pointer,
+                     "this texture can be neither felt nor seen: give it a \"height_field\", a "
+                     "\"picture\" or both");
+    }
+    if (texture.code.empty()) continue;
+    const auto [other, is_new] = codes.emplace(texture.code, name);
+    if (!is_new) {
+      checked.report(pointer + "/code", "the code " + in_quotes(texture.code) +
+                                            " is also that of " + in_quotes(other->second) +
+                                            "; give each texture its own code");
+    }
+  }
+}
+
+void check_factors(CheckedDocument& checked) {
+  const auto declared = checked.document.root().find("factors");
+  for (const auto& [name, factor] : checked.protocol.factors) {
+    // The factor of a varied parameter is declared by its block.
+    if (declared == checked.document.root().end() || !declared->contains(name)) continue;
+    const std::string pointer = pointer_to("/factors", name) + "/levels";
+    for (std::size_t i = 0; i < factor.levels.size(); ++i) {
+      const Level& level = factor.levels[i];
+      if (level.index() != factor.levels.front().index()) {
+        checked.report(
+            pointer_to(pointer, i),
+            "the levels of a factor must be all numbers or all names; write this level in the "
+            "form of the first one");
+      } else if (std::find(factor.levels.begin(),
+                           factor.levels.begin() + static_cast<std::ptrdiff_t>(i),
+                           level) != factor.levels.begin() + static_cast<std::ptrdiff_t>(i)) {
+        checked.report(pointer_to(pointer, i),
+                       in_quotes(text_of(level)) + " is listed twice; list it once");
+      } else if (std::holds_alternative<std::string>(level) && text_of(level).empty()) {
+        checked.report(pointer_to(pointer, i), "a level cannot be empty; give it a name");
+      }
+    }
+    check_hed(checked, factor);
+  }
+}
+
+void check_explorations(CheckedDocument& checked) {
+  for (const auto& [name, exploration] : checked.protocol.explorations) {
     const std::string pointer = pointer_to("/explorations", name);
-    check_band(exploration.speed_m_per_s, pointer + "/speed_m_per_s");
-    check_band(exploration.strokes, pointer + "/strokes");
-    check_guidance(exploration, pointer);
-    const auto is_weak_enough = [&](double force_N) { return force_N <= protocol_.force_limit_N; };
+    check_band(checked, exploration.speed_m_per_s, pointer + "/speed_m_per_s");
+    check_band(checked, exploration.strokes, pointer + "/strokes");
+    check_guidance(checked, exploration, pointer);
+    const auto is_weak_enough = [&](double force_N) {
+      return force_N <= checked.protocol.force_limit_N;
+    };
     const auto too_strong = [&](const std::optional<double>& force_N, const char* key) {
       if (!force_N || is_weak_enough(*force_N)) return false;
-      report(pointer + "/normal_force_N/" + key,
-             "the band reaches " + digits(*force_N) + " N, but the force limit is " +
-                 digits(protocol_.force_limit_N) +
-                 " N (/device/force_limit_N); lower the force or raise the limit" +
-                 meant_in_other_unit(*force_N, "N", is_weak_enough));
+      checked.report(pointer + "/normal_force_N/" + key,
+                     "the band reaches " + digits(*force_N) + " N, but the force limit is " +
+                         digits(checked.protocol.force_limit_N) +
+                         " N (/device/force_limit_N); lower the force or raise the limit" +
+                         meant_in_other_unit(*force_N, "N", is_weak_enough));
       return true;
     };
     const Band& force = exploration.normal_force_N;
@@ -256,8 +280,9 @@ void Meaning::check_explorations() {
                             too_strong(force.target, "target"),
                             too_strong(force.maximum, "maximum")};
     // A value in another unit is out of order as well, which would be a second error.
-    if (strong == std::array{false, false, false}) check_band(force, pointer + "/normal_force_N");
-    const auto& patch = protocol_.patch;
+    if (strong == std::array{false, false, false})
+      check_band(checked, force, pointer + "/normal_force_N");
+    const auto& patch = checked.protocol.patch;
     const double along_x = std::abs(std::cos(exploration.direction_rad));
     const double along_y = std::abs(std::sin(exploration.direction_rad));
     const auto is_short_enough = [&](double length_m) {
@@ -267,40 +292,42 @@ void Meaning::check_explorations() {
     };
     const auto too_long = [&](const std::optional<double>& length_m, const char* key) {
       if (!length_m || is_short_enough(*length_m)) return false;
-      report(pointer + "/stroke_length_m/" + key,
-             "a stroke of " + digits(*length_m) + " m does not fit into the patch of " +
-                 digits(patch.extent_m.x) + " m by " + digits(patch.extent_m.y) +
-                 " m; shorten the stroke or enlarge the patch" +
-                 meant_in_other_unit(*length_m, "m", is_short_enough));
+      checked.report(pointer + "/stroke_length_m/" + key,
+                     "a stroke of " + digits(*length_m) + " m does not fit into the patch of " +
+                         digits(patch.extent_m.x) + " m by " + digits(patch.extent_m.y) +
+                         " m; shorten the stroke or enlarge the patch" +
+                         meant_in_other_unit(*length_m, "m", is_short_enough));
       return true;
     };
     const Band& length = exploration.stroke_length_m;
     const std::array is_long{too_long(length.minimum, "minimum"),
                              too_long(length.target, "target")};
-    if (is_long == std::array{false, false}) check_band(length, pointer + "/stroke_length_m");
+    if (is_long == std::array{false, false})
+      check_band(checked, length, pointer + "/stroke_length_m");
     if (exploration.minimum_contact_s > exploration.maximum_contact_s) {
-      report(pointer + "/minimum_contact_s",
-             "at least " + digits(exploration.minimum_contact_s) +
-                 " s of contact are requested, but the surface is removed after " +
-                 digits(exploration.maximum_contact_s) +
-                 " s; lower minimum_contact_s or raise maximum_contact_s");
+      checked.report(pointer + "/minimum_contact_s",
+                     "at least " + digits(exploration.minimum_contact_s) +
+                         " s of contact are requested, but the surface is removed after " +
+                         digits(exploration.maximum_contact_s) +
+                         " s; lower minimum_contact_s or raise maximum_contact_s");
     }
     const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
     if (exploration.required_fraction_in_band > 0.0 && !bounded(exploration.normal_force_N) &&
         !bounded(exploration.speed_m_per_s)) {
-      report(pointer + "/required_fraction_in_band",
-             "there is no band to which the fraction could refer: give normal_force_N or "
-             "speed_m_per_s a minimum or a maximum");
+      checked.report(pointer + "/required_fraction_in_band",
+                     "there is no band to which the fraction could refer: give normal_force_N or "
+                     "speed_m_per_s a minimum or a maximum");
     }
     const bool repeats = exploration.on_failure != Exploration::OnFailure::flag;
     if (repeats && exploration.maximum_repeats < 1) {
-      report(pointer + "/on_failure",
-             "trials are to be repeated, but at most 0 times: set maximum_repeats to 1 or more");
+      checked.report(
+          pointer + "/on_failure",
+          "trials are to be repeated, but at most 0 times: set maximum_repeats to 1 or more");
     }
     if (!repeats && exploration.maximum_repeats > 0) {
-      report(pointer + "/maximum_repeats",
-             "nothing is repeated while on_failure is \"flag\"; choose \"repeat_now\" or "
-             "\"requeue_at_end_of_block\"");
+      checked.report(pointer + "/maximum_repeats",
+                     "nothing is repeated while on_failure is \"flag\"; choose \"repeat_now\" or "
+                     "\"requeue_at_end_of_block\"");
     }
   }
 }

@@ -6,32 +6,11 @@
 
 namespace asperity {
 
-std::vector<std::pair<std::string, std::string>> Meaning::texts_of(
-    const Binding<std::string>& binding, const std::string& pointer) {
-  if (binding.value) return {{*binding.value, pointer}};
-  const auto factor = protocol_.factors.find(binding.factor);
-  if (factor == protocol_.factors.end()) {
-    if (!binding.factor.empty()) {
-      report(pointer + "/factor", unknown_name("factor", binding.factor, protocol_.factors));
-    }
-    return {};
-  }
-  std::vector<std::pair<std::string, std::string>> texts{};
-  for (std::size_t i = 0; i < factor->second.levels.size(); ++i) {
-    const std::string place = place_of_level(binding.factor, i);
-    if (const auto* const text = std::get_if<std::string>(&factor->second.levels[i])) {
-      texts.emplace_back(*text, place);
-    } else {
-      report(place, text_of(factor->second.levels[i]) +
-                        " is a number, but the factor is used as a name at " + pointer +
-                        "; use names as its levels");
-    }
-  }
-  return texts;
-}
+namespace {
 
-std::string Meaning::place_of_level(const std::string& factor, std::size_t level) const {
-  for (const auto& [name, block] : protocol_.blocks) {
+/// The position of a level of a factor: of the formula, where the level is computed.
+std::string place_of_level(CheckedDocument& checked, const std::string& factor, std::size_t level) {
+  for (const auto& [name, block] : checked.protocol.blocks) {
     if (block.derived.contains(factor)) {
       return pointer_to(pointer_to("/blocks", name) + "/derived", factor);
     }
@@ -39,64 +18,177 @@ std::string Meaning::place_of_level(const std::string& factor, std::size_t level
   return pointer_to(pointer_to("/factors", factor) + "/levels", level);
 }
 
-void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string& pointer) {
+/// Whether the textures have the files that the models declare.
+void check_assets_of(CheckedDocument& checked, const StimulusTemplate& stimulus,
+                     const std::vector<const ModelDeclaration*>& models,
+                     const std::string& pointer) {
+  const bool has_texture = stimulus.texture.value || !stimulus.texture.factor.empty();
+  for (const ModelDeclaration* const model : models) {
+    for (const AssetDeclaration& asset : model->assets) {
+      const std::string needed = "the model " + in_quotes(model->id) + " needs the asset " +
+                                 in_quotes(asset.role) + " (" + asset.meaning + ")";
+      if (!has_texture) {
+        checked.report(pointer, needed + ": give the stimulus a \"texture\" that has it");
+      }
+      for (const auto& [name, place] : texts_of(checked, stimulus.texture, pointer + "/texture")) {
+        const auto texture = checked.protocol.textures.find(name);
+        if (texture == checked.protocol.textures.end() ||
+            texture->second.assets.contains(asset.role)) {
+          continue;
+        }
+        checked.report(place, needed + ", which the texture " + in_quotes(name) +
+                                  " does not have: add its file under \"assets\"");
+      }
+    }
+  }
+}
+
+void check_equal_force(CheckedDocument& checked, const StimulusTemplate& stimulus,
+                       const std::string& pointer) {
+  const EqualForce& equal = *stimulus.equal_force;
+  const std::string place = pointer + "/equal_force";
+  if (equal.band_low_Hz >= equal.band_high_Hz) {
+    checked.report(place, "the band from " + digits(equal.band_low_Hz) + " Hz to " +
+                              digits(equal.band_high_Hz) +
+                              " Hz is empty; lower its lower limit or raise its upper limit");
+  }
+  if (equal.band_high_Hz > 0.5 * checked.protocol.rate_Hz) {
+    checked.report(place, "the band ends at " + digits(equal.band_high_Hz) +
+                              " Hz, above half the servo rate of " +
+                              digits(checked.protocol.rate_Hz) + " Hz; lower its upper limit");
+  }
+  if (equal.rms_N && *equal.rms_N > checked.protocol.force_limit_N) {
+    checked.report(place + "/rms_N",
+                   digits(*equal.rms_N) + " N exceeds the force limit of " +
+                       digits(checked.protocol.force_limit_N) +
+                       " N (/device/force_limit_N); lower the force or raise the limit");
+  }
+  if (!equal.to_model.empty() && !checked.models.contains(equal.to_model)) {
+    checked.report(place + "/to_model",
+                   unknown_name("force model", equal.to_model, checked.models));
+  } else if (!equal.to_model.empty() && checked.models.find(equal.to_model)->second->needs_bodies) {
+    checked.report(place + "/to_model",
+                   "the model " + in_quotes(equal.to_model) +
+                       " cannot be the reference of equal force: its texture force "
+                       "depends on two bodies; state \"rms_N\" instead");
+  }
+  for (const auto& [id, at] : texts_of(checked, stimulus.model, pointer + "/model")) {
+    const auto model = checked.models.find(id);
+    if (model == checked.models.end()) continue;
+    // The reference model of equal force is compared with its default amplitude: with a different amplitude it would be
+    // the only model of another strength.
+    if (model->second->needs_bodies) {
+      checked.report(at,
+                     "the texture force of the model " + in_quotes(id) +
+                         ", which depends on two bodies, cannot be made equal to another; remove "
+                         "\"equal_force\", and state the strength as " +
+                         in_quotes(model->second->amplitude_parameter.value_or("parameters")));
+    } else if (!model->second->amplitude_parameter) {
+      if (id == equal.to_model) continue;
+      checked.report(at,
+                     "the model " + in_quotes(id) +
+                         " has no amplitude by which its texture force could be made equal; remove "
+                         "\"equal_force\" or use another model");
+    } else if (stimulus.parameters.contains(*model->second->amplitude_parameter)) {
+      checked.report_key(
+          pointer_to(pointer + "/parameters", *model->second->amplitude_parameter),
+          id == equal.to_model
+              ? "the texture forces of the other models are made equal to that of " +
+                    in_quotes(id) + " with this parameter at its default; remove this key"
+              : "equal_force determines this parameter of " + in_quotes(id) + "; remove this key");
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> texts_of(CheckedDocument& checked,
+                                                          const Binding<std::string>& binding,
+                                                          const std::string& pointer) {
+  if (binding.value) return {{*binding.value, pointer}};
+  const auto factor = checked.protocol.factors.find(binding.factor);
+  if (factor == checked.protocol.factors.end()) {
+    if (!binding.factor.empty()) {
+      checked.report(pointer + "/factor",
+                     unknown_name("factor", binding.factor, checked.protocol.factors));
+    }
+    return {};
+  }
+  std::vector<std::pair<std::string, std::string>> texts{};
+  for (std::size_t i = 0; i < factor->second.levels.size(); ++i) {
+    const std::string place = place_of_level(checked, binding.factor, i);
+    if (const auto* const text = std::get_if<std::string>(&factor->second.levels[i])) {
+      texts.emplace_back(*text, place);
+    } else {
+      checked.report(place, text_of(factor->second.levels[i]) +
+                                " is a number, but the factor is used as a name at " + pointer +
+                                "; use names as its levels");
+    }
+  }
+  return texts;
+}
+
+void check_stimulus(CheckedDocument& checked, const StimulusTemplate& stimulus,
+                    const std::string& pointer) {
   std::vector<const ModelDeclaration*> models{};
   bool needs_height_field = false;
-  for (const auto& [id, place] : texts_of(stimulus.model, pointer + "/model")) {
-    const auto model = models_.find(id);
-    if (model == models_.end()) {
-      const std::string unknown = unknown_name("force model", id, models_);
-      report(place, unknown + (unknown.ends_with('?') ? " If" : "; if") +
-                        " it is in a plug-in, load the plug-in with --plugin FILE, or under "
-                        "Study → Plug-ins… in the windows");
+  for (const auto& [id, place] : texts_of(checked, stimulus.model, pointer + "/model")) {
+    const auto model = checked.models.find(id);
+    if (model == checked.models.end()) {
+      const std::string unknown = unknown_name("force model", id, checked.models);
+      checked.report(place,
+                     unknown + (unknown.ends_with('?') ? " If" : "; if") +
+                         " it is in a plug-in, load the plug-in with --plugin FILE, or under "
+                         "Study → Plug-ins… in the windows");
       continue;
     }
     models.push_back(model->second);
     const std::optional<double>& highest_Hz = model->second->maximum_rate_Hz;
-    if (highest_Hz && protocol_.rate_Hz > *highest_Hz) {
-      report(place, "a tick of the force model " + id + " takes longer than a period at the " +
-                        digits(protocol_.rate_Hz) +
-                        " Hz of /device/rate_Hz: set rate_Hz to at most " + digits(*highest_Hz) +
-                        ", or choose another model");
+    if (highest_Hz && checked.protocol.rate_Hz > *highest_Hz) {
+      checked.report(place, "a tick of the force model " + id +
+                                " takes longer than a period at the " +
+                                digits(checked.protocol.rate_Hz) +
+                                " Hz of /device/rate_Hz: set rate_Hz to at most " +
+                                digits(*highest_Hz) + ", or choose another model");
     }
     needs_height_field = needs_height_field || model->second->needs_height_field;
   }
-  check_bodies_of(stimulus, models, pointer);
+  check_bodies_of(checked, stimulus, models, pointer);
   const bool all_need_bodies = !models.empty() && std::all_of(models.begin(), models.end(),
                                                               [](const ModelDeclaration* each) {
                                                                 return each->needs_bodies;
                                                               });
   const bool has_texture = stimulus.texture.value || !stimulus.texture.factor.empty();
   if (needs_height_field && !has_texture) {
-    report(pointer, "the model needs a height field: give the stimulus a \"texture\"");
+    checked.report(pointer, "the model needs a height field: give the stimulus a \"texture\"");
   }
   std::vector<const ModelDeclaration*> rendered = models;
   if (stimulus.equal_force) {
-    const auto reference = models_.find(stimulus.equal_force->to_model);
-    if (reference != models_.end()) rendered.push_back(reference->second);
+    const auto reference = checked.models.find(stimulus.equal_force->to_model);
+    if (reference != checked.models.end()) rendered.push_back(reference->second);
   }
-  check_assets_of(stimulus, rendered, pointer);
+  check_assets_of(checked, stimulus, rendered, pointer);
   const bool all_need_assets_alone =
       !models.empty() &&
       std::all_of(models.begin(), models.end(), [](const ModelDeclaration* each) {
         return !each->assets.empty() && !each->needs_height_field && !each->needs_bodies;
       });
-  for (const auto& [name, place] : texts_of(stimulus.texture, pointer + "/texture")) {
-    const auto texture = protocol_.textures.find(name);
-    if (texture == protocol_.textures.end()) {
-      report(place, unknown_name("texture", name, protocol_.textures));
-    } else if (all_need_bodies && brings_its_relief(stimulus, pointer)) {
+  for (const auto& [name, place] : texts_of(checked, stimulus.texture, pointer + "/texture")) {
+    const auto texture = checked.protocol.textures.find(name);
+    if (texture == checked.protocol.textures.end()) {
+      checked.report(place, unknown_name("texture", name, checked.protocol.textures));
+    } else if (all_need_bodies && brings_its_relief(checked, stimulus, pointer)) {
       // The texture is the name and the picture of a body's own relief.
-      if (texture->second.height_field && !is_on_a_body(stimulus, name, pointer)) {
-        report(
+      if (texture->second.height_field && !is_on_a_body(checked, stimulus, name, pointer)) {
+        checked.report(
             place,
             "the height field of the texture " + in_quotes(name) +
                 " is on neither body: the surface has its own relief; put the texture on a body, "
                 "or remove its \"height_field\"");
       }
     } else if (!texture->second.height_field && !all_need_assets_alone) {
-      report(place, "the texture " + in_quotes(name) +
-                        " cannot be felt: it has no \"height_field\"; give it one");
+      checked.report(place, "the texture " + in_quotes(name) +
+                                " cannot be felt: it has no \"height_field\"; give it one");
     }
   }
   for (const auto& [name, binding] : stimulus.parameters) {
@@ -104,13 +196,14 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
     std::vector<std::pair<ParameterValue, std::string>> values{};
     if (binding.value) {
       values.emplace_back(*binding.value, place);
-    } else if (const auto factor = protocol_.factors.find(binding.factor);
-               factor != protocol_.factors.end()) {
+    } else if (const auto factor = checked.protocol.factors.find(binding.factor);
+               factor != checked.protocol.factors.end()) {
       for (std::size_t i = 0; i < factor->second.levels.size(); ++i) {
-        values.emplace_back(factor->second.levels[i], place_of_level(binding.factor, i));
+        values.emplace_back(factor->second.levels[i], place_of_level(checked, binding.factor, i));
       }
     } else {
-      report(place + "/factor", unknown_name("factor", binding.factor, protocol_.factors));
+      checked.report(place + "/factor",
+                     unknown_name("factor", binding.factor, checked.protocol.factors));
     }
     for (const ModelDeclaration* const model : models) {
       const auto declared =
@@ -119,12 +212,13 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
       if (declared == model->parameters.end()) {
         std::map<std::string, int> names{};
         for (const Parameter& each : model->parameters) names[each.name] = 0;
-        report_key(place, "the model " + in_quotes(model->id) + ": " +
-                              unknown_name("parameter", name, names));
+        checked.report_key(place, "the model " + in_quotes(model->id) + ": " +
+                                      unknown_name("parameter", name, names));
         continue;
       }
       for (const auto& [value, at] : values) {
-        if (const auto complaint = complaint_about(*declared, value)) report(at, *complaint);
+        if (const auto complaint = complaint_about(*declared, value))
+          checked.report(at, *complaint);
       }
     }
   }
@@ -134,36 +228,14 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
     if (binding.value) constants.emplace(name, *binding.value);
   }
   if (constants.size() == stimulus.parameters.size()) {
-    for (const ModelDeclaration* const model : models) check_together(*model, constants, pointer);
+    for (const ModelDeclaration* const model : models)
+      check_together(checked, *model, constants, pointer);
   }
-  if (stimulus.equal_force) check_equal_force(stimulus, pointer);
+  if (stimulus.equal_force) check_equal_force(checked, stimulus, pointer);
 }
 
-void Meaning::check_assets_of(const StimulusTemplate& stimulus,
-                              const std::vector<const ModelDeclaration*>& models,
-                              const std::string& pointer) {
-  const bool has_texture = stimulus.texture.value || !stimulus.texture.factor.empty();
-  for (const ModelDeclaration* const model : models) {
-    for (const AssetDeclaration& asset : model->assets) {
-      const std::string needed = "the model " + in_quotes(model->id) + " needs the asset " +
-                                 in_quotes(asset.role) + " (" + asset.meaning + ")";
-      if (!has_texture) {
-        report(pointer, needed + ": give the stimulus a \"texture\" that has it");
-      }
-      for (const auto& [name, place] : texts_of(stimulus.texture, pointer + "/texture")) {
-        const auto texture = protocol_.textures.find(name);
-        if (texture == protocol_.textures.end() || texture->second.assets.contains(asset.role)) {
-          continue;
-        }
-        report(place, needed + ", which the texture " + in_quotes(name) +
-                          " does not have: add its file under \"assets\"");
-      }
-    }
-  }
-}
-
-void Meaning::check_together(const ModelDeclaration& model, const ParameterValues& given,
-                             const std::string& pointer) {
+void check_together(CheckedDocument& checked, const ModelDeclaration& model,
+                    const ParameterValues& given, const std::string& pointer) {
   if (!model.conflict_among) return;
   ParameterValues complete{};
   for (const Parameter& declared : model.parameters) {
@@ -177,61 +249,10 @@ void Meaning::check_together(const ModelDeclaration& model, const ParameterValue
   const auto changeable =
       std::find_if(conflict->parameters.begin(), conflict->parameters.end(),
                    [&given](const std::string& name) { return given.contains(name); });
-  report(changeable == conflict->parameters.end()
-             ? pointer
-             : pointer_to(pointer + "/parameters", *changeable),
-         conflict->message);
-}
-
-void Meaning::check_equal_force(const StimulusTemplate& stimulus, const std::string& pointer) {
-  const EqualForce& equal = *stimulus.equal_force;
-  const std::string place = pointer + "/equal_force";
-  if (equal.band_low_Hz >= equal.band_high_Hz) {
-    report(place, "the band from " + digits(equal.band_low_Hz) + " Hz to " +
-                      digits(equal.band_high_Hz) +
-                      " Hz is empty; lower its lower limit or raise its upper limit");
-  }
-  if (equal.band_high_Hz > 0.5 * protocol_.rate_Hz) {
-    report(place, "the band ends at " + digits(equal.band_high_Hz) +
-                      " Hz, above half the servo rate of " + digits(protocol_.rate_Hz) +
-                      " Hz; lower its upper limit");
-  }
-  if (equal.rms_N && *equal.rms_N > protocol_.force_limit_N) {
-    report(place + "/rms_N", digits(*equal.rms_N) + " N exceeds the force limit of " +
-                                 digits(protocol_.force_limit_N) +
-                                 " N (/device/force_limit_N); lower the force or raise the limit");
-  }
-  if (!equal.to_model.empty() && !models_.contains(equal.to_model)) {
-    report(place + "/to_model", unknown_name("force model", equal.to_model, models_));
-  } else if (!equal.to_model.empty() && models_.find(equal.to_model)->second->needs_bodies) {
-    report(place + "/to_model", "the model " + in_quotes(equal.to_model) +
-                                    " cannot be the reference of equal force: its texture force "
-                                    "depends on two bodies; state \"rms_N\" instead");
-  }
-  for (const auto& [id, at] : texts_of(stimulus.model, pointer + "/model")) {
-    const auto model = models_.find(id);
-    if (model == models_.end()) continue;
-    // The reference model of equal force is compared with its default amplitude: with a different amplitude it would be
-    // the only model of another strength.
-    if (model->second->needs_bodies) {
-      report(at, "the texture force of the model " + in_quotes(id) +
-                     ", which depends on two bodies, cannot be made equal to another; remove "
-                     "\"equal_force\", and state the strength as " +
-                     in_quotes(model->second->amplitude_parameter.value_or("parameters")));
-    } else if (!model->second->amplitude_parameter) {
-      if (id == equal.to_model) continue;
-      report(at, "the model " + in_quotes(id) +
-                     " has no amplitude by which its texture force could be made equal; remove "
-                     "\"equal_force\" or use another model");
-    } else if (stimulus.parameters.contains(*model->second->amplitude_parameter)) {
-      report_key(
-          pointer_to(pointer + "/parameters", *model->second->amplitude_parameter),
-          id == equal.to_model
-              ? "the texture forces of the other models are made equal to that of " +
-                    in_quotes(id) + " with this parameter at its default; remove this key"
-              : "equal_force determines this parameter of " + in_quotes(id) + "; remove this key");
-    }
-  }
+  checked.report(changeable == conflict->parameters.end()
+                     ? pointer
+                     : pointer_to(pointer + "/parameters", *changeable),
+                 conflict->message);
 }
 
 }  // namespace asperity

@@ -12,12 +12,13 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/design/block_factors.h"
-#include "protocols/design/discrimination_design.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/file/declared_estimation.h"
 #include "protocols/file/protocol_from_json.h"
+#include "protocols/keys/conditions.h"
 #include "protocols/keys/reading.h"
 #include "protocols/keys/tables.h"
+#include "protocols/kind_keys/discrimination_design.h"
 #include "protocols/texts/protocol_texts.h"
 #include "protocols/texts/translatable_texts.h"
 
@@ -169,7 +170,7 @@ void write_options_alike(Json& protocol) {
 /// What this version does not know of a block is not replaced by a default.
 void keep_unknown(Block& block, const Json& stated, const std::vector<FormProblem>& unread) {
   const std::string at = pointer_to("/blocks", block.name);
-  if (!has_form(unread, at + "/design")) block.design = nullptr;
+  if (!has_form(unread, at + "/design")) block.own = DiscriminationBlock{nullptr};
   if (!has_form(unread, at + "/kind")) block.kind = text_in(stated, "kind");
   if (!has_form(unread, at + "/phase")) block.phase = Phase::practice;  // not analysed
 }
@@ -177,10 +178,10 @@ void keep_unknown(Block& block, const Json& stated, const std::vector<FormProble
 /// A procedure that this version cannot run has no tracks.
 void complete_stored_block(Block& block, const Json& stated, const Protocol& protocol,
                            const std::vector<FormProblem>& unread) {
-  const DiscriminationDesign* const design = block.design;
-  if (design == nullptr) block.design = &two_alternatives();
+  const DiscriminationDesign* const design = block.design();
+  if (design == nullptr) block.own = DiscriminationBlock{};
   complete_block(block, stated, protocol, {});
-  block.design = design;
+  if (design == nullptr) block.own = DiscriminationBlock{nullptr};
   if (!block.procedure) return;
   const std::string at = pointer_to("/blocks", block.name) + "/procedure";
   const bool is_read =
@@ -219,7 +220,10 @@ std::string language_of(const std::string& source) {
 
 namespace {
 
-StoredProtocol as_written(const Json& root) {
+StoredProtocol as_written(const Json& stored) {
+  std::vector<InapplicableKey> permitted = inapplicable_keys(stored);
+  std::erase_if(permitted, [](const InapplicableKey& key) { return !key.is_permitted; });
+  const Json root = without_keys(stored, permitted);
   StoredProtocol read{.compared_parameter = parameter_compared_in(root)};
   Protocol& protocol = read.protocol;
   read.unread = read_keys(kProtocolTable, root, "", protocol);

@@ -61,33 +61,35 @@ std::string missing_in_session(const std::string& name, const Protocol& protocol
 
 }  // namespace
 
-void Meaning::check_texts() {
-  for (const TextPlace& place : participant_texts(document_.root(), protocol_)) {
+void check_texts(CheckedDocument& checked) {
+  for (const TextPlace& place : participant_texts(checked.document.root(), checked.protocol)) {
     for (const Placeholder& placeholder : placeholders_in(place.text)) {
       const std::string& name = placeholder.name;
       const std::string problem = problem_of_form(placeholder);
       if (!problem.empty()) {
-        report(place.pointer, problem);
+        checked.report(place.pointer, problem);
         continue;
       }
       if (find_design_number(name)->scope == NumberScope::session) {
         if (place.is_of_session) {
-          const std::string missing = missing_in_session(name, protocol_);
-          if (!missing.empty()) report(place.pointer, missing + "; remove " + in_braces(name));
+          const std::string missing = missing_in_session(name, checked.protocol);
+          if (!missing.empty())
+            checked.report(place.pointer, missing + "; remove " + in_braces(name));
           continue;
         }
-        report(place.pointer, in_braces(name) +
-                                  " is known when a session begins: use it in a screen or break of "
-                                  "\"flow\", or in \"resume\"");
+        checked.report(place.pointer,
+                       in_braces(name) +
+                           " is known when a session begins: use it in a screen or break of "
+                           "\"flow\", or in \"resume\"");
         continue;
       }
-      if (values_of_design(protocol_, place).contains(name)) continue;
-      report(place.pointer, place.block != nullptr
-                                ? "a trial of this block has no " + name + "; remove " +
-                                      in_braces(name) + ", or state another number"
-                                : "the main blocks have no " + name +
-                                      ", or differ in them; write the number, or use " +
-                                      in_braces(name) + " in a text of the block");
+      if (values_of_design(checked.protocol, place).contains(name)) continue;
+      checked.report(place.pointer, place.block != nullptr
+                                        ? "a trial of this block has no " + name + "; remove " +
+                                              in_braces(name) + ", or state another number"
+                                        : "the main blocks have no " + name +
+                                              ", or differ in them; write the number, or use " +
+                                              in_braces(name) + " in a text of the block");
     }
   }
 }

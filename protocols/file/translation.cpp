@@ -16,8 +16,8 @@
 #include "protocols/file/form_check.h"
 #include "protocols/file/json_document.h"
 #include "protocols/file/protocol_problems.h"
-#include "protocols/keys/key.h"
 #include "protocols/keys/valid_part.h"
+#include "protocols/shapes/key.h"
 #include "protocols/texts/translatable_texts.h"
 
 namespace asperity {

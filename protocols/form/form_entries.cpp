@@ -11,9 +11,10 @@
 
 #include "analysis/numbers/number_text.h"
 #include "protocols/design/json_pointer.h"
-#include "protocols/keys/common_shapes.h"
+#include "protocols/keys/conditions.h"
 #include "protocols/keys/names_in.h"
 #include "protocols/keys/tables.h"
+#include "protocols/shapes/common_shapes.h"
 
 namespace asperity {
 
@@ -55,7 +56,7 @@ std::string joined_text(std::string text, const std::string& more) {
 }  // namespace
 
 std::vector<FormEntry> entries_of(const KeyTable& table, const json& object,
-                                  const std::string& pointer) {
+                                  const std::string& pointer, const json& protocol) {
   const bool is_decided =
       std::any_of(table.deciding.begin(), table.deciding.end(),
                   [&object](std::string_view key) { return object.contains(key); });
@@ -63,7 +64,7 @@ std::vector<FormEntry> entries_of(const KeyTable& table, const json& object,
   for (const ProtocolKey& key : table.keys) {
     const bool is_present = object.contains(key.name);
     const bool is_excluded = (is_decided && is_deciding(table, key.name)) ||
-                             (!key.needs.empty() && !object.contains(key.needs));
+                             unmet_condition(key, object, protocol, pointer) != nullptr;
     if (!is_present && is_excluded) continue;
     entries.push_back({pointer_to(pointer, key.name), &key, is_present});
   }

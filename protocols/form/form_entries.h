@@ -8,7 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "protocols/keys/key.h"
+#include "protocols/shapes/key.h"
 
 namespace asperity {
 
@@ -19,10 +19,11 @@ struct FormEntry {
   bool is_present = false;
 };
 
-/// The entries of an object, in the order of its table. Of a table whose objects have one of several keys, those that the
-/// present one excludes are left out, and everywhere the keys that need an absent one.
+/// The entries of an object at `pointer` in a protocol, in the order of its table. Keys without a value are left out where
+/// they do not apply: of a table whose objects have one of several keys those that the present one excludes, and
+/// everywhere those whose conditions do not hold.
 std::vector<FormEntry> entries_of(const KeyTable& table, const nlohmann::json& object,
-                                  const std::string& pointer);
+                                  const std::string& pointer, const nlohmann::json& protocol);
 
 /// The keys of an object that its table does not have, except for comments.
 std::vector<std::string> unknown_keys(const KeyTable& table, const nlohmann::json& object);

@@ -10,7 +10,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "protocols/keys/names_in.h"
-#include "protocols/keys/shape.h"
+#include "protocols/shapes/shape.h"
 
 namespace asperity {
 

@@ -13,8 +13,8 @@
 #include "protocols/editing/renaming.h"
 #include "protocols/editing/text_entries.h"
 #include "protocols/form/form_edits.h"
-#include "protocols/keys/key.h"
 #include "protocols/keys/names_in.h"
+#include "protocols/shapes/key.h"
 
 namespace asperity {
 

@@ -6,14 +6,14 @@
 #include <string_view>
 #include <variant>
 
-#include "protocols/keys/common_shapes.h"
-#include "protocols/keys/keys_of.h"
 #include "protocols/keys/tables.h"
+#include "protocols/shapes/common_shapes.h"
+#include "protocols/shapes/keys_of.h"
 
 namespace asperity {
 
-/// A parameter of a form as a key of the question, without effect on another form. That another one is stated is reported
-/// by the check of meaning.
+/// A parameter of a form as a key of the question, without effect on another form. Their conditions state which form they
+/// belong to.
 template <auto member, class ShapeOfValue>
 consteval KeyOf<Question> form_key(std::string_view name, std::string_view label,
                                    std::string_view meaning, const ShapeOfValue& shape) {
@@ -44,17 +44,23 @@ inline constexpr std::array kForms{
     KeyWord{LineForm::kName, 4, "the length of a line"},
     KeyWord{TextForm::kName, 5, "a text"}};
 
-inline constexpr auto kNumberKeys = keys_of(
-    form_key<&NumberForm::minimum>("minimum", "At least", "Smallest number accepted.",
-                                   NumberShape{}),
-    form_key<&NumberForm::maximum>("maximum", "At most", "Largest number accepted.", NumberShape{}),
-    form_key<&NumberForm::unit>("unit", "Unit",
-                                "Unit of the number, shown next to it and exported.",
-                                TextShape{.longest = 32}));
+inline constexpr auto kNumberKeys =
+    keys_of(when(form_key<&NumberForm::minimum>("minimum", "At least", "Smallest number accepted.",
+                                                NumberShape{}),
+                 where("form", {NumberForm::kName})),
+            when(form_key<&NumberForm::maximum>("maximum", "At most", "Largest number accepted.",
+                                                NumberShape{}),
+                 where("form", {NumberForm::kName})),
+            when(form_key<&NumberForm::unit>("unit", "Unit",
+                                             "Unit of the number, shown next to it and exported.",
+                                             TextShape{.longest = 32}),
+                 where("form", {NumberForm::kName})));
 inline constexpr auto kScaleKey =
-    keys_of(custom_key<&store_scale>("scale", "Scale", "", ObjectShape{&kScaleTable}));
+    keys_of(when(custom_key<&store_scale>("scale", "Scale", "", ObjectShape{&kScaleTable}),
+                 where("form", {kAbsent, ScaleForm::kName})));
 inline constexpr auto kLineKey =
-    keys_of(custom_key<&store_line>("line", "Line", "", ObjectShape{&kLineTable}));
+    keys_of(when(custom_key<&store_line>("line", "Line", "", ObjectShape{&kLineTable}),
+                 without("scale"), where("form", {kAbsent, LineForm::kName})));
 /// `table`: of the conditions on the questions among which this one is.
 consteval auto condition_key(const KeyTableOf<AnswerCondition>& table) {
   return keys_of(member_key<&Question::condition>(

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <string>
 
-#include "protocols/keys/common_shapes.h"
-#include "protocols/keys/keys_of.h"
 #include "protocols/keys/tables.h"
+#include "protocols/kind_keys/discrimination_keys.h"
+#include "protocols/shapes/common_shapes.h"
+#include "protocols/shapes/keys_of.h"
 
 namespace asperity {
 
@@ -49,17 +50,6 @@ constexpr auto kFeedbacks =
                         {"correctness", Feedback::correctness, "whether the response is correct"},
                         {"correct_answer", Feedback::correct_answer, "the correct response"}});
 
-constexpr std::array<KeyWord, 5> kDiscriminationDesigns{
-    {{"two_alternatives", 0, "one of two surfaces is chosen"},
-     {"three_alternatives", 0, "the comparison is chosen among two standards"},
-     {"oddity", 0, "of three surfaces, two of them equal, the odd one is chosen"},
-     {"yes_no", 0, "one surface, with the options yes and no"},
-     {"same_different", 0, "two surfaces, with the options same and different"}}};
-
-void store_design(const json& value, Block& block) {
-  block.design = find_design(value.get<std::string>());
-}
-
 constexpr auto kPlaces =
     words_of<AnchorPlace>({{"start", AnchorPlace::start, "before the trials"},
                            {"middle", AnchorPlace::middle, "after half of the trials"},
@@ -93,7 +83,9 @@ void store_arrangement(const json& value, Block& block) {
   read_keys(kArrangementTable, value, &block.arrangement);
 }
 
-constexpr auto kBlockKeys = keys_of(
+auto& own_of_block(void* block) { return static_cast<Block*>(block)->own; }
+
+constexpr auto kDesignKeys = keys_of(
     with_computed_default(
         member_key<&Block::kind>(
             "kind", "Kind",
@@ -111,58 +103,49 @@ constexpr auto kBlockKeys = keys_of(
                   .meaning = "One trial: factor and level.",
                   .shortest = 1,
                   .longest = 4096}),
-    member_key<&Block::exclude>(
-        "exclude", "Excluded combinations",
-        "Combinations of crossed or varied levels that are left out: those with all levels of an "
-        "entry.",
-        ListShape{.entry = &kRow,
-                  .meaning = "One combination: factor and level.",
-                  .shortest = 1,
-                  .longest = 4096}),
-    member_key<&Block::derived>(
-        "derived", "Derived factors",
-        "Factors whose level in every trial is computed from levels that the block crosses, lists "
-        "or varies: name and formula.",
-        MapShape{.entry = &kFormula,
-                 .meaning = "A formula of numbers, factors, +, -, *, / and parentheses, such as "
-                            "speed / spacing.",
-                 .key = {.registry = kFactorNames, .is_declared = true},
-                 .shortest = 1}),
+    member_key<&Block::exclude>("exclude", "Excluded combinations",
+                                "Combinations of crossed or varied levels that are left out: those "
+                                "with all levels of an entry.",
+                                ListShape{.entry = &kRow,
+                                          .meaning = "One combination: factor and level.",
+                                          .shortest = 1,
+                                          .longest = 4096}),
+    member_key<&Block::derived>("derived", "Derived factors",
+                                "Factors whose level in every trial is computed from levels that "
+                                "the block crosses, lists or varies: name and formula.",
+                                MapShape{.entry = &kFormula,
+                                         .meaning = "A formula of numbers, factors, +, -, *, / and "
+                                                    "parentheses, such as speed / spacing.",
+                                         .key = {.registry = kFactorNames, .is_declared = true},
+                                         .shortest = 1}),
     list_key<&Block::repetitions_of, kRowRepetitionsTable>(
         "repetitions_of", "Repetitions of some trials",
         "Numbers of repetitions of some trials, in place of repetitions.",
         {.shortest = 1, .longest = 256}),
-    member_key<&Block::all_pairs>("all_pairs", "All pairs", kAllPairsTable),
+    when(member_key<&Block::all_pairs>("all_pairs", "All pairs", kAllPairsTable), kWithPairs),
     member_key<&Block::vary>("vary", "Varied parameter", kDimensionTable),
-    custom_key<&ignore_procedure>("procedure", "Procedure", "", ObjectShape{&kProcedureTable}),
-    with_standard(
-        custom_key<&store_design>(
-            "design", "Design",
-            "Discrimination: two_alternatives: one of two surfaces is chosen; three_alternatives: "
-            "the comparison is chosen among two standards; oddity: of three surfaces, two of them "
-            "equal, the odd one is chosen, which is equally often a comparison and a standard; "
-            "yes_no: one surface, the standard or the comparison, with the options yes and no; "
-            "same_different: two surfaces, equal or different, with the options same and "
-            "different.",
-            WordShape{kDiscriminationDesigns}),
-        [](const ProtocolKey&) { return json("two_alternatives"); }),
+    when(custom_key<&ignore_procedure>("procedure", "Procedure", "", ObjectShape{&kProcedureTable}),
+         of_kinds({"discrimination"}), with("vary")));
+
+constexpr auto kOrderKeys = keys_of(
     member_key<&Block::repetitions>("repetitions", "Repetitions",
                                     "Number of repetitions of the combinations or rows.",
                                     kRepetitions),
-    member_key<&Block::drawn>(
-        "drawn", "Drawn factors",
-        "Factors drawn at random on every trial, each level equally often over the block as far "
-        "as possible.",
-        kFactors),
+    member_key<&Block::drawn>("drawn", "Drawn factors",
+                              "Factors drawn at random on every trial, each level equally often "
+                              "over the block as far as possible.",
+                              kFactors),
     member_key<&Block::anchor>(
         "anchor", "Anchor",
         "Anchors, reference trials of every run of the block whose responses are stored and not "
         "analysed: factor and level, that of \"vary\" in its measure.",
         kSomeLevels),
-    member_key<&Block::anchor_pair>(
-        "anchor_pair", "Levels of the anchor",
-        "With \"all_pairs\": the levels of the two surfaces of an anchor.",
-        ListShape{.entry = &kLevelShape, .meaning = kLevelMeaning, .shortest = 2, .longest = 2}),
+    when(member_key<&Block::anchor_pair>(
+             "anchor_pair", "Levels of the anchor",
+             "With \"all_pairs\": the levels of the two surfaces of an anchor.",
+             ListShape{
+                 .entry = &kLevelShape, .meaning = kLevelMeaning, .shortest = 2, .longest = 2}),
+         with("all_pairs")),
     with_standard(custom_key<&store_anchor_places>(
                       "anchor_at", "Places of the anchors",
                       "Places of the anchors in every run of the block: before its trials, after "
@@ -203,31 +186,38 @@ constexpr auto kBlockKeys = keys_of(
             "questions", "Questions",
             "The questions of every trial, at most 12, instead of \"question\".", kQuestionList),
         "this or `question`"),
-    member_key<&Block::shuffles_questions>(
-        "question_order", "Order of the questions",
-        "fixed: as written; shuffle: in a new random order in every trial.", kQuestionOrders),
-    member_key<&Block::on_one_page>(
-        "question_layout", "Layout of the questions",
-        "one_after_another: every question has a separate page; one_page: all questions are shown "
-        "together, which requires scales with labels at the ends only.",
-        kLayouts),
-    member_key<&Block::page_prompt>("page_prompt", "Text of the page",
-                                    "The text above the questions of one page.", kShownParagraph),
-    member_key<&Block::experimenter_prompt>(
-        "experimenter_prompt", "Text for the experimenter",
-        "With \"questions\": text for the experimenter; {code} is replaced by the code of the "
-        "trial's texture.",
-        kParagraph),
-    member_key<&Block::pictures_after_feeling>(
-        "pictures_after_feeling", "Pictures after feeling",
-        "With \"questions\": whether pictures stay hidden until every surface has been felt.",
-        TruthShape{}),
-    with_standard(custom_key<&store_revisits_of_trial>(
-                      "allow_revisit", "Surfaces can be felt again",
-                      "With \"questions\": whether the participant may switch between the "
-                      "surfaces before responding.",
-                      TruthShape{}),
-                  [](const ProtocolKey&) { return json(true); }),
+    when(member_key<&Block::shuffles_questions>(
+             "question_order", "Order of the questions",
+             "fixed: as written; shuffle: in a new random order in every trial.", kQuestionOrders),
+         with("questions")),
+    when(member_key<&Block::on_one_page>(
+             "question_layout", "Layout of the questions",
+             "one_after_another: every question has a separate page; one_page: all questions are "
+             "shown together, which requires scales with labels at the ends only.",
+             kLayouts),
+         with("questions")),
+    when(member_key<&Block::page_prompt>("page_prompt", "Text of the page",
+                                         "The text above the questions of one page.",
+                                         kShownParagraph),
+         where("question_layout", {"one_page"})),
+    when(member_key<&Block::experimenter_prompt>(
+             "experimenter_prompt", "Text for the experimenter",
+             "With \"questions\": text for the experimenter; {code} is replaced by the code of the "
+             "trial's texture.",
+             kParagraph),
+         with("questions")),
+    when(member_key<&Block::pictures_after_feeling>(
+             "pictures_after_feeling", "Pictures after feeling",
+             "With \"questions\": whether pictures stay hidden until every surface has been felt.",
+             TruthShape{}),
+         with("questions")),
+    when(with_standard(
+             custom_key<&store_revisits_of_trial>("allow_revisit", "Surfaces can be felt again",
+                                                  "With \"questions\": whether the participant may "
+                                                  "switch between the surfaces before responding.",
+                                                  TruthShape{}),
+             [](const ProtocolKey&) { return json(true); }),
+         with("questions")),
     required_key(member_key<&Block::exploration>("exploration", "Exploration",
                                                  "The name of the exploration.",
                                                  BoundShape{&kExplorationName})),
@@ -246,6 +236,9 @@ constexpr auto kBlockKeys = keys_of(
     member_key<&Block::feedback>("feedback", "Feedback",
                                  "Feedback to the participant after a response.", kFeedbacks),
     member_key<&Block::until>("until", "Criterion", kCriterionTable));
+
+constexpr auto kBlockKeys = joined(
+    kDesignKeys, joined(own_keys<Block, &own_of_block>(kDiscriminationBlockKeys), kOrderKeys));
 
 }  // namespace
 

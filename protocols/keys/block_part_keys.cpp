@@ -1,8 +1,8 @@
 // Defines the keys of the objects in a block: its surfaces, their arrangement, its pairs, repetitions and criterion.
 
-#include "protocols/keys/common_shapes.h"
-#include "protocols/keys/keys_of.h"
 #include "protocols/keys/tables.h"
+#include "protocols/shapes/common_shapes.h"
+#include "protocols/shapes/keys_of.h"
 
 namespace asperity {
 
@@ -117,16 +117,17 @@ constexpr auto kArrangementKeys = keys_of(
         "replaces pause_between_surfaces_s.",
         FormsShape{kIntervalForms}),
     inner_key("exposure", "Exposure", kExposureTable),
-    member_key<&Arrangement::gap_m>(
-        "gap_m", "Gap",
-        "Side by side: the width of the flat surface between two patches, with the stiffness and "
-        "the friction of the material.",
-        NumberShape{.minimum = 0.005, .maximum = 0.1, .unit = "m", .display = kMillimetres}),
-    member_key<&Arrangement::axis>(
-        "axis", "Axis",
-        "Side by side: the axis of the workspace along which the patches lie, in the order of the "
-        "trial.",
-        kPatchAxes),
+    when(member_key<&Arrangement::gap_m>(
+             "gap_m", "Gap",
+             "Side by side: the width of the flat surface between two patches, with the stiffness "
+             "and the friction of the material.",
+             NumberShape{.minimum = 0.005, .maximum = 0.1, .unit = "m", .display = kMillimetres}),
+         where("surfaces", {"side_by_side"})),
+    when(member_key<&Arrangement::axis>("axis", "Axis",
+                                        "Side by side: the axis of the workspace along which the "
+                                        "patches lie, in the order of the trial.",
+                                        kPatchAxes),
+         where("surfaces", {"side_by_side"})),
     member_key<&Arrangement::draws_phase>(
         "phase", "Phase of the texture",
         "fixed: a texture always has the same place on its surface; drawn: the point of the "
@@ -142,15 +143,17 @@ constexpr auto kAllPairsKeys = keys_of(
         "true: every pair twice, with either level first; false: every pair once, in the order "
         "that positions determines.",
         TruthShape{}),
-    member_key<&Block::AllPairs::with_identical>(
-        "with_identical", "Identical pairs",
-        "Similarity: whether each level is also paired with itself, once.", TruthShape{}),
-    member_key<&Block::AllPairs::parts>(
-        "parts", "Parts of the pairs",
-        "Similarity: the number of parts into which the pairs of different levels are divided; "
-        "each participant is given one part, in which all levels occur equally often as far as "
-        "possible. 1: every participant is given all pairs.",
-        NumberShape{.minimum = 1.0, .maximum = 256.0, .is_whole = true}));
+    when(member_key<&Block::AllPairs::with_identical>(
+             "with_identical", "Identical pairs",
+             "Similarity: whether each level is also paired with itself, once.", TruthShape{}),
+         of_kinds({"similarity"})),
+    when(member_key<&Block::AllPairs::parts>(
+             "parts", "Parts of the pairs",
+             "Similarity: the number of parts into which the pairs of different levels are "
+             "divided; each participant is given one part, in which all levels occur equally often "
+             "as far as possible. 1: every participant is given all pairs.",
+             NumberShape{.minimum = 1.0, .maximum = 256.0, .is_whole = true}),
+         of_kinds({"similarity"})));
 
 constexpr auto kEqualRoughnessKeys =
     keys_of(required_key(member_key<&Block::EqualRoughness::matched_in>(
@@ -176,21 +179,21 @@ constexpr std::array<KeyWord, 4> kRoles{{{"alternative", 0, "one that can be cho
                                          {"standard", 0, "the standard"},
                                          {"comparison", 0, "the comparison"}}};
 
-constexpr auto kPresentedKeys = keys_of(
-    member_key<&Protocol::Presented::role>(
-        "role", "Role",
-        "Role of the surface, determined by the kind: alternative in a selection and a paired "
-        "comparison, standard or comparison in a discrimination, target otherwise.",
-        WordShape{kRoles}),
-    required_key(member_key<&Protocol::Presented::stimulus>(
-        "stimulus", "Stimulus", "The name of the stimulus.", NameShape{"stimuli"})),
-    member_key<&Protocol::Presented::with>("with", "Fixed factors",
-                                           "Factors fixed for this surface.", kLevels),
-    member_key<&Protocol::Presented::item>(
-        "item", "Item",
-        "Name of the surface in the responses, if the model (selection) or the texture does not "
-        "distinguish the surfaces.",
-        NameShape{.registry = kItemNames, .is_declared = true}));
+constexpr auto kPresentedKeys =
+    keys_of(member_key<&Protocol::Presented::role>(
+                "role", "Role",
+                "Role of the surface, determined by the kind: alternative in a selection and a "
+                "paired comparison, standard or comparison in a discrimination, target otherwise.",
+                WordShape{kRoles}),
+            required_key(member_key<&Protocol::Presented::stimulus>(
+                "stimulus", "Stimulus", "The name of the stimulus.", NameShape{"stimuli"})),
+            member_key<&Protocol::Presented::with>("with", "Fixed factors",
+                                                   "Factors fixed for this surface.", kLevels),
+            member_key<&Protocol::Presented::item>(
+                "item", "Item",
+                "Name of the surface in the responses, if the model (selection) or the texture "
+                "does not distinguish the surfaces.",
+                NameShape{.registry = kItemNames, .is_declared = true}));
 
 }  // namespace
 
@@ -200,8 +203,8 @@ constexpr KeyTableOf<Criterion> kCriterionTable = table_of(
     kCriterionKeys);
 
 constexpr KeyTableOf<Roving> kRovingTable = table_of(
-    "Irrelevant quantities that vary at random between presentations: each presentation has one "
-    "of the levels.",
+    "Irrelevant quantities that vary at random between presentations: each presentation has one of "
+    "the levels.",
     kRovingKeys);
 
 constexpr KeyTableOf<Arrangement> kArrangementTable =
@@ -224,8 +227,8 @@ constexpr KeyTableOf<Block::AllPairs> kAllPairsTable = table_of(
     kAllPairsKeys);
 
 constexpr KeyTableOf<Block::EqualRoughness> kEqualRoughnessTable = table_of(
-    "The surfaces are presented at the amplitudes at which the participant judged them as rough "
-    "as the reference of another block, which is run before.",
+    "The surfaces are presented at the amplitudes at which the participant judged them as rough as "
+    "the reference of another block, which is run before.",
     kEqualRoughnessKeys);
 
 constexpr KeyTableOf<Block::RowRepetitions> kRowRepetitionsTable = table_of(

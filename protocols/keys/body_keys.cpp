@@ -3,9 +3,9 @@
 #include <string>
 #include <variant>
 
-#include "protocols/keys/common_shapes.h"
-#include "protocols/keys/keys_of.h"
 #include "protocols/keys/tables.h"
+#include "protocols/shapes/common_shapes.h"
+#include "protocols/shapes/keys_of.h"
 
 namespace asperity {
 
@@ -70,25 +70,22 @@ constexpr auto kBodyKeys = keys_of(
         "Textured mesh made by `asperity bake`; the origin of its frame is the centre of the patch "
         "(surface) or the tip (tool).",
         kFile),
-    custom_key<&store_shape>(
-        "shape", "Shape",
-        "A shape instead of a mesh; a surface's highest point lies in the plane of the patch, a "
-        "tool's lowest point is its tip.",
-        WordShape{kShapes}),
+    custom_key<&store_shape>("shape", "Shape",
+                             "A shape instead of a mesh; a surface's highest point lies in the "
+                             "plane of the patch, a tool's lowest point is its tip.",
+                             WordShape{kShapes}),
     custom_key<&store_size>(
         "size_m", "Size", "Size of a plate or a box along x, y and z.",
         ListShape{.entry = &kSizeEntry, .meaning = "A size.", .shortest = 3, .longest = 3}),
-    custom_key<&store_diameter>(
-        "diameter_m", "Diameter",
-        "Diameter of a cylinder, a disc or a sphere. The thickness of a disc is a tenth of its "
-        "diameter.",
-        kSize),
+    custom_key<&store_diameter>("diameter_m", "Diameter",
+                                "Diameter of a cylinder, a disc or a sphere. The thickness of a "
+                                "disc is a tenth of its diameter.",
+                                kSize),
     custom_key<&store_length>("length_m", "Length", "Length of a cylinder along its axis.", kSize),
-    member_key<&BodyDescription::axis>(
-        "axis", "Axis",
-        "Direction of the axis of a cylinder or a disc, or of the axis through the poles of a "
-        "sphere.",
-        kAxes),
+    member_key<&BodyDescription::axis>("axis", "Axis",
+                                       "Direction of the axis of a cylinder or a disc, or of the "
+                                       "axis through the poles of a sphere.",
+                                       kAxes),
     member_key<&BodyDescription::texture>(
         "texture", "Texture",
         "The texture whose height field is applied to the shape: on a plate's upper side, on all "

@@ -1,7 +1,7 @@
 // Defines the keys of "device" and of its limits.
 
-#include "protocols/keys/keys_of.h"
 #include "protocols/keys/tables.h"
+#include "protocols/shapes/keys_of.h"
 
 namespace asperity {
 

@@ -1,8 +1,8 @@
 // Defines the keys of "environment": what the participant sees and hears.
 
-#include "protocols/keys/common_shapes.h"
-#include "protocols/keys/keys_of.h"
 #include "protocols/keys/tables.h"
+#include "protocols/shapes/common_shapes.h"
+#include "protocols/shapes/keys_of.h"
 
 namespace asperity {
 
@@ -29,11 +29,11 @@ constexpr auto kNoises = words_of<NoiseKind>({{"none", NoiseKind::none, "no nois
 
 constexpr ValueShape kSpeechFile = kFile;
 
-constexpr auto kSceneKeys = keys_of(required_key(member_key<&Protocol::scene>(
-    "visual_texture", "Visual texture",
-    "Whether the surface shows its relief, is plain, or shows a pattern that belongs to no "
-    "texture.",
-    kVisualTextures)));
+constexpr auto kSceneKeys = keys_of(
+    required_key(member_key<&Protocol::scene>("visual_texture", "Visual texture",
+                                              "Whether the surface shows its relief, is plain, or "
+                                              "shows a pattern that belongs to no texture.",
+                                              kVisualTextures)));
 
 constexpr auto kPicturesKeys = keys_of(member_key<&Protocol::shows_pictures_in_grey>(
     "show", "Colours", "Unchanged, or in greyscale, so that colour is not a cue.", kPictures));

@@ -1,8 +1,8 @@
 // Defines the keys of a step of the flow, and of breaks.
 
-#include "protocols/keys/common_shapes.h"
-#include "protocols/keys/keys_of.h"
 #include "protocols/keys/tables.h"
+#include "protocols/shapes/common_shapes.h"
+#include "protocols/shapes/keys_of.h"
 
 namespace asperity {
 
@@ -26,9 +26,10 @@ void store_contact_minutes(const nlohmann::json& value, Run& run) {
 constexpr auto kStepKeys = keys_of(
     alternative_of<Step>(member_key<&Protocol::Screen::text>(
         "screen", "Text", "A text that the participant reads.", kShownParagraph)),
-    needing("screen", alternative_of<Step>(member_key<&Protocol::Screen::condition>(
-                          "if", "Condition", kConditionTable,
-                          "With screen: the condition under which the text is shown."))),
+    when(alternative_of<Step>(member_key<&Protocol::Screen::condition>(
+             "if", "Condition", kConditionTable,
+             "With screen: the condition under which the text is shown.")),
+         with("screen")),
     alternative_of<Step>(member_key<&Protocol::Check::what>(
         "check", "Check",
         "device, force_zero: the surface is removed, and the check is passed if the device "
@@ -37,20 +38,22 @@ constexpr auto kStepKeys = keys_of(
     alternative_of<Step>(inner_key("break", "Break", kBreakTable)),
     alternative_of<Step>(
         member_key<&Run::block>("run", "Block", "The block to run.", NameShape{"blocks"})),
-    needing("run", alternative_of<Step>(member_key<&Run::for_each>(
-                       "for_each", "Factor of the runs",
-                       "With run: a factor; the block runs once per level, in the "
-                       "counterbalanced order.",
-                       kFactorName))),
-    needing("run", alternative_of<Step>(member_key<&Run::break_every_trials>(
-                       "break_every_trials", "Trials between breaks",
-                       "With run: the number of trials after which there is a break.", kTrials))),
-    needing("run", alternative_of<Step>(custom_key<&store_contact_minutes>(
-                       "break_every_contact_minutes", "Contact between breaks",
-                       "With run: the time in contact with surfaces, in minutes, after which "
-                       "there is a break, measured since the last break.",
-                       NumberShape{.above = 0.0, .maximum = 1000.0, .unit = "minutes"}))),
-    needing("run", alternative_of<Step>(member_key<&Run::pause>("pause", "Break", kBreakTable))),
+    when(alternative_of<Step>(member_key<&Run::for_each>(
+             "for_each", "Factor of the runs",
+             "With run: a factor; the block runs once per level, in the counterbalanced order.",
+             kFactorName)),
+         with("run")),
+    when(alternative_of<Step>(member_key<&Run::break_every_trials>(
+             "break_every_trials", "Trials between breaks",
+             "With run: the number of trials after which there is a break.", kTrials)),
+         with("run")),
+    when(alternative_of<Step>(custom_key<&store_contact_minutes>(
+             "break_every_contact_minutes", "Contact between breaks",
+             "With run: the time in contact with surfaces, in minutes, after which there is a "
+             "break, measured since the last break.",
+             NumberShape{.above = 0.0, .maximum = 1000.0, .unit = "minutes"})),
+         with("run")),
+    when(alternative_of<Step>(member_key<&Run::pause>("pause", "Break", kBreakTable)), with("run")),
     alternative_of<Step>(member_key<&Protocol::Ask::questions>(
         "ask", "Questions", "The questions of this step.",
         ListShape{.entry = &kAskedName, .meaning = kNameMeaning, .shortest = 1, .longest = 256})));
@@ -73,16 +76,15 @@ constexpr auto kBreakKeys = keys_of(
                                               kDriftCheckTable));
 
 constexpr auto kDriftCheckKeys = keys_of(
-    required_key(member_key<&DriftCheck::text>(
-        "text", "Request",
-        "Request to the experimenter to have the handle released, so that it rests; confirmed "
-        "before the recording.",
-        kShownParagraph)),
-    member_key<&DriftCheck::tip_text>(
-        "tip_text", "Request at reference point",
-        "Request to hold the tip at a fixed reference point; with it a second recording is made "
-        "there.",
-        kShownParagraph),
+    required_key(
+        member_key<&DriftCheck::text>("text", "Request",
+                                      "Request to the experimenter to have the handle released, so "
+                                      "that it rests; confirmed before the recording.",
+                                      kShownParagraph)),
+    member_key<&DriftCheck::tip_text>("tip_text", "Request at reference point",
+                                      "Request to hold the tip at a fixed reference point; with it "
+                                      "a second recording is made there.",
+                                      kShownParagraph),
     member_key<&DriftCheck::duration_s>("duration_s", "Duration", "Duration of each recording.",
                                         NumberShape{.minimum = 0.5, .maximum = 60.0, .unit = "s"}));
 

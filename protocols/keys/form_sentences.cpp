@@ -74,8 +74,26 @@ std::string missing_key(std::string_view key, std::string_view meaning) {
   return "the key " + in_quotes(key) + " is missing; add it" + expected_here(meaning);
 }
 
-std::string missing_companion(std::string_view needed) {
-  return "another key here requires the key " + in_quotes(needed) + ", which is missing; add it";
+std::string inapplicable_key(const KeyCondition& unmet) {
+  const std::string other = in_quotes(unmet.key);
+  if (unmet.count == 0) {
+    return "this key requires the key " + other + ", which is missing; add it, or remove this key";
+  }
+  std::vector<std::string> words{};
+  bool may_be_absent = false;
+  for (const std::string_view value : unmet.values()) {
+    if (value == kAbsent) {
+      may_be_absent = true;
+    } else {
+      words.emplace_back(value);
+    }
+  }
+  if (words.empty()) return "this key and " + other + " exclude each other; keep one of the two";
+  const std::string permitted = one_of(words);
+  return "this key applies only where " + other + " is " + permitted +
+         (may_be_absent ? " or absent; remove this key, or change "
+                        : "; remove this key, or set ") +
+         other + (may_be_absent ? "" : " to " + permitted);
 }
 
 std::string not_a_name(const std::string& key) {

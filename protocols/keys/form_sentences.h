@@ -8,7 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "protocols/keys/shape.h"
+#include "protocols/shapes/key.h"
 
 namespace asperity {
 
@@ -24,8 +24,8 @@ std::string expected_here(std::string_view meaning);
 // The sentences. `meaning` is that of the key with the value; `known` and `words` are the permitted names.
 std::string unknown_key(const std::string& key, const std::vector<std::string>& known);
 std::string missing_key(std::string_view key, std::string_view meaning);
-/// `needed`: the key without which another key of the object is not permitted.
-std::string missing_companion(std::string_view needed);
+/// Of a key whose condition on the object, or on one around it, does not hold.
+std::string inapplicable_key(const KeyCondition& unmet);
 std::string not_a_name(const std::string& key);
 std::string wrong_type(const nlohmann::json& value, const std::vector<std::string>& types,
                        std::string_view meaning);

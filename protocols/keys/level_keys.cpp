@@ -1,8 +1,8 @@
 // Defines the keys of "vary" and "procedure" of a block.
 
-#include "protocols/keys/common_shapes.h"
-#include "protocols/keys/keys_of.h"
 #include "protocols/keys/tables.h"
+#include "protocols/shapes/common_shapes.h"
+#include "protocols/shapes/keys_of.h"
 
 namespace asperity {
 
@@ -10,6 +10,12 @@ namespace {
 
 using nlohmann::json;
 using Declaration = ProcedureDeclaration;
+
+constexpr KeyCondition kOfUpDown{"method", {"transformed_up_down", "weighted_up_down"}};
+constexpr KeyCondition kAroundUpDown =
+    where_around("method", {"transformed_up_down", "weighted_up_down"});
+constexpr KeyCondition kOfTracks{
+    "method", {"transformed_up_down", "weighted_up_down", "psi", "quest_plus", "external"}};
 
 constexpr ValueShape kGridLevel = NumberShape{};
 constexpr NumberShape kNumber{};
@@ -29,11 +35,10 @@ constexpr auto kGridKeys = keys_of(
         "step", "Step",
         "Of a grid: the step, in the unit of its scale; with the scale ratio, a ratio above 1.",
         kNumber)),
-    member_key<&LevelGrid::scale>(
-        "scale", "Scale",
-        "Of a grid: the scale on which its steps are equal: linear, log10, db (decibels of an "
-        "amplitude) or ratio.",
-        kScales));
+    member_key<&LevelGrid::scale>("scale", "Scale",
+                                  "Of a grid: the scale on which its steps are equal: linear, "
+                                  "log10, db (decibels of an amplitude) or ratio.",
+                                  kScales));
 
 constexpr ListShape kListOfLevels{
     .entry = &kGridLevel, .meaning = "A level.", .shortest = 1, .longest = 256};
@@ -119,34 +124,39 @@ constexpr auto kPriorKeys = keys_of(
         "lapse", "Lapse rates", kLapseRangeTable,
         "Lapse rates in equal steps; absent: 4 from 0 to 0.06."));
 
-constexpr auto kIntervalRuleKeys = keys_of(
-    required_key(member_key<&IntervalRule::ratio>(
-        "ratio", "Ratio",
-        "The upper end of the 95 % credible interval of the threshold is at most this many times "
-        "the lower end.",
-        NumberShape{.above = 1.0})),
-    required_key(member_key<&IntervalRule::minimum_trials>(
-        "minimum_trials", "Minimum number of trials", "Minimum number of trials of the track.",
-        kTrialCount)),
-    required_key(member_key<&IntervalRule::minimum_of_each>(
-        "minimum_of_each", "Minimum of each response",
-        "Minimum number of correct responses, and of incorrect responses.",
-        NumberShape{.minimum = 0.0, .maximum = 10'000.0, .is_whole = true})));
+constexpr auto kIntervalRuleKeys =
+    keys_of(required_key(member_key<&IntervalRule::ratio>(
+                "ratio", "Ratio",
+                "The upper end of the 95 % credible interval of the threshold is at most this many "
+                "times the lower end.",
+                NumberShape{.above = 1.0})),
+            required_key(member_key<&IntervalRule::minimum_trials>(
+                "minimum_trials", "Minimum number of trials",
+                "Minimum number of trials of the track.", kTrialCount)),
+            required_key(member_key<&IntervalRule::minimum_of_each>(
+                "minimum_of_each", "Minimum of each response",
+                "Minimum number of correct responses, and of incorrect responses.",
+                NumberShape{.minimum = 0.0, .maximum = 10'000.0, .is_whole = true})));
 
 constexpr auto kStopKeys = keys_of(
     required_key(member_key<&Declaration::Stop::trials>(
         "trials", "Maximum number of trials", "Maximum number of trials of a track.", kTrialCount)),
-    member_key<&Declaration::Stop::reversals>("reversals", "Reversals",
-                                              "Up-down: number of reversals.", kTrialCount),
-    member_key<&Declaration::Stop::clipped_moves>(
-        "clipped_moves", "Clipped moves",
-        "Up-down: number of moves in succession that the lowest or highest level shortened or "
-        "prevented; absent: the track stays at this level until a move leads away from it.",
-        kTrialCount),
-    member_key<&Declaration::Stop::interval>("interval", "Precision", kIntervalRuleTable));
+    when(member_key<&Declaration::Stop::reversals>("reversals", "Reversals",
+                                                   "Up-down: number of reversals.", kTrialCount),
+         kAroundUpDown),
+    when(member_key<&Declaration::Stop::clipped_moves>(
+             "clipped_moves", "Clipped moves",
+             "Up-down: number of moves in succession that the lowest or highest level shortened or "
+             "prevented; absent: the track stays at this level until a move leads away from it.",
+             kTrialCount),
+         kAroundUpDown),
+    when(member_key<&Declaration::Stop::interval>("interval", "Precision", kIntervalRuleTable),
+         where_around("method", {"psi", "quest_plus"})));
 
-constexpr auto kTrackKeys = keys_of(member_key<&Declaration::Track::start>(
-    "start", "Starting level", "The level of its first trial, if it differs.", NumberShape{}));
+constexpr auto kTrackKeys = keys_of(when(
+    member_key<&Declaration::Track::start>(
+        "start", "Starting level", "The level of its first trial, if it differs.", NumberShape{}),
+    kAroundUpDown));
 
 constexpr auto kCatchTypes = words_of<CatchType>(
     {{"easy", CatchType::easy, "the comparison at an easy level"},
@@ -161,11 +171,12 @@ constexpr auto kCatchTrialsKeys = keys_of(
         "no_signal: the standard twice with the judgement performance, every choice in which is a "
         "false alarm; identical_pair: the standard twice with the judgement comparison.",
         kCatchTypes),
-    member_key<&Declaration::CatchTrials::level>(
-        "level", "Level",
-        "Of the type easy, which requires it: level of the catch trials, in the measure of "
-        "\"vary\": at least as easy as its easiest level.",
-        NumberShape{}),
+    when(member_key<&Declaration::CatchTrials::level>(
+             "level", "Level",
+             "Of the type easy, which requires it: level of the catch trials, in the measure of "
+             "\"vary\": at least as easy as its easiest level.",
+             NumberShape{}),
+         where("type", {kAbsent, "easy"})),
     required_key(member_key<&Declaration::CatchTrials::every>(
         "every", "Trials per catch trial",
         "Number of consecutive trials of the block that contain one catch trial.",
@@ -212,63 +223,77 @@ constexpr auto kProcedureKeys = keys_of(
         "weighted_up_down: down after a correct response, up by a larger step after an incorrect "
         "one; psi: the level from which the most is expected about the threshold; quest_plus: the "
         "level from which the most is expected about threshold, slope and lapse rate; external: "
-        "the level that a program of the laboratory states, which is given by run --external or "
-        "in the window and never by a file.",
+        "the level that a program of the laboratory states, which is given by run --external or in "
+        "the window and never by a file.",
         WordShape{kMethods})),
-    member_key<&Declaration::repetitions>(
-        "repetitions", "Repetitions", "Constant stimuli: number of presentations of every level.",
-        kTrialCount),
-    member_key<&Declaration::down>(
-        "down", "Responses before a move down",
-        "Transformed up-down: number of correct responses in succession before a move down.",
-        kMoves),
-    member_key<&Declaration::up>(
-        "up", "Responses before a move up",
-        "Transformed up-down: number of incorrect responses in succession before a move up.",
-        kMoves),
-    with_standard(
-        member_key<&Declaration::target>(
-            "target", "Target proportion",
-            "Weighted up-down: proportion correct at the target level. Psi and QUEST+: proportion "
-            "correct at the threshold; 2/3 by default where one of three surfaces is chosen.",
-            NumberShape{.above = 0.0, .below = 1.0}),
-        [](const ProtocolKey&) { return json(WeightedUpDown{}.target); }),
-    with_standard(member_key<&Declaration::start>(
-                      "start", "Starting level",
-                      "Up-down: the level of the first trial of a track.", NumberShape{}),
-                  [](const ProtocolKey&) { return json(nullptr); }),
-    member_key<&Declaration::steps>(
-        "steps", "Steps",
-        "Up-down: the step, in the unit of the scale of the grid. If several are listed, each "
-        "reversal selects the next one.",
-        kSteps),
-    member_key<&Declaration::steps_up>(
-        "steps_up", "Steps up",
-        "Transformed up-down: the steps of moves up, if they differ from `steps`.", kSteps),
-    member_key<&Declaration::steps_down>(
-        "steps_down", "Steps down",
-        "Up-down: the steps of moves down, if they differ from `steps`.", kSteps),
-    member_key<&Declaration::prior>("prior", "Prior", kPriorTable),
-    with_standard(custom_key<&store_marginalised>(
-                      "marginalise", "Nuisance parameters",
-                      "Psi: the nuisance parameters, on which no trials are spent.", kNuisanceList),
-                  [](const ProtocolKey&) {
-                    return json::array({"slope", "lapse"});
-                  }),
-    custom_key<&store_settings>(
-        "settings", "Settings",
-        "External: an object that the program receives unchanged; its content is not interpreted.",
-        ObjectShape{&kAnyObject}),
-    member_key<&Declaration::answer_within_s>(
-        "answer_within_s", "Time to answer",
-        "External: the time in seconds within which the program must answer.",
-        NumberShape{.minimum = 1.0, .maximum = 600.0, .unit = "s"}),
-    member_key<&Declaration::stop>("stop", "Stopping rule", kStopTable),
-    list_key<&Declaration::tracks, kTrackTable>(
-        "tracks", "Tracks",
-        "Interleaved tracks of each combination of the levels of the other factors; one track by "
-        "default.",
-        {.shortest = 1, .longest = 16}),
+    when(member_key<&Declaration::repetitions>(
+             "repetitions", "Repetitions",
+             "Constant stimuli: number of presentations of every level.", kTrialCount),
+         where("method", {"constant_stimuli"})),
+    when(member_key<&Declaration::down>(
+             "down", "Responses before a move down",
+             "Transformed up-down: number of correct responses in succession before a move down.",
+             kMoves),
+         where("method", {"transformed_up_down"})),
+    when(member_key<&Declaration::up>(
+             "up", "Responses before a move up",
+             "Transformed up-down: number of incorrect responses in succession before a move up.",
+             kMoves),
+         where("method", {"transformed_up_down"})),
+    when(with_standard(member_key<&Declaration::target>(
+                           "target", "Target proportion",
+                           "Weighted up-down: proportion correct at the target level. Psi and "
+                           "QUEST+: proportion correct at the threshold; 2/3 by default where one "
+                           "of three surfaces is chosen.",
+                           NumberShape{.above = 0.0, .below = 1.0}),
+                       [](const ProtocolKey&) { return json(WeightedUpDown{}.target); }),
+         where("method", {"weighted_up_down", "psi", "quest_plus"})),
+    when(with_standard(member_key<&Declaration::start>(
+                           "start", "Starting level",
+                           "Up-down: the level of the first trial of a track.", NumberShape{}),
+                       [](const ProtocolKey&) { return json(nullptr); }),
+         kOfUpDown),
+    when(member_key<&Declaration::steps>(
+             "steps", "Steps",
+             "Up-down: the step, in the unit of the scale of the grid. If several are listed, each "
+             "reversal selects the next one.",
+             kSteps),
+         kOfUpDown),
+    when(member_key<&Declaration::steps_up>(
+             "steps_up", "Steps up",
+             "Transformed up-down: the steps of moves up, if they differ from `steps`.", kSteps),
+         where("method", {"transformed_up_down"})),
+    when(member_key<&Declaration::steps_down>(
+             "steps_down", "Steps down",
+             "Up-down: the steps of moves down, if they differ from `steps`.", kSteps),
+         kOfUpDown),
+    when(member_key<&Declaration::prior>("prior", "Prior", kPriorTable),
+         where("method", {"psi", "quest_plus"})),
+    when(with_standard(
+             custom_key<&store_marginalised>(
+                 "marginalise", "Nuisance parameters",
+                 "Psi: the nuisance parameters, on which no trials are spent.", kNuisanceList),
+             [](const ProtocolKey&) {
+               return json::array({"slope", "lapse"});
+             }),
+         where("method", {"psi"})),
+    when(custom_key<&store_settings>("settings", "Settings",
+                                     "External: an object that the program receives unchanged; its "
+                                     "content is not interpreted.",
+                                     ObjectShape{&kAnyObject}),
+         where("method", {"external"})),
+    when(member_key<&Declaration::answer_within_s>(
+             "answer_within_s", "Time to answer",
+             "External: the time in seconds within which the program must answer.",
+             NumberShape{.minimum = 1.0, .maximum = 600.0, .unit = "s"}),
+         where("method", {"external"})),
+    when(member_key<&Declaration::stop>("stop", "Stopping rule", kStopTable), kOfTracks),
+    when(list_key<&Declaration::tracks, kTrackTable>(
+             "tracks", "Tracks",
+             "Interleaved tracks of each combination of the levels of the other factors; one track "
+             "by default.",
+             {.shortest = 1, .longest = 16}),
+         kOfTracks),
     member_key<&Declaration::timeouts_are_incorrect>(
         "timed_out", "Missed response deadline",
         "What a missed response deadline means: same_level: the level is presented again in "
@@ -291,8 +316,8 @@ constexpr KeyTableOf<ValueRange> kLapseRangeTable =
     table_of("A range of lapse rates.", kLapseRangeKeys);
 
 constexpr KeyTableOf<Declaration::Prior> kPriorTable = table_of(
-    "Psi and QUEST+: the values of the parameters of a Weibull function of the difference from "
-    "the standard, all equally probable before the first response.",
+    "Psi and QUEST+: the values of the parameters of a Weibull function of the difference from the "
+    "standard, all equally probable before the first response.",
     kPriorKeys);
 
 constexpr KeyTableOf<IntervalRule> kIntervalRuleTable =

@@ -1,8 +1,10 @@
 // Defines the keys of "observer": the judgements of a virtual participant.
 
-#include "protocols/keys/common_shapes.h"
-#include "protocols/keys/keys_of.h"
 #include "protocols/keys/tables.h"
+#include "protocols/kind_keys/discrimination_keys.h"
+#include "protocols/kind_keys/magnitude_keys.h"
+#include "protocols/shapes/common_shapes.h"
+#include "protocols/shapes/keys_of.h"
 
 namespace asperity {
 
@@ -26,17 +28,12 @@ constexpr auto kMagnitudes =
                            {"compliance", MagnitudeOf::compliance,
                             "the depth to which the surface yields over the normal force"}});
 
-constexpr auto kEffects = words_of<bool>({{"increases", false, "it increases with the parameter"},
-                                          {"decreases", true, "it decreases with the parameter"}});
-
-constexpr NumberShape kCriterion{.above = 0.0, .maximum = 1000.0};
-
-constexpr auto kObserverKeys = keys_of(
+constexpr auto kCommonKeys = keys_of(
     member_key<&Observer::expectation>(
         "expectation", "Expectation",
         "Expectation of a texture: none (a selection, a matching or a recognition is then "
-        "guessed), "
-        "its true height field (if it is felt on bodies only: these bodies), or the stated prior.",
+        "guessed), its true height field (if it is felt on bodies only: these bodies), or the "
+        "stated prior.",
         kExpectations),
     member_key<&Observer::gaussian_wavelength_m>(
         "gaussian_wavelength_m", "Cut-off wavelength",
@@ -59,32 +56,16 @@ constexpr auto kObserverKeys = keys_of(
         "Magnitude, paired comparison, discrimination and rating: the judged quantity, which is a "
         "felt force relative to the mean normal force, the acceleration of a held tool, or the "
         "depth to which the surface yields over the normal force.",
-        kMagnitudes),
-    member_key<&Observer::exponent>(
-        "exponent", "Exponent",
-        "Magnitude: exponent of the power function from the quantity in `magnitude_of` to the "
-        "estimate.",
-        NumberShape{.above = 0.0, .maximum = 10.0}),
-    member_key<&Observer::magnitude_decreases>(
-        "effect", "Effect of the parameter",
-        "Discrimination: whether the magnitude increases or decreases with the varied parameter.",
-        kEffects),
-    member_key<&Observer::yes_above>(
-        "yes_above", "Criterion of yes",
-        "Discrimination with the design yes_no: the magnitude above which the response is yes, as "
-        "a fraction of the mean normal force in m/s² or in mm/N (see `magnitude_of`); below which, "
-        "where a signal has the smaller magnitude.",
-        kCriterion),
-    member_key<&Observer::different_above>(
-        "different_above", "Criterion of different",
-        "Discrimination with the design same_different: the relative difference of two magnitudes "
-        "from which on the response is different; 0.1 is a difference of 10 %.",
-        kCriterion),
-    member_key<&Observer::unsure_within>(
-        "unsure_within", "Criterion of uncertainty",
-        "Discrimination with the option \"I cannot tell\": the relative difference of two "
-        "magnitudes below which this is the response; 0.1 is a difference of 10 %.",
-        kCriterion));
+        kMagnitudes));
+
+constexpr auto kObserverKeys = joined(
+    kCommonKeys, joined(in_part<Observer>(kMagnitudeObserverKeys,
+                                          [](void* owner) -> void* {
+                                            return &static_cast<Observer*>(owner)->magnitude;
+                                          }),
+                        in_part<Observer>(kDiscriminationObserverKeys, [](void* owner) -> void* {
+                          return &static_cast<Observer*>(owner)->discrimination;
+                        })));
 
 }  // namespace
 

@@ -88,7 +88,7 @@ std::string page_rows_of(const KeyTable& table) {
   std::string rows{};
   for (const ProtocolKey& key : table.keys) {
     rows += "| " + code(key.name) + " | " + shape_text(key.shape) + " | " + default_text(key) +
-            " | " + std::string(meaning_of(key)) + " |\n";
+            " | " + full_meaning_of(key) + " |\n";
   }
   return rows;
 }

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "protocols/keys/key.h"
+#include "protocols/shapes/key.h"
 
 namespace asperity {
 

@@ -1,8 +1,8 @@
 // Defines the keys of "participants", "consent", "groups" and "resume".
 
-#include "protocols/keys/common_shapes.h"
-#include "protocols/keys/keys_of.h"
 #include "protocols/keys/tables.h"
+#include "protocols/shapes/common_shapes.h"
+#include "protocols/shapes/keys_of.h"
 
 namespace asperity {
 
@@ -40,28 +40,30 @@ constexpr auto kAssignments = words_of<Groups::Assignment>(
       "stated when the first session begins"}});
 
 constexpr auto kGroupsKeys = keys_of(
-    required_key(member_key<&Groups::factor>(
-        "factor", "Factor",
-        "The factor whose levels are the groups. Every trial has the level of the participant's "
-        "group, so no block sets it.",
-        kFactorName)),
+    required_key(
+        member_key<&Groups::factor>("factor", "Factor",
+                                    "The factor whose levels are the groups. Every trial has the "
+                                    "level of the participant's group, so no block sets it.",
+                                    kFactorName)),
     member_key<&Groups::assigned>(
         "assigned", "Assignment",
         "The assignment of participants: balanced (to the group with the fewest participants), "
         "permuted_blocks (by a random sequence in blocks, each of which contains every group "
         "equally often) or by_experimenter (stated when the first session begins).",
         kAssignments),
-    member_key<&Groups::block_sizes>(
-        "block_sizes", "Sizes of blocks",
-        "Of permuted_blocks: the sizes from which that of each block is drawn, multiples of the "
-        "number of groups. Absent: two and three times this number.",
-        ListShape{.entry = &kBlockSize,
-                  .meaning = "Participants in a block.",
-                  .shortest = 1,
-                  .longest = 16}),
-    member_key<&Groups::seed>(
-        "seed", "Seed", "Of permuted_blocks: the seed of the sequence.",
-        NumberShape{.minimum = 0.0, .maximum = 9'007'199'254'740'991.0, .is_whole = true}));
+    when(member_key<&Groups::block_sizes>(
+             "block_sizes", "Sizes of blocks",
+             "Of permuted_blocks: the sizes from which that of each block is drawn, multiples of "
+             "the number of groups. Absent: two and three times this number.",
+             ListShape{.entry = &kBlockSize,
+                       .meaning = "Participants in a block.",
+                       .shortest = 1,
+                       .longest = 16}),
+         where("assigned", {"permuted_blocks"})),
+    when(member_key<&Groups::seed>(
+             "seed", "Seed", "Of permuted_blocks: the seed of the sequence.",
+             NumberShape{.minimum = 0.0, .maximum = 9'007'199'254'740'991.0, .is_whole = true}),
+         where("assigned", {"permuted_blocks"})));
 
 constexpr auto kResumeKeys = keys_of(
     member_key<&Resume::screens>(
@@ -70,14 +72,13 @@ constexpr auto kResumeKeys = keys_of(
         ListShape{.entry = &kResumeText, .longest = 20}),
     member_key<&Resume::maximum_age_hours>(
         "maximum_age_hours", "Maximum age without a reason",
-        "Time since the interruption after which a session is resumed only with a reason, which "
-        "is stored.",
+        "Time since the interruption after which a session is resumed only with a reason, which is "
+        "stored.",
         NumberShape{.above = 0.0, .maximum = 100'000.0, .unit = "hours"}),
     member_key<&Resume::practice_trials>(
         "practice_trials", "Repeated practice trials",
         "Number of practice trials that the participant repeats before the session continues: the "
-        "first trials of the latest practice block. They are stored as refreshers and never "
-        "count.",
+        "first trials of the latest practice block. They are stored as refreshers and never count.",
         NumberShape{.minimum = 1.0, .maximum = 100.0, .is_whole = true}));
 
 }  // namespace

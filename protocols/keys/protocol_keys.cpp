@@ -1,8 +1,10 @@
 // Defines the keys of a protocol.
 
-#include "protocols/keys/common_shapes.h"
-#include "protocols/keys/keys_of.h"
 #include "protocols/keys/tables.h"
+#include "protocols/kind_keys/magnitude_keys.h"
+#include "protocols/kind_keys/selection_keys.h"
+#include "protocols/shapes/common_shapes.h"
+#include "protocols/shapes/keys_of.h"
 
 namespace asperity {
 
@@ -23,11 +25,6 @@ constexpr auto kDesigns = words_of<ProtocolDesign>(
     {{"chapter", ProtocolDesign::chapter,
       "one response per participant and column of the published table"},
      {"improved", ProtocolDesign::improved, "balanced, with practice and repetitions"}});
-constexpr auto kStandards = words_of<RealismStandard>(
-    {{"photograph", RealismStandard::photograph, "the texture's picture"},
-     {"physical_sample", RealismStandard::physical_sample, "the coded sample"},
-     {"memory", RealismStandard::memory, "the participant's own idea of the material"}});
-
 void store_author(const nlohmann::json& value, std::string& name) {
   name = value.get<std::string>();
 }
@@ -45,26 +42,19 @@ constexpr auto kProtocolKeys = keys_of(
                                   TextShape{.longest = 400}),
     required_key(custom_key<&ignore<Protocol>>("format", "Format", "The version of this format.",
                                                WordShape{kFormats})),
-    required_key(member_key<&Protocol::kind>(
-        "kind", "Kind",
-        "selection: the most realistic of several renderings is chosen; matching: felt textures "
-        "are assigned to the same number of pictures; recognition: one felt texture is recognised "
-        "among pictures; magnitude: the roughness of one felt surface is estimated as a number; "
-        "rating: one felt surface is rated on one or more scales; paired_comparison: one of two "
-        "felt surfaces is chosen; discrimination: a standard and a comparison that differs from it "
-        "in one parameter are felt, and one of the two is chosen; similarity: the dissimilarity of "
-        "two felt surfaces is rated. A block can have another kind.",
-        WordShape{kKinds})),
+    listing_words(required_key(member_key<&Protocol::kind>(
+        "kind", "Kind", "The kind of experiment; a block can have another one.",
+        WordShape{kKinds}))),
     required_key(member_key<&Protocol::design>(
         "design", "Design",
         "chapter: one response per participant and column of the published table; improved: "
         "balanced, with practice and repetitions.",
         kDesigns)),
-    required_key(member_key<&Protocol::name>(
-        "name", "Name",
-        "Short name, used in file names and data: lower-case letters, digits and underscores, "
-        "starting with a letter.",
-        NameShape{})),
+    required_key(
+        member_key<&Protocol::name>("name", "Name",
+                                    "Short name, used in file names and data: lower-case letters, "
+                                    "digits and underscores, starting with a letter.",
+                                    NameShape{})),
     required_key(member_key<&Protocol::version>(
         "version", "Version", "Version of the protocol as three numbers, such as 1.0.0.",
         TextShape{.longest = 32,
@@ -73,9 +63,9 @@ constexpr auto kProtocolKeys = keys_of(
                                               TextShape{.translated = Translated::if_present})),
     member_key<&Protocol::language>(
         "language", "Language",
-        "Language of the protocol's texts, and of the program's own texts to the participant, as "
-        "a BCP 47 tag: \"en\", \"de\". The program has English and German; in any other "
-        "language its own texts are English.",
+        "Language of the protocol's texts, and of the program's own texts to the participant, as a "
+        "BCP 47 tag: \"en\", \"de\". The program has English and German; in any other language its "
+        "own texts are English.",
         TextShape{.longest = 35, .pattern = "^[a-z]{2,3}(-[A-Za-z0-9]{2,8})*$"}),
     member_key<&Protocol::description>("description", "Description",
                                        "Question and method of the study.", kDescription),
@@ -89,10 +79,13 @@ constexpr auto kProtocolKeys = keys_of(
         kDescription),
     inner_key("participants", "Participants", kParticipantsTable),
     required_key(inner_key("consent", "Consent", kConsentTable)),
-    member_key<&Protocol::realism_standard>(
-        "realism_standard", "Standard of realism",
-        "Selection, paired comparison: the standard with which realism is compared.", kStandards),
-    member_key<&Protocol::estimation>("estimation", "Estimation", kEstimationTable),
+    when(member_key<&Protocol::realism_standard>(
+             "realism_standard", "Standard of realism",
+             "Selection, paired comparison: the standard with which realism is compared.",
+             kStandards),
+         kWithRealism),
+    when(member_key<&Protocol::estimation>("estimation", "Estimation", kEstimationTable),
+         of_kinds({"magnitude"})),
     inner_key("environment", "Environment", kEnvironmentTable),
     member_key<&Protocol::instability>("instability", "Instability", kInstabilityTable),
     inner_key("device", "Haptic device", kDeviceTable),

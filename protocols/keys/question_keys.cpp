@@ -6,9 +6,9 @@
 #include <variant>
 
 #include "protocols/keys/answer_keys.h"
-#include "protocols/keys/common_shapes.h"
-#include "protocols/keys/keys_of.h"
 #include "protocols/keys/tables.h"
+#include "protocols/shapes/common_shapes.h"
+#include "protocols/shapes/keys_of.h"
 
 namespace asperity {
 
@@ -50,16 +50,17 @@ constexpr auto kAskedKeys = keys_of(
                                                kShownParagraph)),
     required_key(custom_key<&store_form>(
         "form", "Form",
-        "Form of the response. choice: one of the options; multiple_choice: one or more of "
-        "the options; number; scale: a point on a scale; line: the length of a line; text.",
+        "Form of the response. choice: one of the options; multiple_choice: one or more of the "
+        "options; number; scale: a point on a scale; line: the length of a line; text.",
         WordShape{kForms})),
-    custom_key<&store_options>(
-        "options", "Options", "The options of a choice or a multiple choice.",
-        ListShape{.entry = &kOption,
-                  .meaning = "An option: the text that is shown and stored, or an object if "
-                             "another text is shown, for example in another language.",
-                  .shortest = 2,
-                  .longest = 32}));
+    when(custom_key<&store_options>(
+             "options", "Options", "The options of a choice or a multiple choice.",
+             ListShape{.entry = &kOption,
+                       .meaning = "An option: the text that is shown and stored, or an object if "
+                                  "another text is shown, for example in another language.",
+                       .shortest = 2,
+                       .longest = 32}),
+         where("form", {ChoiceForm::kName, MultipleChoiceForm::kName})));
 constexpr auto kOptionalKey = keys_of(member_key<&Question::optional>(
     "optional", "Optional", "Whether the question may be left unanswered.", TruthShape{}));
 
@@ -74,11 +75,10 @@ constexpr auto kScaleKeys = keys_of(
                                     NumberShape{}),
     member_key<&ScaleForm::maximum>("maximum", "Right end", "The value at the right end.",
                                     NumberShape{}),
-    member_key<&ScaleForm::points>(
-        "points", "Points",
-        "Number of equally spaced points, both ends included; absent: every position of the line "
-        "is a response.",
-        NumberShape{.minimum = 2.0, .maximum = 101.0, .is_whole = true}),
+    member_key<&ScaleForm::points>("points", "Points",
+                                   "Number of equally spaced points, both ends included; absent: "
+                                   "every position of the line is a response.",
+                                   NumberShape{.minimum = 2.0, .maximum = 101.0, .is_whole = true}),
     member_key<&ScaleForm::labels>(
         "labels", "Labels", "Labels of the two ends, or one for every point; absent: none.",
         ListShape{.entry = &kScaleLabel, .meaning = "One label.", .shortest = 2, .longest = 11}));
@@ -156,8 +156,7 @@ constexpr KeyTableOf<ScaleForm> kScaleTable = table_of(
 
 constexpr KeyTableOf<LineForm> kLineTable = table_of(
     "The response is the length of a line that the participant draws, for a magnitude in place of "
-    "a "
-    "number. It is stored as a proportion of the width of the participant's screen.",
+    "a number. It is stored as a proportion of the width of the participant's screen.",
     kLineKeys);
 
 constexpr KeyTableOf<AnswerCondition> kConditionTable = table_of(

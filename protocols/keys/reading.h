@@ -8,8 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "protocols/keys/key.h"
 #include "protocols/keys/valid_part.h"
+#include "protocols/shapes/key.h"
 
 namespace asperity {
 

@@ -119,15 +119,42 @@ json schema_of(const ValueShape& shape, std::string_view meaning) {
   return schema;
 }
 
+namespace {
+
+/// What draft-07 can state of a condition: as the schema of the object that has the key.
+void add_condition(const KeyCondition& condition, json& schema) {
+  const std::string other(condition.key);
+  json words = json::array();
+  bool may_be_absent = false;
+  for (const std::string_view value : condition.values()) {
+    if (value == kAbsent) {
+      may_be_absent = true;
+    } else {
+      words.push_back(value);
+    }
+  }
+  if (!may_be_absent) schema["required"].push_back(other);
+  if (!words.empty()) {
+    schema["properties"][other] = {{"enum", words}};
+  } else if (may_be_absent) {
+    schema["properties"][other] = false;
+  }
+}
+
+}  // namespace
+
 json schema_of(const KeyTable& table) {
   json properties = json::object();
   json required = json::array();
   json needs = json::object();
   for (const ProtocolKey& key : table.keys) {
     const std::string name(key.name);
-    properties[name] = schema_of(key.shape, key.meaning);
+    properties[name] = schema_of(key.shape, key.lists_words ? full_meaning_of(key) : key.meaning);
     if (key.is_required) required.push_back(name);
-    if (!key.needs.empty()) needs[name] = {key.needs};
+    for (const KeyCondition& condition : key.conditions) {
+      if (condition.key.empty() || condition.of != KeyCondition::Of::object) continue;
+      add_condition(condition, needs[name]);
+    }
     if (const json standard = default_of(key); !standard.is_null()) {
       properties[name]["default"] = as_written(standard);
     }

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "protocols/keys/key.h"
+#include "protocols/shapes/key.h"
 
 namespace asperity {
 

@@ -1,8 +1,8 @@
 // Defines the keys of "recording", "instability", "surface" and "material".
 
-#include "protocols/keys/common_shapes.h"
-#include "protocols/keys/keys_of.h"
 #include "protocols/keys/tables.h"
+#include "protocols/shapes/common_shapes.h"
+#include "protocols/shapes/keys_of.h"
 
 namespace asperity {
 
@@ -22,11 +22,10 @@ constexpr auto kInstabilityKeys = keys_of(
         "buzz_max", "Greatest vibration",
         "Greatest vibration of a surface above 150 Hz, relative to its texture force.",
         NumberShape{.above = 0.0, .maximum = 100.0})),
-    member_key<&InstabilityRule::on>(
-        "on", "Consequence",
-        "An attempt with more vibration is flagged, or repeated at once: twice at most, after "
-        "which it is flagged.",
-        kOnExcess));
+    member_key<&InstabilityRule::on>("on", "Consequence",
+                                     "An attempt with more vibration is flagged, or repeated at "
+                                     "once: twice at most, after which it is flagged.",
+                                     kOnExcess));
 
 constexpr ValueShape kCoordinate =
     NumberShape{.minimum = -1.0, .maximum = 1.0, .unit = "m", .display = kMillimetres};
@@ -50,11 +49,10 @@ constexpr auto kSurfaceKeys = keys_of(
     member_key<&SurfacePatch::tiling>("tiling", "Beyond the height field",
                                       "Continuation of the height field beyond its border.",
                                       kTilings),
-    member_key<&SurfacePatch::edge>(
-        "edge", "Border",
-        "The border of the patch: a wall, or a fading force. A wall acts in contact, from the "
-        "place where contact began.",
-        kEdges),
+    member_key<&SurfacePatch::edge>("edge", "Border",
+                                    "The border of the patch: a wall, or a fading force. A wall "
+                                    "acts in contact, from the place where contact began.",
+                                    kEdges),
     member_key<&SurfacePatch::edge_width_m>(
         "edge_width_m", "Width of the border", "Width of the border over which the force fades.",
         NumberShape{.minimum = 0.0, .maximum = 0.5, .unit = "m", .display = kMillimetres}),

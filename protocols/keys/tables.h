@@ -6,8 +6,8 @@
 #include <string>
 
 #include "protocols/design/protocol.h"
-#include "protocols/keys/key.h"
 #include "protocols/keys/procedure_declaration.h"
+#include "protocols/shapes/key.h"
 
 namespace asperity {
 
@@ -32,10 +32,6 @@ extern const KeyTableOf<Exploration> kExplorationTable;
 extern const KeyTableOf<Band> kBandTable;
 
 extern const KeyTableOf<AnalysisDeclaration> kAnalysisTable;
-extern const KeyTableOf<ConstructDeclaration> kConstructTable;
-extern const KeyTableOf<CatchExclusion> kExclusionTable;
-extern const KeyTableOf<EstimationDeclaration> kEstimationTable;
-extern const KeyTableOf<EstimationModulus> kModulusTable;
 
 extern const KeyTableOf<Question> kQuestionTable;
 extern const KeyTableOf<Option> kOptionTable;
@@ -62,7 +58,6 @@ extern const KeyTableOf<Arrangement::Interval> kIntervalTable;
 extern const KeyTableOf<Protocol::TrialQuestionTemplate> kListedQuestionTable;
 extern const KeyTableOf<Protocol::Block> kOnlyQuestionTable;
 extern const KeyTableOf<Option> kWordTable;
-extern const KeyTableOf<Protocol::TrialQuestionTemplate> kTieTable;
 extern const KeyTableOf<LineForm> kLineTable;
 
 extern const KeyTableOf<Dimension> kDimensionTable;

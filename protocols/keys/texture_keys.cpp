@@ -1,8 +1,8 @@
 // Defines the keys of a texture.
 
-#include "protocols/keys/common_shapes.h"
-#include "protocols/keys/keys_of.h"
 #include "protocols/keys/tables.h"
+#include "protocols/shapes/common_shapes.h"
+#include "protocols/shapes/keys_of.h"
 
 namespace asperity {
 
@@ -27,11 +27,10 @@ constexpr auto kFeaturesKeys = keys_of(
         "ln(RMS of the lateral force in all bands together / mean normal force).", kFeature)));
 
 constexpr auto kTextureKeys = keys_of(
-    member_key<&Texture::code>(
-        "code", "Code",
-        "Name of the texture for blinded experimenters, for example the label on a physical "
-        "sample.",
-        TextShape{.longest = 40}),
+    member_key<&Texture::code>("code", "Code",
+                               "Name of the texture for blinded experimenters, for example the "
+                               "label on a physical sample.",
+                               TextShape{.longest = 40}),
     member_key<&Texture::height_field>(
         "height_field", "Height field",
         "Height field that is rendered (a PNG with its sidecar); absent: no rendered counterpart.",
@@ -48,8 +47,7 @@ constexpr auto kTextureKeys = keys_of(
         MapShape{.entry = &kAssetFile, .has_names = false}),
     member_key<&Texture::spacing_m>(
         "spacing_m", "Spacing",
-        "Spacing of the texture: the distance between its elements, for the analysis of "
-        "estimates.",
+        "Spacing of the texture: the distance between its elements, for the analysis of estimates.",
         NumberShape{.above = 0.0, .maximum = 1.0, .unit = "m", .display = kMillimetres}),
     member_key<&Texture::prior>("prior", "Expected features", kFeaturesTable),
     member_key<&Texture::note>(

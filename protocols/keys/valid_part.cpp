@@ -162,10 +162,16 @@ class Walk final {
       if (key.is_required && !is_there) {
         report(place.pointer, missing_key(key.name, meaning_of(key)));
         problems_.back().missing_key = key.name;
-      } else if (is_there && !key.needs.empty() && !place.value.contains(key.needs)) {
-        report(place.pointer, missing_companion(key.needs));
+      }
+      if (!is_there) continue;
+      for (const KeyCondition& condition : key.conditions) {
+        // A value without the form of its key is a problem of that key.
+        const bool is_known = !place.value.contains(condition.key) || made.contains(condition.key);
+        if (!is_known || holds_in(condition, place.value)) continue;
+        report(pointer_to(place.pointer, key.name), inapplicable_key(condition), true);
         has_other_mistake = true;
         made.erase(std::string(key.name));
+        break;
       }
     }
     const bool is_empty = std::all_of(place.value.items().begin(), place.value.items().end(),

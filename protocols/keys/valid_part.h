@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "protocols/keys/key.h"
+#include "protocols/shapes/key.h"
 
 namespace asperity {
 

@@ -61,7 +61,7 @@ void add_choice_parameters(const TabulatedQuestion& asked, ParameterList& list) 
        .sd_unit = "log-odds",
        .sd_meaning = "SD over participants of the log-odds in favour of the first surface",
        .usual_sd = 0.3});
-  if (!asked.question.tie.empty()) {
+  if (asked.question.own_as<PairQuestion>() != nullptr) {
     list.assumed({.name = "tie_within",
                   .range = ParameterRange::not_negative,
                   .unit = "log-odds",
@@ -102,7 +102,8 @@ Answer choose_surface(const TabulatedTrial& trial) {
     utilities.push_back(utility_of_item(trial, surface.item) + (utilities.empty() ? order : 0.0) +
                         gumbel(noise));
   }
-  const bool can_tie = !trial.asked.question.tie.empty() && surfaces.size() == 2;
+  const bool can_tie =
+      trial.asked.question.own_as<PairQuestion>() != nullptr && surfaces.size() == 2;
   if (can_tie && std::abs(utilities[0] - utilities[1]) < trial.values.at("tie_within")) {
     return ChosenOption{surfaces.size()};  // the option after the surfaces
   }

@@ -48,7 +48,7 @@ std::vector<std::string> correct_of_discrimination(const Protocol::TrialQuestion
     return {std::string(design->correct_response(comparisons))};
   }
   if (trial.catch_trial && trial.catch_trial->type != CatchType::easy) return {kCannotTellOption};
-  if (question.judgement == DiscriminationJudgement::performance) {
+  if (question.judgement() == DiscriminationJudgement::performance) {
     return {comparisons > 1 ? "standard" : "comparison"};  // the standard is odd among comparisons
   }
   // The level of a catch trial is so far from the standard that the response is known.
@@ -101,7 +101,7 @@ bool check_varied(const BlockOfKind& checked, ProblemSink& problems) {
 
 /// The options of the question, and what only one of the designs can have.
 void check_design(const BlockOfKind& checked, ProblemSink& problems) {
-  const DiscriminationDesign& design = *checked.block.design;
+  const DiscriminationDesign& design = *checked.block.design();
   const Protocol::TrialQuestionTemplate& question = checked.question;
   const std::string a_design = design.with_article();
   if (!design.has_noise() && !question.options.empty()) {
@@ -110,7 +110,8 @@ void check_design(const BlockOfKind& checked, ProblemSink& problems) {
                             " the options are the surfaces felt; "
                             "remove this key, or state another \"design\" of the block");
   }
-  if (&design != &two_alternatives() && question.judgement == DiscriminationJudgement::comparison) {
+  if (&design != &two_alternatives() &&
+      question.judgement() == DiscriminationJudgement::comparison) {
     problems.report(checked.at_question + "/judgement",
                     "in " + a_design + " one response is correct; set it to \"performance\"");
   }
@@ -154,8 +155,9 @@ void check_design(const BlockOfKind& checked, ProblemSink& problems) {
     }
   }
   const ObserverDeclaration& observer = checked.protocol.observer;
-  const bool has_criterion = design.surfaces() == 1 ? observer.yes_above.has_value()
-                                                    : observer.different_above.has_value();
+  const bool has_criterion = design.surfaces() == 1
+                                 ? observer.discrimination.yes_above.has_value()
+                                 : observer.discrimination.different_above.has_value();
   if (!has_criterion && !observer.deaf) {
     problems.report(checked.pointer + "/design",
                     "the virtual observer of " + a_design + " needs a criterion; state " +
@@ -165,21 +167,21 @@ void check_design(const BlockOfKind& checked, ProblemSink& problems) {
 }
 
 void check_judgement(const BlockOfKind& checked, ProblemSink& problems) {
-  if (!checked.question.judgement) {
+  if (!checked.question.judgement()) {
     problems.report(checked.at_question,
                     "a discrimination needs \"judgement\": \"performance\" where the comparison is "
                     "the correct response, or \"comparison\" where no response is correct");
     return;
   }
   if (!check_varied(checked, problems)) return;
-  if (checked.block.design->has_noise() &&
-      *checked.question.judgement == DiscriminationJudgement::comparison) {
+  if (checked.block.design()->has_noise() &&
+      *checked.question.judgement() == DiscriminationJudgement::comparison) {
     return;  // reported with the design
   }
   const Dimension& dimension = *checked.block.vary;
   if (dimension.levels().empty()) return;  // reported with the parameter
   const std::string at_levels = checked.pointer + "/vary/" + std::string(key_of(dimension.measure));
-  if (*checked.question.judgement == DiscriminationJudgement::performance) {
+  if (*checked.question.judgement() == DiscriminationJudgement::performance) {
     if (!is_one_sided(dimension)) {
       problems.report(
           at_levels,
@@ -227,32 +229,22 @@ void check_block_of_discrimination(const BlockOfKind& checked, ProblemSink& prob
     problems.report_key(checked.pointer + "/presented/" + std::to_string(i) + "/item",
                         "in a discrimination the role names each surface; remove this key");
   }
-  if (checked.block.phase == Phase::main && checked.block.design->surfaces() > 1 &&
+  if (checked.block.phase == Phase::main && checked.block.design()->surfaces() > 1 &&
       checked.block.positions == Block::Positions::as_listed) {
     problems.report(checked.pointer + "/presented",
                     "the same surface would always be presented first, so that an order "
                     "effect could not be distinguished from a difference; set \"positions\" to "
                     "\"balanced\" or \"shuffle\"");
   }
-  if (!question.pictures.empty()) {
-    problems.report(checked.at_question + "/pictures",
-                    "in a discrimination the options are the surfaces felt; remove this key");
-  }
-  if (!question.correct_factor.empty()) {
-    problems.report(
-        checked.at_question + "/correct_factor",
-        "in a discrimination the judgement determines the correct response; remove this "
-        "key");
-  }
-  if (question.allow_cannot_tell && checked.block.design->has_noise()) {
+  if (question.allow_cannot_tell && checked.block.design()->has_noise()) {
     problems.report(checked.at_question + "/allow_cannot_tell",
-                    "a " + std::string(checked.block.design->name) + " has the \"options\" " +
-                        in_quotes(checked.block.design->yes) + " and " +
-                        in_quotes(checked.block.design->no) + "; remove this key");
+                    "a " + std::string(checked.block.design()->name) + " has the \"options\" " +
+                        in_quotes(checked.block.design()->yes) + " and " +
+                        in_quotes(checked.block.design()->no) + "; remove this key");
   }
-  if (question.allow_cannot_tell && checked.block.design->is_choice_of_three()) {
+  if (question.allow_cannot_tell && checked.block.design()->is_choice_of_three()) {
     problems.report(checked.at_question + "/allow_cannot_tell",
-                    "the analysis of " + checked.block.design->with_article() +
+                    "the analysis of " + checked.block.design()->with_article() +
                         " needs a choice in every trial; remove this key");
   }
   check_design(checked, problems);
@@ -267,13 +259,15 @@ bool is_below_standard(const Dimension& dimension) {
 /// "yes" where the magnitude is on the side of the signal from the criterion (VirtualObserver::exceeds), "different" where
 /// the magnitudes differ by the criterion or more (VirtualObserver::differ). Guesses without a criterion.
 VirtualResponse judge_in_words(const Judgement& judgement, const Block& block) {
-  const DiscriminationDesign& design = *block.design;
+  const DiscriminationDesign& design = *block.design();
   const ObserverDeclaration& observer = judgement.protocol.observer;
   const std::vector<Option>& options = judgement.question.options;
   const bool is_pair = design.surfaces() == 2;
-  const std::optional<double>& criterion = is_pair ? observer.different_above : observer.yes_above;
+  const std::optional<double>& criterion =
+      is_pair ? observer.discrimination.different_above : observer.discrimination.yes_above;
   if (!criterion) return {ChosenOption{judgement.observer.guess(options.size())}, true};
-  const bool is_signal_smaller = is_below_standard(*block.vary) != observer.magnitude_decreases;
+  const bool is_signal_smaller =
+      is_below_standard(*block.vary) != observer.discrimination.magnitude_decreases;
   const bool is_yes =
       is_pair
           ? judgement.observer.differ(judgement.felt[0], judgement.felt[1], std::log1p(*criterion))
@@ -292,7 +286,7 @@ VirtualResponse judge_three(const Judgement& judgement, const Block& block) {
   using Extreme = VirtualObserver::Extreme;
   VirtualObserver& observer = judgement.observer;
   const std::size_t chosen =
-      block.design->asks_for_odd_one
+      block.design()->asks_for_odd_one
           ? observer.odd_one(judgement.felt)
           : observer.most_extreme(judgement.felt, is_below_standard(*block.vary)
                                                       ? Extreme::smallest
@@ -307,12 +301,13 @@ VirtualResponse judge_three(const Judgement& judgement, const Block& block) {
 VirtualResponse judge_discrimination(const Judgement& judgement) {
   const Block& block = judgement.protocol.blocks.at(judgement.trial.block);
   const auto* const asked = question_named(block, judgement.question.name);
-  if (block.design->has_noise()) return judge_in_words(judgement, block);
-  if (block.design->is_choice_of_three()) return judge_three(judgement, block);
+  if (block.design()->has_noise()) return judge_in_words(judgement, block);
+  if (block.design()->is_choice_of_three()) return judge_three(judgement, block);
   const bool chooses_less =
-      asked->asks_for_less() ||
-      (asked->judgement == DiscriminationJudgement::performance && is_below_standard(*block.vary));
-  const std::optional<double>& unsure_within = judgement.protocol.observer.unsure_within;
+      asked->asks_for_less() || (asked->judgement() == DiscriminationJudgement::performance &&
+                                 is_below_standard(*block.vary));
+  const std::optional<double>& unsure_within =
+      judgement.protocol.observer.discrimination.unsure_within;
   const double least_difference =
       asked->allow_cannot_tell && unsure_within ? std::log1p(*unsure_within) : 0.0;
   const std::optional<std::size_t> greater =
@@ -330,9 +325,6 @@ const ExperimentKind& discrimination_kind() {
                                     .name = "discrimination",
                                     .roles = kDiscriminationRoles,
                                     .form = ChoiceForm{},
-                                    .takes_words = true,
-                                    .has_judgement = true,
-                                    .has_correct_responses = true,
                                     .tests = kDiscriminationTests,
                                     .item_of = item_of_discrimination,
                                     .correct_of = correct_of_discrimination,

@@ -23,7 +23,7 @@ constexpr const char* kOrder = "order";
 constexpr const char* kCriterion = "criterion";
 
 bool is_performance(const TabulatedQuestion& asked) {
-  return asked.question.judgement == DiscriminationJudgement::performance;
+  return asked.question.judgement() == DiscriminationJudgement::performance;
 }
 
 bool is_below_the_standard(const TabulatedQuestion& asked) {
@@ -61,7 +61,7 @@ std::vector<std::string> family_of_block(const TabulatedQuestion& asked) {
       std::any_of(asked.family.begin(), asked.family.end(), [&declared](const std::string& name) {
         return std::find(declared.begin(), declared.end(), name) != declared.end();
       });
-  if (!is_declared && asked.block.design->has_noise()) return {"conditions"};
+  if (!is_declared && asked.block.design()->has_noise()) return {"conditions"};
   return asked.family;
 }
 
@@ -112,7 +112,7 @@ void add_thresholds(const TabulatedQuestion& asked, ParameterList& list) {
 }
 
 void add_decision(const TabulatedQuestion& asked, ParameterList& list) {
-  const DiscriminationDesign& design = *asked.block.design;
+  const DiscriminationDesign& design = *asked.block.design();
   if (!design.has_noise()) {
     list.effect({.effect = {.name = kOrder,
                             .unit = "d′",
@@ -195,7 +195,7 @@ std::vector<double> impressions_of(const TabulatedTrial& trial, bool seeks_less,
 }
 
 Answer option_in_words(const TabulatedTrial& trial, bool is_yes) {
-  const DiscriminationDesign& design = *trial.asked.block.design;
+  const DiscriminationDesign& design = *trial.asked.block.design();
   const std::string_view wanted = is_yes ? design.yes : design.no;
   const auto& options = trial.question.options;
   const auto found = std::find_if(options.begin(), options.end(), [wanted](const Option& option) {
@@ -210,7 +210,7 @@ std::size_t place_of_greatest(const std::vector<double>& numbers) {
 }
 
 Answer decide_discrimination(const TabulatedTrial& trial) {
-  const DiscriminationDesign& design = *trial.asked.block.design;
+  const DiscriminationDesign& design = *trial.asked.block.design();
   Random noise = trial.of_response.split("impressions");
   if (trial.lapses()) {
     const bool can_abstain = trial.asked.question.allow_cannot_tell;

@@ -32,13 +32,10 @@ struct KindTest {
   bool needs_target = false;
 };
 
-/// A key at the root of a protocol that only some kinds have.
-struct KindKey {
+/// A key at the root of a protocol that a kind needs.
+struct RequiredKey {
   std::string_view name{};
-  std::string_view
-      if_missing{};  ///< the problem, reported at "kind"; empty where the key is optional
-  /// The problem in a protocol without such a kind, reported at the key; equal for all kinds that have it.
-  std::string_view if_foreign{};
+  std::string_view if_missing{};  ///< the problem, reported at "kind"
 };
 
 /// One block whose question is being checked.
@@ -82,21 +79,14 @@ struct ExperimentKind {
   std::string_view name{};  ///< in messages, after "a": "magnitude estimation"
   /// Of the surfaces of a trial; the first one where a protocol states none.
   std::span<const std::string_view> roles{};
-  AnswerForm form{};         ///< how its question is answered
-  bool takes_lines = false;  ///< or by the length of a line (LineForm)
+  AnswerForm form{};                       ///< how its question is answered
+  std::optional<AnswerForm> other_form{};  ///< or by this one, where its key is stated
   /// A trial may have several questions of this kind, also next to the question of another kind.
   bool asks_several = false;
-  bool takes_words = false;    ///< its options can be words
-  bool takes_ties = false;     ///< its options can include that neither surface is preferred
-  bool has_judgement = false;  ///< its question states whether an answer is correct
-  /// Its question rates how different two surfaces are: they may be identical, and participants may share the pairs.
-  bool rates_differences = false;
-  bool has_correct_responses = false;
-  bool has_anchor_role = false;       ///< the surface of an anchor has its own role, "anchor"
-  bool has_target = false;            ///< one item may be declared whose superiority is in question
-  bool has_expectations = false;      ///< a virtual observer judges by what it expects of textures
+  std::string_view anchor_role{};  ///< of the only surface of an anchor; empty: as in other trials
+  bool has_expectations = false;   ///< a virtual observer judges by what it expects of textures
   std::span<const KindTest> tests{};  ///< the first is the family where a protocol declares none
-  std::span<const KindKey> keys{};
+  std::span<const RequiredKey> required{};
 
   /// The factor whose level a surface counts as in the responses, unless the protocol names the surface; empty: item_of.
   std::string (*item_factor)(const Protocol& protocol) = nullptr;

@@ -67,7 +67,9 @@ const ExperimentKind* kind_of_question(const ExperimentKind& of_block,
                                        const Question& question) noexcept {
   if (question.is_additional) return nullptr;
   if (of_block.form.index() == question.form.index()) return &of_block;
-  if (of_block.takes_lines && question.is_answered_by<LineForm>()) return &of_block;
+  if (of_block.other_form && of_block.other_form->index() == question.form.index()) {
+    return &of_block;
+  }
   for (const ExperimentKind* const kind : experiment_kinds()) {
     if (kind->asks_several && kind->form.index() == question.form.index()) return kind;
   }

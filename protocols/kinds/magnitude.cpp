@@ -34,11 +34,10 @@ constexpr std::array kMagnitudeTests{
 constexpr const char* kStandardRole = "standard";
 constexpr std::array<std::string_view, 2> kMagnitudeRoles{"target", kStandardRole};
 
-constexpr std::array kMagnitudeKeys{KindKey{
+constexpr std::array kMagnitudeKeys{RequiredKey{
     "estimation",
     "a magnitude estimation must state the factor by which estimates are analysed: add the key "
-    "\"estimation\" with this factor as \"spacing\", or as \"factor\" for other stimuli",
-    "only a magnitude estimation has estimates to be analysed; remove this key"}};
+    "\"estimation\" with this factor as \"spacing\", or as \"factor\" for other stimuli"}};
 
 std::string item_factor_of_magnitude(const Protocol& protocol) {
   return protocol.estimation ? protocol.estimation->items : std::string();
@@ -50,7 +49,7 @@ std::string item_of_magnitude(const PlannedPresentation& surface) {
 }
 
 /// One surface, which with a modulus the standard precedes.
-void check_surfaces_of_magnitude(const BlockOfKind& checked, ProblemSink& problems) {
+void check_block_of_magnitude(const BlockOfKind& checked, ProblemSink& problems) {
   const std::vector<Protocol::Presented>& presented = checked.block.presented;
   const std::string place = checked.pointer + "/presented";
   const auto& estimation = checked.protocol.estimation;
@@ -98,26 +97,6 @@ void check_surfaces_of_magnitude(const BlockOfKind& checked, ProblemSink& proble
   }
 }
 
-void check_block_of_magnitude(const BlockOfKind& checked, ProblemSink& problems) {
-  const Protocol::TrialQuestionTemplate& question = checked.question;
-  const std::string& place = checked.at_question;
-  check_surfaces_of_magnitude(checked, problems);
-  if (!question.pictures.empty()) {
-    problems.report(
-        place + "/pictures",
-        "a magnitude estimation is answered by a number, not by a picture; remove this key");
-  }
-  if (question.allow_cannot_tell) {
-    problems.report(place + "/allow_cannot_tell",
-                    "in a magnitude estimation every surface is given a number, and \"cannot "
-                    "tell\" is not available; set this to false");
-  }
-  if (!question.correct_factor.empty()) {
-    problems.report(place + "/correct_factor",
-                    "a magnitude estimate is neither correct nor incorrect; remove this key");
-  }
-}
-
 void check_trial_of_magnitude(const BlockOfKind& checked, const Trial&, ProblemSink& problems) {
   if (checked.protocol.observer.expectation == ObserverDeclaration::Expectation::none) return;
   problems.report(
@@ -150,10 +129,10 @@ const ExperimentKind& magnitude_kind() {
                                     .name = "magnitude estimation",
                                     .roles = kMagnitudeRoles,
                                     .form = NumberForm{.is_estimate = true},
-                                    .takes_lines = true,
-                                    .has_anchor_role = true,
+                                    .other_form = LineForm{},
+                                    .anchor_role = "anchor",
                                     .tests = kMagnitudeTests,
-                                    .keys = kMagnitudeKeys,
+                                    .required = kMagnitudeKeys,
                                     .item_factor = item_factor_of_magnitude,
                                     .item_of = item_of_magnitude,
                                     .check = check_estimation,

@@ -46,15 +46,6 @@ void check_block_of_matching(const BlockOfKind& checked, ProblemSink& problems) 
                         ", surfaces given: " + std::to_string(checked.block.presented.size()) +
                         "; add or remove pictures");
   }
-  if (question.allow_cannot_tell) {
-    problems.report(place + "/allow_cannot_tell",
-                    "in a matching every surface is assigned a picture, and \"cannot tell\" is not "
-                    "available; set this to false");
-  }
-  if (!question.correct_factor.empty()) {
-    problems.report(place + "/correct_factor",
-                    "in a matching the correct responses are the textures felt; remove this key");
-  }
 }
 
 VirtualResponse judge_matching(const Judgement& judgement) {
@@ -84,7 +75,6 @@ const ExperimentKind& matching_kind() {
                                     .name = "matching",
                                     .roles = kTargetRole,
                                     .form = AssignmentForm{},
-                                    .has_correct_responses = true,
                                     .has_expectations = true,
                                     .tests = kMatchingTests,
                                     .item_of = item_of_matching,

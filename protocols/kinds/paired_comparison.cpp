@@ -24,8 +24,6 @@ constexpr std::array kPairedTests{
     KindTest{kGroupProfilesTest,
              "for every pair of groups: do the proportions of choices of the items differ"}};
 
-constexpr std::array kPairedKeys{kRealismStandard};
-
 std::string item_of_pair(const PlannedPresentation& surface) {
   return surface.stimulus.texture.empty() ? surface.stimulus.model : surface.stimulus.texture;
 }
@@ -34,6 +32,12 @@ std::string item_of_pair(const PlannedPresentation& surface) {
 std::string items_of_pairs(const Protocol::Block& block) {
   return block.all_pairs ? block.all_pairs->factor + " of " + block.presented.front().stimulus
                          : std::string();
+}
+
+/// The text of the option "tie"; empty without one.
+std::string tie_of(const Protocol::TrialQuestionTemplate& question) {
+  const auto* const pair = question.own_as<PairQuestion>();
+  return pair == nullptr ? std::string() : pair->tie;
 }
 
 /// Choices in different blocks are analysed together, so that they have to answer one question about the same items.
@@ -54,7 +58,7 @@ void check_pairs_of_protocol(const Protocol& protocol, ProblemSink& problems) {
       const std::string at_question =
           block.has_question_list ? pointer_to(pointer + "/questions", i) : pointer + "/question";
       if (question.name != first->name || question.prompt != first->prompt ||
-          question.tie != first->tie) {
+          tie_of(question) != tie_of(*first)) {
         problems.report(at_question,
                         "the main blocks of a paired comparison are analysed together, and the "
                         "block " +
@@ -75,8 +79,6 @@ void check_pairs_of_protocol(const Protocol& protocol, ProblemSink& problems) {
 }
 
 void check_block_of_pairs(const BlockOfKind& checked, ProblemSink& problems) {
-  const Protocol::TrialQuestionTemplate& question = checked.question;
-  const std::string& place = checked.at_question;
   if (checked.block.presented.size() != 2) {
     problems.report(checked.pointer + "/presented",
                     "a paired comparison presents exactly two surfaces per trial; for all pairs of "
@@ -88,19 +90,6 @@ void check_block_of_pairs(const BlockOfKind& checked, ProblemSink& problems) {
                     "the same surface would always be presented first, so that an order "
                     "effect could not be distinguished from a difference; set \"positions\" to "
                     "\"balanced\" or \"shuffle\"");
-  }
-  if (!question.pictures.empty()) {
-    problems.report(place + "/pictures",
-                    "in a paired comparison the options are the surfaces felt; remove this key");
-  }
-  if (!question.correct_factor.empty()) {
-    problems.report(place + "/correct_factor",
-                    "no response of a paired comparison is correct or incorrect; remove this key");
-  }
-  if (question.allow_cannot_tell) {
-    problems.report(place + "/allow_cannot_tell",
-                    "the third option of a paired comparison is a tie; write \"tie\" with the text "
-                    "of the option instead of this key");
   }
   check_prompt_for_sample(checked, problems);
 }
@@ -142,9 +131,7 @@ const ExperimentKind& paired_comparison_kind() {
                                     .name = "paired comparison",
                                     .roles = kAlternativeRole,
                                     .form = ChoiceForm{},
-                                    .takes_ties = true,
                                     .tests = kPairedTests,
-                                    .keys = kPairedKeys,
                                     .item_of = item_of_pair,
                                     .check = check_pairs_of_protocol,
                                     .check_block = check_block_of_pairs,

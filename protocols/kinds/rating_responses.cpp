@@ -22,7 +22,7 @@ bool accompanies(const TabulatedQuestion& asked) {
 }
 
 bool accompanies_correct_responses(const TabulatedQuestion& asked) {
-  return accompanies(asked) && kind_of(asked.block).has_correct_responses;
+  return accompanies(asked) && kind_of(asked.block).correct_of != nullptr;
 }
 
 /// Whether the levels of a factor determine the surface of the block.

@@ -6,12 +6,6 @@
 
 namespace asperity {
 
-/// The key "realism_standard", where the kind can do without it.
-inline constexpr KindKey kRealismStandard{
-    "realism_standard", "",
-    "realism is measured against a standard only in a selection or a paired comparison; remove "
-    "this key"};
-
 /// Where the standard is a physical sample, the experimenter needs to know which one to place.
 void check_prompt_for_sample(const BlockOfKind& checked, ProblemSink& problems);
 

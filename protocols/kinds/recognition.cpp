@@ -27,7 +27,7 @@ std::string item_of_recognition(const PlannedPresentation& surface) {
 
 std::vector<std::string> correct_of_recognition(const Protocol::TrialQuestionTemplate& question,
                                                 const Trial& trial) {
-  return {text_of(trial.factors.at(question.correct_factor))};
+  return {text_of(trial.factors.at(question.correct_factor()))};
 }
 
 void check_block_of_recognition(const BlockOfKind& checked, ProblemSink& problems) {
@@ -40,22 +40,22 @@ void check_block_of_recognition(const BlockOfKind& checked, ProblemSink& problem
   if (question.pictures.empty()) {
     problems.report(place, "a recognition needs \"pictures\" to choose from; add this key");
   }
-  if (question.correct_factor.empty()) {
+  if (question.correct_factor().empty()) {
     problems.report(place,
                     "a recognition needs \"correct_factor\": the factor whose level is the correct "
                     "picture; add this key");
     return;
   }
-  if (!checked.protocol.factors.contains(question.correct_factor)) {
+  if (!checked.protocol.factors.contains(question.correct_factor())) {
     problems.report(place + "/correct_factor",
-                    unknown_name("factor", question.correct_factor, checked.protocol.factors));
+                    unknown_name("factor", question.correct_factor(), checked.protocol.factors));
     return;
   }
   for (const Protocol::Run* const run : runs_of(checked.protocol, checked.block)) {
-    if (factors_set_by(checked.block, run).contains(question.correct_factor)) continue;
+    if (factors_set_by(checked.block, run).contains(question.correct_factor())) continue;
     problems.report(place + "/correct_factor",
                     "the trials of this block do not set the factor " +
-                        in_quotes(question.correct_factor) +
+                        in_quotes(question.correct_factor()) +
                         ": cross, list or draw it, or run the block for_each of its levels");
   }
 }
@@ -90,7 +90,6 @@ const ExperimentKind& recognition_kind() {
                                     .name = "recognition",
                                     .roles = kTargetRole,
                                     .form = ChoiceForm{},
-                                    .has_correct_responses = true,
                                     .has_expectations = true,
                                     .tests = kRecognitionTests,
                                     .item_of = item_of_recognition,

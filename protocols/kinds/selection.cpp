@@ -29,28 +29,16 @@ constexpr std::array kSelectionTests{
              "for every pair of groups: do the proportions of choices of the items differ"}};
 
 constexpr std::array kSelectionKeys{
-    KindKey{kRealismStandard.name,
-            "a selection must state the standard of realism: add the key \"realism_standard\" "
-            "with \"photograph\", \"physical_sample\" or \"memory\"",
-            kRealismStandard.if_foreign}};
+    RequiredKey{"realism_standard",
+                "a selection must state the standard of realism: add the key \"realism_standard\" "
+                "with \"photograph\", \"physical_sample\" or \"memory\""}};
 
 std::string item_of_selection(const PlannedPresentation& surface) { return surface.stimulus.model; }
 
 void check_block_of_selection(const BlockOfKind& checked, ProblemSink& problems) {
-  const Protocol::TrialQuestionTemplate& question = checked.question;
-  const std::string& place = checked.at_question;
   if (checked.block.presented.size() < 2) {
     problems.report(checked.pointer + "/presented",
                     "a selection needs at least two surfaces to choose from; list them here");
-  }
-  if (!question.pictures.empty()) {
-    problems.report(place + "/pictures",
-                    "in a selection the options are the surfaces felt; the picture of the texture "
-                    "is shown when realism_standard is \"photograph\"; remove this key");
-  }
-  if (!question.correct_factor.empty()) {
-    problems.report(place + "/correct_factor",
-                    "no response of a selection is correct or incorrect; remove this key");
   }
   check_prompt_for_sample(checked, problems);
 }
@@ -98,10 +86,9 @@ const ExperimentKind& selection_kind() {
                                     .name = "selection",
                                     .roles = kAlternativeRole,
                                     .form = ChoiceForm{},
-                                    .has_target = true,
                                     .has_expectations = true,
                                     .tests = kSelectionTests,
-                                    .keys = kSelectionKeys,
+                                    .required = kSelectionKeys,
                                     .item_of = item_of_selection,
                                     .check_block = check_block_of_selection,
                                     .check_trial = check_trial_of_selection,

@@ -25,10 +25,6 @@ constexpr std::array kSimilarityTests{
     KindTest{kGroupProfilesTest,
              "for every pair of groups: do the dissimilarities of the pairs differ"}};
 
-RatedQuantity rated_quantity(const Protocol::TrialQuestionTemplate& question) {
-  return question.rates.value_or(RatedQuantity::dissimilarity);
-}
-
 std::string item_of_similarity(const PlannedPresentation& surface) {
   return surface.stimulus.texture.empty() ? surface.stimulus.model : surface.stimulus.texture;
 }
@@ -101,12 +97,17 @@ VirtualResponse judge_similarity(const Judgement& judgement) {
 
 }  // namespace
 
+RatedQuantity rated_quantity(const Protocol::TrialQuestionTemplate& question) {
+  const auto* const stated = question.own_as<SimilarityQuestion>();
+  return stated == nullptr ? RatedQuantity::dissimilarity
+                           : stated->rates.value_or(RatedQuantity::dissimilarity);
+}
+
 const ExperimentKind& similarity_kind() {
   static const ExperimentKind kKind{.id = "similarity",
                                     .name = "similarity",
                                     .roles = kAlternativeRole,
                                     .form = ScaleForm{},
-                                    .rates_differences = true,
                                     .tests = kSimilarityTests,
                                     .item_of = item_of_similarity,
                                     .check = check_question_of_similarity,

@@ -10,4 +10,7 @@ namespace asperity {
 /// surfaces in which distances correspond to dissimilarities [Kruskal 1978].
 const ExperimentKind& similarity_kind();
 
+/// What the scale of its question increases with; dissimilarity where the question does not state it.
+RatedQuantity rated_quantity(const Protocol::TrialQuestionTemplate& question);
+
 }  // namespace asperity

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include "protocols/kinds/similarity.h"
+
 namespace asperity {
 
 namespace {
@@ -82,7 +84,7 @@ Answer rate_dissimilarity(const TabulatedTrial& trial) {
   const double dissimilarity =
       trial.own("level") + pair_deviation(trial) + trial.values.at("noise_sd") * noise.normal();
   const double share = std::clamp(dissimilarity / (form.maximum - form.minimum), 0.0, 1.0);
-  const bool is_reversed = trial.asked.question.rates == RatedQuantity::similarity;
+  const bool is_reversed = rated_quantity(trial.asked.question) == RatedQuantity::similarity;
   return ScalePoint{
       static_cast<int>(std::lround((is_reversed ? 1.0 - share : share) * form.steps()))};
 }

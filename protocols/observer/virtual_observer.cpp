@@ -216,7 +216,7 @@ double VirtualObserver::log_magnitude(const ForceFeatures& felt) {
 std::optional<std::size_t> VirtualObserver::compare(const ForceFeatures& first,
                                                     const ForceFeatures& second,
                                                     double least_difference) {
-  const double sign = declaration_.magnitude_decreases ? -1.0 : 1.0;
+  const double sign = declaration_.discrimination.magnitude_decreases ? -1.0 : 1.0;
   const double of_first = sign * log_magnitude(first) + declaration_.position_bias;
   const double of_second = sign * log_magnitude(second);
   if (lapses_in_decision()) return guess(2);
@@ -228,7 +228,8 @@ std::optional<std::size_t> VirtualObserver::compare(const ForceFeatures& first,
 
 std::size_t VirtualObserver::most_extreme(std::span<const ForceFeatures> felt, Extreme which) {
   require(!felt.empty(), "felt is empty; a choice needs at least one felt surface");
-  const bool is_reversed = declaration_.magnitude_decreases != (which == Extreme::smallest);
+  const bool is_reversed =
+      declaration_.discrimination.magnitude_decreases != (which == Extreme::smallest);
   std::vector<double> evidences{};
   for (const ForceFeatures& each : felt) {
     evidences.push_back((is_reversed ? -1.0 : 1.0) * log_magnitude(each));
@@ -283,7 +284,7 @@ void VirtualObserver::decide(double distance, int magnitudes) {
 
 double VirtualObserver::relative_estimate(double judged) {
   const double guessed = random_.normal();
-  return std::exp(lapses() ? guessed : declaration_.exponent * judged);
+  return std::exp(lapses() ? guessed : declaration_.magnitude.exponent * judged);
 }
 
 double VirtualObserver::estimate(const ForceFeatures& felt, const NumberHabit& habit) {

@@ -10,7 +10,7 @@
 #include "analysis/numbers/number_text.h"
 #include "analysis/psychometric/psychometric_function.h"
 #include "protocols/design/block_factors.h"
-#include "protocols/kinds/experiment_kind.h"
+#include "protocols/kinds/discrimination.h"
 #include "protocols/plan/block_rows.h"
 
 namespace asperity {
@@ -27,7 +27,7 @@ PsychometricFunction assumed_function(const Block& block) {
   return {.shape = PsychometricShape::weibull,
           .alpha = std::sqrt(smallest * largest),
           .beta = kIncrementSlope,
-          .gamma = block.design->guess_rate(),
+          .gamma = block.design()->guess_rate(),
           .lambda = 0.02};
 }
 
@@ -74,8 +74,8 @@ std::string per_cent(double proportion) { return fixed(100.0 * proportion, 1) + 
 
 std::optional<double> least_threshold_error(const Block& block) {
   const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
-  if (!block.vary || !block.vary->standard || judged == nullptr || block.design->has_noise() ||
-      judged->judgement != DiscriminationJudgement::performance) {
+  if (!block.vary || !block.vary->standard || judged == nullptr || block.design()->has_noise() ||
+      judged->judgement() != DiscriminationJudgement::performance) {
     return {};
   }
   // Where the trials will be is unknown.
@@ -93,7 +93,7 @@ std::optional<double> least_threshold_error(const Block& block) {
       information += information_at(f, value - *block.vary->standard);
     }
     information *=
-        static_cast<double>(block.repetitions) * static_cast<double>(block.design->trials.size());
+        static_cast<double>(block.repetitions) * static_cast<double>(block.design()->trials.size());
   }
   return 1.0 / std::sqrt(information);
 }
@@ -101,14 +101,14 @@ std::optional<double> least_threshold_error(const Block& block) {
 std::string presentation_text(const Block& block) {
   const Arrangement& arrangement = block.arrangement;
   const bool is_sequential = arrangement.surfaces == Arrangement::Surfaces::sequential;
-  const std::string task = block.design == &two_alternatives() && is_sequential
+  const std::string task = block.design() == &two_alternatives() && is_sequential
                                ? "two-interval forced choice"
-                               : std::string(block.design->name);
+                               : std::string(block.design()->name);
   switch (arrangement.surfaces) {
     case Arrangement::Surfaces::sequential:
       return task +
-             (block.design->surfaces() == 1 ? ", one surface in each trial"
-                                            : ", one surface after the other") +
+             (block.design()->surfaces() == 1 ? ", one surface in each trial"
+                                              : ", one surface after the other") +
              (arrangement.minimum_visits == 1
                   ? std::string()
                   : ", each presented " + std::to_string(arrangement.minimum_visits) + " times");
@@ -149,20 +149,20 @@ std::string procedure_text(const Protocol::Block& block) {
 }
 
 std::string design_of(const Protocol& protocol, const Block& block, const Plan& plan) {
-  if (!kind_of(block).has_judgement || !block.vary) return {};
+  if (block.kind != discrimination_kind().id || !block.vary) return {};
   std::string text = presentation_text(block) + ", ";
   if (block.procedure) {
     text += procedure_text(block);
   } else {
     text += "constant stimuli, " + counted(block.vary->levels().size(), "level", "levels") + " × " +
-            counted(static_cast<std::size_t>(block.repetitions) * block.design->trials.size(),
+            counted(static_cast<std::size_t>(block.repetitions) * block.design()->trials.size(),
                     "presentation", "presentations") +
-            (block.design->has_noise() ? ", half of them without a difference" : "");
+            (block.design()->has_noise() ? ", half of them without a difference" : "");
   }
   Block alone = block;
   alone.vary.reset();
   alone.procedure.reset();
-  alone.design = &two_alternatives();
+  alone.own = DiscriminationBlock{};
   if (const std::size_t rows = row_count(protocol, alone); rows > 1) {
     text += ", for each of " + std::to_string(rows) + " conditions";
   }

@@ -136,8 +136,8 @@ BlockRow row_of_type(const Protocol::Block& block, BlockRow row, const DesignTri
 }  // namespace
 
 std::span<const DesignTrial> trial_types(const Protocol::Block& block) {
-  if (block.design == &two_alternatives() || !block.vary || !block.vary->standard) return {};
-  return block.design->trials;
+  if (block.design() == &two_alternatives() || !block.vary || !block.vary->standard) return {};
+  return block.design()->trials;
 }
 
 std::size_t round_count(std::size_t levels) { return levels % 2 == 0 ? levels - 1 : levels; }

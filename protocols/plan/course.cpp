@@ -90,7 +90,7 @@ double example_chance(const Block& block, double value) {
   const double from_middle = (static_cast<double>(place) - middle) / std::max(middle, 0.5);
   const double chance = values.front() < dimension.standard.value_or(values.front())
                             ? 0.0
-                            : block.design->guess_rate();
+                            : block.design()->guess_rate();
   return chance + (1.0 - chance) / (1.0 + std::exp(-5.0 * from_middle));
 }
 
@@ -259,7 +259,7 @@ bool Course::add_next_of_tracks() {
   if (!trial) {
     add_anchor(tracks_->run(), AnchorPlace::end);
     const Block& block = *tracks_->run().block;
-    // Such a block is run once (Meaning::check_equal_roughness).
+    // Such a block is run once (check_equal_roughness).
     if (matches_roughness(*protocol_, block)) {
       matches_[block.name] = roughness_matches(*block.vary, tracks_->answered());
     }
@@ -351,9 +351,8 @@ void Course::add_anchor(const BlockRun& run, AnchorPlace place) {
   add_derived_levels(block, anchor.factors);
   const BlockRow row{.pair = block.anchor_pair, .type = type_of_anchor(block)};
   anchor = maker_.make(std::move(anchor), run, surfaces_of(block, row), run.random.split("anchor"));
-  if (kind_of(block).has_anchor_role && anchor.presentations.size() == 1) {
-    anchor.presentations.front().role = "anchor";
-  }
+  const std::string_view role = kind_of(block).anchor_role;
+  if (!role.empty() && anchor.presentations.size() == 1) anchor.presentations.front().role = role;
   add(std::move(anchor));
 }
 
@@ -436,8 +435,8 @@ LevelOutcome level_outcome_of(const Protocol::Block& block,
                               const std::string& varied_item, const AnsweredItem& response) {
   if (response.answer == kCannotTellOption) return LevelOutcome::unsure;
   // Of three surfaces, the varied one is not always the correct response.
-  const bool chose_varied = block.design->is_choice_of_three() ? response.correct.value_or(false)
-                                                               : response.answer == varied_item;
+  const bool chose_varied = block.design()->is_choice_of_three() ? response.correct.value_or(false)
+                                                                 : response.answer == varied_item;
   return forced_outcome(chose_varied != judged.asks_for_less());
 }
 

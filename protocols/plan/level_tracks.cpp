@@ -21,7 +21,7 @@ namespace {
 /// Otherwise that of the row.
 const DesignTrial* type_of_trial(const Protocol::Block& block, const BlockRow& row,
                                  std::size_t count, const Random& draws) {
-  const std::span<const DesignTrial> types = block.design->trials;
+  const std::span<const DesignTrial> types = block.design()->trials;
   if (types.size() < 2) return row.type;
   std::vector<std::size_t> order(types.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

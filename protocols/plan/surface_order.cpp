@@ -71,7 +71,7 @@ bool has_multiples_of_surfaces(const Block& block, const std::vector<BlockRow>& 
 bool balances_every_row(const Block& block, const std::vector<BlockRow>& rows,
                         const std::vector<BlockTrial>& trials) {
   return block.kind == discrimination_kind().id && block.vary && !block.procedure && !block.until &&
-         block.positions == Block::Positions::balanced && !block.design->has_noise() &&
+         block.positions == Block::Positions::balanced && !block.design()->has_noise() &&
          has_multiples_of_surfaces(block, rows, trials);
 }
 

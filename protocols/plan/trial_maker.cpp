@@ -165,9 +165,9 @@ Question planned_question(const Protocol& protocol, const Protocol::TrialQuestio
     for (const PlannedPresentation& planned : trial.presentations) {
       question.options.push_back({planned.item, planned.code, std::nullopt, {}});
     }
-    if (!source.tie.empty()) {
+    if (const auto* const pair = source.own_as<PairQuestion>()) {
       const std::string label = std::to_string(question.options.size() + 1);
-      question.options.push_back({kTieOption, label, std::nullopt, source.tie});
+      question.options.push_back({kTieOption, label, std::nullopt, pair->tie});
     }
   } else {
     for (std::size_t i = 0; i < pictures.size(); ++i) {

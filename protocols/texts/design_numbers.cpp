@@ -41,7 +41,8 @@ int options_of(const Block& block, const QuestionTemplate& question) {
   if (!has_options(question.form)) return 0;
   if (!question.options.empty()) return static_cast<int>(question.options.size());
   if (!question.pictures.empty()) return static_cast<int>(question.pictures.size());
-  return static_cast<int>(surfaces_in_trial(block)) + (question.tie.empty() ? 0 : 1);
+  return static_cast<int>(surfaces_in_trial(block)) +
+         (question.own_as<PairQuestion>() == nullptr ? 0 : 1);
 }
 
 int rounded_minutes(double total_s) {
@@ -60,7 +61,7 @@ const DesignNumber* find_design_number(std::string_view name) noexcept {
 }
 
 DesignValues values_of_block(const Protocol& protocol, const Block& block) {
-  if (block.design == nullptr) return {};  // of a stored protocol: that of another version
+  if (block.design() == nullptr) return {};  // of a stored protocol: that of another version
   DesignValues values{};
   const auto set = [&values](const char* name, std::optional<int> number) {
     if (number && *number > 0) values[name].number = *number;
@@ -95,7 +96,7 @@ DesignValues values_of_all_blocks(const Protocol& protocol) {
   std::set<std::string> different{};
   for (const auto& [block_name, block] : protocol.blocks) {
     if (has_main && block.phase != Phase::main) continue;
-    if (block.design == nullptr) return {};
+    if (block.design() == nullptr) return {};
     for (const auto& [name, value] : values_of_block(protocol, block)) {
       const auto [known, is_new] = common.emplace(name, value);
       if (is_new) continue;

@@ -11,9 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/design/json_pointer.h"
-#include "protocols/keys/key.h"
 #include "protocols/keys/names_in.h"
 #include "protocols/keys/tables.h"
+#include "protocols/shapes/key.h"
 
 namespace asperity {
 

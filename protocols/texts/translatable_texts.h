@@ -7,7 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "protocols/keys/shape.h"
+#include "protocols/shapes/shape.h"
 
 namespace asperity {
 

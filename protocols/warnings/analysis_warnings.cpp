@@ -97,7 +97,8 @@ class AnalysisWarnings final {
     const auto all_are = [this](auto&& trait) {
       return std::all_of(discriminations_.begin(), discriminations_.end(), trait);
     };
-    if (test == "order" && all_are([](const Block* block) { return block->design->has_noise(); })) {
+    if (test == "order" &&
+        all_are([](const Block* block) { return block->design()->has_noise(); })) {
       return "the responses are words, and no surface is chosen";
     }
     if (test == "point_of_subjective_equality" && all_are(has_correct_responses)) {
@@ -113,7 +114,7 @@ class AnalysisWarnings final {
 
   static bool has_correct_responses(const Block* block) {
     const Protocol::TrialQuestionTemplate* const judged = judged_question(*block);
-    return judged != nullptr && judged->judgement == DiscriminationJudgement::performance;
+    return judged != nullptr && judged->judgement() == DiscriminationJudgement::performance;
   }
 
   /// The combinations of the levels of factors other than the varied one and those that are drawn for every trial.
@@ -136,13 +137,13 @@ class AnalysisWarnings final {
   /// A participant who guesses attains the proportion at which such a staircase settles, so that its levels fall without limit.
   void warn_of_guesses(const Block& block) {
     if (!block.procedure || block.procedure->tracks.empty() || !has_correct_responses(&block) ||
-        block.design->has_noise()) {
+        block.design()->has_noise()) {
       return;
     }
     const ProcedureSettings& first = block.procedure->tracks.front();
     if (!problems_of(first).empty()) return;
     const std::optional<double> target = procedure_of(first).target(first);
-    const double chance = block.design->guess_rate();
+    const double chance = block.design()->guess_rate();
     if (!target || *target > chance + 0.01) return;
     const auto percent = [](double share) {
       return digits(std::round(1000.0 * share) / 10.0) + " %";
@@ -166,9 +167,9 @@ class AnalysisWarnings final {
     const auto& questions = block.questions;
     const bool has_confidence =
         std::any_of(questions.begin(), questions.end(),
-                    [](const auto& each) { return !each.confidence_of.empty(); });
+                    [](const auto& each) { return !each.confidence_of().empty(); });
     const bool can_have_roc = judged != nullptr && has_correct_responses(&block) &&
-                              !judged->allow_cannot_tell && !block.design->is_choice_of_three() &&
+                              !judged->allow_cannot_tell && !block.design()->is_choice_of_three() &&
                               !chooses_levels_from_answers(block);
     if (has_confidence || !can_have_roc) return;
     for (std::size_t i = 0; i < questions.size(); ++i) {
@@ -185,7 +186,7 @@ class AnalysisWarnings final {
   void warn_of_unused_option(const Block& block) {
     const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
     const ObserverDeclaration& observer = protocol_.observer;
-    if (judged == nullptr || !judged->allow_cannot_tell || observer.unsure_within ||
+    if (judged == nullptr || !judged->allow_cannot_tell || observer.discrimination.unsure_within ||
         observer.deaf) {
       return;
     }
@@ -216,8 +217,8 @@ class AnalysisWarnings final {
       // Of two standards, "cannot tell" is the correct one of all options.
       const bool is_easy = block->procedure->catch_trials->type == CatchType::easy;
       all.guess_rate = std::max(
-          all.guess_rate, is_easy ? block->design->guess_rate()
-                                  : 1.0 / static_cast<double>(block->design->alternatives() + 1));
+          all.guess_rate, is_easy ? block->design()->guess_rate()
+                                  : 1.0 / static_cast<double>(block->design()->alternatives() + 1));
     }
     return all;
   }

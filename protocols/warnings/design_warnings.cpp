@@ -12,10 +12,10 @@
 
 #include "analysis/numbers/number_text.h"
 #include "protocols/design/block_factors.h"
-#include "protocols/design/discrimination_design.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
+#include "protocols/kind_keys/discrimination_design.h"
 #include "protocols/kinds/discrimination.h"
 #include "protocols/plan/block_rows.h"
 #include "protocols/plan/roughness_matching.h"
@@ -152,7 +152,7 @@ class DesignWarnings final {
 
   void warn_of_positions(const Block& block, const std::string& pointer) {
     if (block.phase != Phase::main || block.kind != discrimination_kind().id || !block.vary ||
-        block.design->has_noise() || block.vary->values().size() < 2 ||
+        block.design()->has_noise() || block.vary->values().size() < 2 ||
         chooses_levels_from_answers(block) || matches_roughness(protocol_, block)) {
       return;
     }

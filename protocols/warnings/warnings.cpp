@@ -18,7 +18,7 @@
 #include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
 #include "protocols/file/stored_protocol.h"
-#include "protocols/kinds/experiment_kind.h"
+#include "protocols/kinds/discrimination.h"
 #include "protocols/procedures/procedure.h"
 #include "stimuli/properties/other_unit.h"
 
@@ -197,7 +197,7 @@ class Warnings final {
   /// Warns about staircases that do not approach the point that is estimated.
   void warn_of_target(const Protocol::Block& block) {
     const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
-    if (judged == nullptr || judged->judgement != DiscriminationJudgement::comparison ||
+    if (judged == nullptr || judged->judgement() != DiscriminationJudgement::comparison ||
         !block.procedure || block.procedure->tracks.empty() ||
         !problems_of(block.procedure->tracks.front()).empty() ||
         !chooses_levels_from_answers(block)) {
@@ -222,7 +222,7 @@ class Warnings final {
     }
     const std::vector<double> trained = practice.vary->values();
     for (const auto& [name, block] : protocol_.blocks) {
-      if (block.phase != Phase::main || !block.vary || !kind_of(block).has_judgement ||
+      if (block.phase != Phase::main || !block.vary || block.kind != discrimination_kind().id ||
           block.vary->parameter != practice.vary->parameter) {
         continue;
       }

@@ -15,8 +15,8 @@
 #include "analysis/choices/forced_choice.h"
 #include "analysis/psychometric/psychometric_function.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_thresholds.h"
-#include "app/findings/outcome/study_analysis.h"
 #include "app/findings/outcome/found_numbers.h"
+#include "app/findings/outcome/study_analysis.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "renderers/built_in_models.h"
@@ -311,7 +311,7 @@ TEST(ChoiceOfThreeAnalysis, IsDescribedInTheReportAndInAPaper) {
         read_protocol(each.text, "amplitude_jnd.json", declarations_of(built_in_models()));
     const StudyAnalysis& analysis = *find_analysis("discrimination");
     Protocol::Block& block = protocol.blocks.at("comparisons");
-    block.design = &three_alternatives();
+    block.own = DiscriminationBlock{&three_alternatives()};
     EXPECT_THAT(analysis.task(protocol),
                 HasSubstr("Task: three-alternative forced choice. In each trial, three surfaces "
                           "are presented one after the other, two standards and a comparison"));
@@ -319,7 +319,7 @@ TEST(ChoiceOfThreeAnalysis, IsDescribedInTheReportAndInAPaper) {
                 HasSubstr("(three-alternative forced choice, 3AFC)"));
     EXPECT_THAT(analysis.fit_for_paper(protocol, {}), HasSubstr("guess rate fixed at 33.3 %"));
     EXPECT_THAT(analysis.fit_for_paper(protocol, {}), HasSubstr("at 66.7 % correct responses"));
-    block.design = &oddity_task();
+    block.own = DiscriminationBlock{&oddity_task()};
     EXPECT_THAT(analysis.task(protocol), HasSubstr("Task: oddity task. In each trial, three"));
     EXPECT_THAT(analysis.task(protocol), HasSubstr("The odd surface is the correct response."));
     EXPECT_THAT(analysis.task_for_paper(protocol),

@@ -15,7 +15,7 @@
 #include "analysis/numbers/random.h"
 #include "analysis/numbers/tail_probabilities.h"
 #include "app/findings/outcome/found_numbers.h"
-#include "protocols/design/discrimination_design.h"
+#include "protocols/kind_keys/discrimination_design.h"
 #include "tests/app/coverage_counts.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/made_up_study.h"

@@ -11,9 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/psychometric/detection_function.h"
-#include "app/findings/outcome/study_analysis.h"
 #include "app/findings/outcome/found_numbers.h"
-#include "protocols/design/discrimination_design.h"
+#include "app/findings/outcome/study_analysis.h"
+#include "protocols/kind_keys/discrimination_design.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/stored_tables.h"
 

@@ -13,9 +13,9 @@
 #include "analysis/numbers/random.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_coverage.h"
 #include "app/findings/outcome/estimate_sentences.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/references.h"
 #include "app/findings/outcome/study_analysis.h"
-#include "app/findings/outcome/found_numbers.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"
 #include "renderers/built_in_models.h"
@@ -37,7 +37,7 @@ Protocol unforced_library_protocol(DiscriminationJudgement judgement) {
     block.procedure.reset();
     for (auto& question : block.questions) {
       question.allow_cannot_tell = true;
-      if (question.judgement) question.judgement = judgement;
+      if (question.judgement()) question.own = DiscriminationQuestion{judgement};
     }
     return protocol;
   }
@@ -154,7 +154,7 @@ AnalysisOutcome outcome_of_rated_detections() {
 TEST(DiscriminationMethods, StateSensitivityAndRocWithTheirSources) {
   const AnalysisOutcome outcome = outcome_of_rated_detections();
   Protocol protocol = unforced_library_protocol(DiscriminationJudgement::performance);
-  protocol.blocks.at("comparisons").design = &yes_no_task();
+  protocol.blocks.at("comparisons").own = DiscriminationBlock{&yes_no_task()};
   const std::string methods = find_analysis("discrimination")->fit_for_paper(protocol, outcome);
   EXPECT_THAT(methods, HasSubstr("with the log-linear correction [Hautus 1995]"));
   EXPECT_THAT(methods, HasSubstr("expanded percentiles of a bootstrap over participants "
@@ -185,7 +185,7 @@ TEST(DiscriminationMethods, StateTheSensitivityOfChoicesAmongThree) {
   asked.finding.value = 1.2;
   for (const auto& [design, source] : {std::pair{&three_alternatives(), "[Hacker 1979]"},
                                        std::pair{&oddity_task(), "[Frijters 1979]"}}) {
-    protocol.blocks.at("comparisons").design = design;
+    protocol.blocks.at("comparisons").own = DiscriminationBlock{design};
     const std::string methods = find_analysis("discrimination")->fit_for_paper(protocol, outcome);
     EXPECT_THAT(methods, HasSubstr(source));
     EXPECT_THAT(methods, HasSubstr("(correct responses + 1/3)/(trials + 1)"));

@@ -321,7 +321,7 @@ TEST(Discrimination, RemarksThatTheDirectionOfTheChoicesIsUncertain) {
 }
 
 TEST(Discrimination, TakesTheDirectionOfTheQuestionFromTheProtocolWhereItIsStated) {
-  using AsksFor = Protocol::TrialQuestionTemplate::AsksFor;
+  using AsksFor = DiscriminationQuestion::AsksFor;
   DiscriminationTask task{.is_performance = false};
   EXPECT_TRUE(counts_standard(task, -3.0)) << "from the responses";
   EXPECT_FALSE(counts_standard(task, 3.0));

@@ -13,7 +13,7 @@
 
 #include "app/findings/outcome/found_numbers.h"
 #include "app/findings/tidy/tidy_families.h"
-#include "protocols/design/discrimination_design.h"
+#include "protocols/kind_keys/discrimination_design.h"
 #include "tests/app/exported_study.h"
 #include "tests/app/made_up_choices.h"
 

@@ -38,7 +38,6 @@ TEST(Kinds, HaveTheirPartsAndAreFoundByName) {
     EXPECT_NE(kind->item_of, nullptr);
     EXPECT_NE(kind->check_block, nullptr);
     EXPECT_NE(kind->judge, nullptr);
-    EXPECT_EQ(kind->has_correct_responses, kind->correct_of != nullptr);
     if (kind->responses == nullptr) continue;  // studies are simulated on the full physics only
     EXPECT_NE(kind->responses->parameters, nullptr);
     EXPECT_NE(kind->responses->respond, nullptr);
@@ -97,7 +96,7 @@ TEST(Kinds, AreInTheDocumentsAndTheSchema) {
     for (const KindTest& test : kind->tests) {
       EXPECT_THAT(format, HasSubstr("`" + std::string(test.name) + "`")) << id;
     }
-    for (const KindKey& key : kind->keys) {
+    for (const RequiredKey& key : kind->required) {
       EXPECT_THAT(format, HasSubstr("`" + std::string(key.name) + "`")) << id;
     }
   }

@@ -299,8 +299,8 @@ TEST_F(StaircaseSession, TakesAMissedDeadlineAsTheProtocolSpecifies) {
 TEST_F(StaircaseSession, GoesDownAfterTheStandardWhereTheQuestionAsksForLess) {
   start(1);
   const Trial& trial = session_.course->plan().trials.front();
-  protocol_.blocks.at("tracks").questions.at(0).asks_for =
-      Protocol::TrialQuestionTemplate::AsksFor::less;
+  protocol_.blocks.at("tracks").questions.at(0).own = DiscriminationQuestion{
+      DiscriminationJudgement::comparison, DiscriminationQuestion::AsksFor::less};
   const auto counts_down = [&](const std::string& chosen) {
     return outcome_of(protocol_, trial, attempt_at(trial, AttemptOutcome::answered, chosen))
                .answer->outcome == LevelOutcome::correct;

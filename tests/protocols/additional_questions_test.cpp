@@ -95,7 +95,7 @@ TEST(AdditionalQuestion, IsRefusedWithWhatItsFormLacks) {
       HasSubstr("a multiple choice needs \"options\""));
   EXPECT_THAT(problem_with_question(R"({"name": "q", "prompt": "?", "form": "text", "minimum": 1})",
                                     "/minimum"),
-              HasSubstr("only a question of the form \"number\" has limits"));
+              HasSubstr("where \"form\" is \"number\""));
   EXPECT_THAT(problem_with_question(
                   R"({"name": "q", "prompt": "?", "form": "number", "minimum": 9, "maximum": 1})",
                   "/minimum"),
@@ -105,11 +105,11 @@ TEST(AdditionalQuestion, IsRefusedWithWhatItsFormLacks) {
   EXPECT_THAT(
       problem_with_question(
           R"({"name": "q", "prompt": "?", "form": "choice", "tie": {"text": "equal"}})", "/tie"),
-      HasSubstr("keep one of the two keys"));
+      HasSubstr("keep one of the two"));
   EXPECT_THAT(problem_with_question(
                   R"({"name": "q", "prompt": "?", "form": "text", "allow_cannot_tell": true})",
                   "/allow_cannot_tell"),
-              HasSubstr("only a choice of one option has this key"));
+              HasSubstr("is \"choice\" or absent"));
 }
 
 TEST(AdditionalQuestion, DoesNotTakeThePlaceOfTheQuestionOfTheKind) {
@@ -122,7 +122,7 @@ TEST(AdditionalQuestion, DoesNotTakeThePlaceOfTheQuestionOfTheKind) {
   const std::string block = limits["blocks"].items().begin().key();
   limits["blocks"][block]["question"]["minimum"] = 1;
   EXPECT_THAT(test::problems_at(limits, "/blocks/" + block + "/question/minimum"),
-              HasSubstr("only a question of the form \"number\" has limits"));
+              HasSubstr("where \"form\" is \"number\""));
 }
 
 }  // namespace

@@ -269,7 +269,8 @@ TEST(Anchors, AreRefusedWhereTheyCannotBeMade) {
               HasSubstr("do not set the factor \"model\""));
   block["anchor"] = {{"texture", "metal"}};
   block["anchor_pair"] = {"metal", "stone"};
-  EXPECT_THAT(test::problems_at(file, "/blocks/main/anchor_pair"), HasSubstr("has no pairs"));
+  EXPECT_THAT(test::problems_at(file, "/blocks/main/anchor_pair"),
+              HasSubstr("requires the key \"all_pairs\""));
   block.erase("anchor_pair");
   block["repetitions"] = 1;
   block.erase("crossed");

@@ -154,14 +154,14 @@ TEST(ArrangementOfATrial, RefusesWhatCannotBePresented) {
          p["explorations"]["stroking"]["strokes"] = {{"maximum", 4}};
          b["arrangement"]["exposure"] = {{"strokes", 4}};
        }},
-      {"/question/asks_for", "only a question of a discrimination",
+      {"/question/asks_for", "where \"judgement\" is \"comparison\"",
        [](J&, J& b) { b["question"]["asks_for"] = "less"; }},
       {"/pause_between_surfaces_s", "applies only to surfaces in sequence",
        [](J&, J& b) {
          b["pause_between_surfaces_s"] = 1;
          b["arrangement"] = {{"surfaces", "on_request"}};
        }},
-      {"/arrangement/gap_m", "only patches have this key",
+      {"/arrangement/gap_m", "where \"surfaces\" is \"side_by_side\"",
        [](J&, J& b) { b["arrangement"]["gap_m"] = 0.01; }},
       {"/arrangement/visits/maximum", "visits have no maximum",
        [](J&, J& b) {

@@ -42,10 +42,35 @@ TEST(ConfidenceOfAResponse, IsReadAndStored) {
   const ConfidenceJson file = with_confidence("two_alternatives");
   const Protocol protocol = test::valid(file);
   const auto& questions = protocol.blocks.at("comparisons").questions;
-  EXPECT_EQ(questions.at(1).confidence_of, questions.at(0).name);
-  EXPECT_EQ(
-      stored_protocol(file.dump()).protocol.blocks.at("comparisons").questions.at(1).confidence_of,
-      questions.at(0).name);
+  EXPECT_EQ(questions.at(1).confidence_of(), questions.at(0).name);
+  EXPECT_EQ(stored_protocol(file.dump())
+                .protocol.blocks.at("comparisons")
+                .questions.at(1)
+                .confidence_of(),
+            questions.at(0).name);
+}
+
+TEST(ConfidenceOfAResponse, IsRatedOnAScaleThatStatesItsForm) {
+  ConfidenceJson file = with_confidence("two_alternatives");
+  rated_block(file)["questions"][1]["form"] = "scale";
+  const auto of = [](const Protocol& protocol) {
+    return protocol.blocks.at("comparisons").questions.at(1).confidence_of();
+  };
+  EXPECT_EQ(of(test::valid(file)), "rougher");
+  EXPECT_EQ(of(stored_protocol(file.dump()).protocol), "rougher");
+}
+
+// The default of another kind's key is equivalent to its absence, also where it is stated after what it would replace.
+TEST(ConfidenceOfAResponse, IsKeptNextToADefaultOfAnotherKind) {
+  ConfidenceJson file = with_confidence("two_alternatives");
+  for (ConfidenceJson& question : rated_block(file)["questions"]) {
+    question["rates"] = "dissimilarity";
+  }
+  for (const Protocol& protocol : {test::valid(file), stored_protocol(file.dump()).protocol}) {
+    const auto& questions = protocol.blocks.at("comparisons").questions;
+    EXPECT_TRUE(questions.at(0).judgement());
+    EXPECT_EQ(questions.at(1).confidence_of(), "rougher");
+  }
 }
 
 TEST(ConfidenceOfAResponse, IsRefusedWhereItGivesNoRoc) {

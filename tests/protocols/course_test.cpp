@@ -504,7 +504,7 @@ TEST(CatchTrials, WithTwoStandardsAreRefusedWhereNoResponseIsCorrect) {
   file = with_pairs_of_standards("no_signal");
   file["blocks"]["tracks"]["procedure"]["catch_trials"]["level"] = 200;
   EXPECT_THAT(test::problems_in(file),
-              ElementsAre(HasSubstr("presents the standard twice; remove")));
+              ElementsAre(HasSubstr("applies only where \"type\" is \"easy\" or absent")));
 }
 
 TEST(CatchTrials, OfAComparisonWithConstantStimuliCanBeIdenticalPairs) {
@@ -777,7 +777,7 @@ TEST(DesignOfABlock, HasAnErrorThatMoreTrialsMakeSmaller) {
 TEST(DesignOfABlock, HasNoErrorWhereNothingIsCorrect) {
   Protocol protocol = test::valid(staircases());
   Protocol::Block& block = protocol.blocks.at("tracks");
-  block.questions.front().judgement = DiscriminationJudgement::comparison;
+  block.questions.front().own = DiscriminationQuestion{DiscriminationJudgement::comparison};
   EXPECT_EQ(least_threshold_error(block), std::nullopt);
 }
 
@@ -814,7 +814,8 @@ INSTANTIATE_TEST_SUITE_P(
         PlantedFault{R"({"procedure": {"tracks": [{"start": 15}]}})", "/procedure/tracks/0/start",
                      "use the nearest level"},
         PlantedFault{R"({"procedure": {"tracks": null}})", "/procedure", "no start is stated"},
-        PlantedFault{R"({"procedure": {"target": 0.75}})", "/procedure/target", "has no key"},
+        PlantedFault{R"({"procedure": {"target": 0.75}})", "/procedure/target",
+                     "applies only where \"method\""},
         PlantedFault{R"({"vary": {"levels_percent": [10, 20]}})", "/vary/levels_percent",
                      "state the levels as a grid"},
         PlantedFault{R"({"vary": {"levels_percent": {"lowest": 50, "highest": 40}}})",
@@ -825,16 +826,16 @@ INSTANTIATE_TEST_SUITE_P(
                          "procedure": {"tracks": [{"start": -50}]}})",
                      "/procedure/method", "below the standard lower levels are easier"},
         PlantedFault{R"({"all_pairs": {"factor": "nope"}})", "/all_pairs",
-                     "does not compare surfaces"},
+                     "or a similarity has this key"},
         PlantedFault{R"({"repetitions": 3})", "/repetitions",
                      "the procedure of a block determines its trials"},
         PlantedFault{R"({"procedure": {"stop": {"trials": 600}}})", "/procedure",
                      "too many for a participant"},
         PlantedFault{R"({"procedure": {"stop": {"interval": {"ratio": 2, "minimum_trials": 2,
                          "minimum_of_each": 1}}}})",
-                     "/procedure/stop/interval", "has no key \"interval\" here"},
+                     "/procedure/stop/interval", "applies only where \"method\" is \"psi\""},
         PlantedFault{R"({"procedure": {"prior": {}}})", "/procedure/prior",
-                     "belongs to \"psi\" or \"quest_plus\""}));
+                     "is \"psi\" or \"quest_plus\""}));
 
 /// The staircases with psi instead; null members are left out.
 json psi_blocks() {
@@ -861,12 +862,13 @@ INSTANTIATE_TEST_SUITE_P(
         PlantedFault{R"({"procedure": {"target": 0.4}})", "/procedure/target", "above 0.5"},
         PlantedFault{R"({"procedure": {"target": 0.95}})", "/procedure/target", "below 0.94"},
         PlantedFault{R"({"procedure": {"stop": {"reversals": 3}}})", "/procedure/stop/reversals",
-                     "has no key"},
+                     "applies only where \"method\""},
         PlantedFault{R"({"procedure": {"tracks": [{"start": 50}]}})", "/procedure/tracks/0/start",
-                     "has no key"},
-        PlantedFault{R"({"procedure": {"steps": [10]}})", "/procedure/steps", "has no key"},
+                     "applies only where \"method\""},
+        PlantedFault{R"({"procedure": {"steps": [10]}})", "/procedure/steps",
+                     "applies only where \"method\""},
         PlantedFault{R"({"procedure": {"method": "quest_plus", "marginalise": ["slope"]}})",
-                     "/procedure/marginalise", "has no key"},
+                     "/procedure/marginalise", "applies only where \"method\""},
         PlantedFault{R"({"procedure": {"stop": {"interval": {"ratio": 1.5, "minimum_trials": 9,
                          "minimum_of_each": 1}}}})",
                      "/procedure/stop/interval/minimum_trials", "allow more trials"},
@@ -916,7 +918,7 @@ TEST(Course, OfPsiIsTheSameForLevelsInPercentAndAsRatios) {
 TEST(FaultOfAProcedure, WithoutAParameterToVary) {
   json file = staircases();
   file["blocks"]["tracks"].erase("vary");
-  EXPECT_THAT(test::problems_in(file), testing::Contains(HasSubstr("add \"vary\"")));
+  EXPECT_THAT(test::problems_in(file), testing::Contains(HasSubstr("requires the key \"vary\"")));
 }
 
 TEST(FaultOfAProcedure, HasNoRemedyForTrialsThatTheProcedureDetermines) {

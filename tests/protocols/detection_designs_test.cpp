@@ -119,7 +119,7 @@ TEST(DetectionDesigns, AreStatedInTheDesignOfTheBlock) {
 
 TEST(DetectionDesigns, AreStored) {
   const Protocol stored = stored_protocol(with_design("yes_no").dump()).protocol;
-  EXPECT_EQ(stored.blocks.at("comparisons").design, find_design("yes_no"));
+  EXPECT_EQ(stored.blocks.at("comparisons").design(), find_design("yes_no"));
 }
 
 struct FaultOfDesign {
@@ -200,11 +200,11 @@ std::vector<PsychometricBlock> judged(const Protocol& protocol, std::uint64_t se
     const std::string& said =
         question.options.at(std::get<ChosenOption>(response.answer).option).value;
     const double x =
-        block.design->is_signal(comparisons) ? std::round(100.0 * difference) / 100.0 : 0.0;
+        block.design()->is_signal(comparisons) ? std::round(100.0 * difference) / 100.0 : 0.0;
     PsychometricBlock& count = by_difference[x];
     count.x = x;
     ++count.trials;
-    count.hits += said == block.design->yes ? 1 : 0;
+    count.hits += said == block.design()->yes ? 1 : 0;
   }
   std::vector<PsychometricBlock> blocks{};
   for (const auto& [x, count] : by_difference) blocks.push_back(count);

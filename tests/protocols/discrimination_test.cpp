@@ -117,7 +117,7 @@ TEST(Discriminations, RefuseSurfacesThatAreNotAStandardAndAComparison) {
         [&](ProtocolJson& p) { main_block(p)["presented"][1]["item"] = "grating"; }},
        {"/presented", "the same surface would always be presented first",
         [&](ProtocolJson& p) { main_block(p)["positions"] = "as_listed"; }},
-       {"/question/correct_factor", "the judgement determines the correct response",
+       {"/question/correct_factor", "only a recognition has this key",
         [&](ProtocolJson& p) { main_block(p)["question"]["correct_factor"] = "amplitude_m"; }}});
 }
 
@@ -369,8 +369,8 @@ TEST(VariedParameters, KeepTheirMeasureInTheStoredProtocol) {
   EXPECT_EQ(block.vary->factor, "amplitude_m");
   EXPECT_EQ(block.vary->measure, LevelMeasure::percent);
   EXPECT_EQ(block.vary->standard, 5e-5);
-  EXPECT_EQ(block.questions.front().judgement, DiscriminationJudgement::performance);
-  EXPECT_FALSE(block.questions.front().asks_for) << "not stated";
+  EXPECT_EQ(block.questions.front().judgement(), DiscriminationJudgement::performance);
+  EXPECT_FALSE(block.questions.front().own_as<DiscriminationQuestion>()->asks_for) << "not stated";
   EXPECT_FALSE(chooses_levels_from_answers(block));
   EXPECT_EQ(block.arrangement.surfaces, Arrangement::Surfaces::sequential);
   ProtocolJson smoother = comparison_of_amplitudes();

@@ -222,7 +222,7 @@ TEST(Estimation, TakesALineInPlaceOfANumber) {
           {.estimation = kModulus, .presented = kStandardFirst, .question = R"("line": {}, )"}),
       has_problem("/blocks/main/question/line", "set /estimation/modulus to \"free\""));
   EXPECT_THAT(problems_of_models({.question = R"("line": {}, "scale": {}, )"}),
-              has_problem("/blocks/main/question/line", "keep one of the two keys"));
+              has_problem("/blocks/main/question/line", "keep one of the two"));
 }
 
 TEST(LineForm, StoresALengthAsAProportionOfTheScreen) {
@@ -251,7 +251,8 @@ ForceFeatures felt_of(double log_roughness) {
 
 // 10·(f/f_s)^0.5, whatever the participant's own modulus would be.
 TEST(EstimatingObserver, RelatesAnEstimateToTheStandard) {
-  const ObserverDeclaration exact{.feature_noise = 0.0, .lapse = 0.0, .exponent = 0.5};
+  const ObserverDeclaration exact{
+      .feature_noise = 0.0, .lapse = 0.0, .magnitude = {.exponent = 0.5}};
   VirtualObserver observer(exact, Random(1));
   const NumberHabit habit{.modulus = 10.0, .digits = 2};
   EXPECT_EQ(observer.estimate(felt_of(-2.0), felt_of(-2.0), habit), 10.0);
@@ -260,7 +261,8 @@ TEST(EstimatingObserver, RelatesAnEstimateToTheStandard) {
 }
 
 TEST(EstimatingObserver, DrawsLinesThatGrowByThePowerFunction) {
-  const ObserverDeclaration exact{.feature_noise = 0.0, .lapse = 0.0, .exponent = 0.5};
+  const ObserverDeclaration exact{
+      .feature_noise = 0.0, .lapse = 0.0, .magnitude = {.exponent = 0.5}};
   VirtualObserver observer(exact, Random(1));
   EXPECT_EQ(observer.draw_line(felt_of(-std::log(4.0)), {.modulus = 0.5}, 1000), 250);
   EXPECT_EQ(observer.draw_line(felt_of(0.0), {.modulus = 0.5}, 1000), 500);

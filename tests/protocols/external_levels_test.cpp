@@ -163,15 +163,14 @@ TEST(ExternalLevels, NeedAMaximumNumberOfTrialsAndNothingThatTheProgramDecides) 
   EXPECT_THAT(problems_of_changed([](nlohmann::json& block) { block["procedure"].erase("stop"); }),
               ElementsAre(HasSubstr("/blocks/tracks/procedure: a program must not be able to "
                                     "continue a track without end")));
-  EXPECT_THAT(
-      problems_of_changed([](nlohmann::json& block) { block["procedure"]["start"] = 50; }),
-      ElementsAre(HasSubstr("/blocks/tracks/procedure/start: the method \"external\" has no "
-                            "key \"start\"")));
+  EXPECT_THAT(problems_of_changed([](nlohmann::json& block) { block["procedure"]["start"] = 50; }),
+              ElementsAre(HasSubstr("/blocks/tracks/procedure/start: this key applies only where "
+                                    "\"method\"")));
   EXPECT_THAT(
       problems_of_changed(
           [](nlohmann::json& block) { block["procedure"]["stop"]["reversals"] = 8; }),
-      ElementsAre(HasSubstr("/blocks/tracks/procedure/stop/reversals: the method \"external\" has "
-                            "no key \"reversals\" here")));
+      ElementsAre(HasSubstr("/blocks/tracks/procedure/stop/reversals: this key applies only "
+                            "where \"method\"")));
   EXPECT_THAT(
       problems_of_changed([](nlohmann::json& block) { block["procedure"]["answer_within_s"] = 0; }),
       ElementsAre(HasSubstr("/blocks/tracks/procedure/answer_within_s")));
@@ -181,7 +180,7 @@ TEST(ExternalLevels, NeedAMaximumNumberOfTrialsAndNothingThatTheProgramDecides) 
       << "no file can name the program";
   EXPECT_THAT(
       problems_of_changed([](nlohmann::json& block) { block["procedure"]["method"] = "psi"; }),
-      testing::Contains(HasSubstr("the method \"psi\" has no key \"settings\"")));
+      testing::Contains(HasSubstr("applies only where \"method\" is \"external\"")));
 }
 
 TEST(ExternalLevels, CanBeAList) {

@@ -1,5 +1,6 @@
 // The form of a protocol: its pages, its fields, and the texts after its edits.
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <string>
@@ -69,7 +70,7 @@ TEST(FormPages, AreFoundByThePlaceOfAValue) {
 TEST(FormEntries, LeaveOutWhatAnotherKeyExcludes) {
   const auto names = [](const json& object) {
     std::string all{};
-    for (const FormEntry& entry : entries_of(kStepTable, object, "/flow/0")) {
+    for (const FormEntry& entry : entries_of(kStepTable, object, "/flow/0", {})) {
       all += std::string(entry.key->name) + (entry.is_present ? "+ " : "- ");
     }
     return all;
@@ -78,6 +79,30 @@ TEST(FormEntries, LeaveOutWhatAnotherKeyExcludes) {
   EXPECT_EQ(names({{"run", "main"}, {"for_each", "x"}}),
             "run+ for_each+ break_every_trials- break_every_contact_minutes- pause- ");
   EXPECT_EQ(names(json::object()), "screen- check- break- run- ask- ");
+}
+
+TEST(FormEntries, LeaveOutKeysThatDoNotApply) {
+  json protocol = {{"kind", "rating"},
+                   {"blocks",
+                    {{"own", {{"question", json::object()}}},
+                     {"pairs", {{"kind", "paired_comparison"}, {"question", json::object()}}}}}};
+  const auto has = [&protocol](const KeyTable& table, const std::string& pointer,
+                               std::string_view key) {
+    const std::vector<FormEntry> entries =
+        entries_of(table, protocol.at(json::json_pointer(pointer)), pointer, protocol);
+    return std::ranges::any_of(entries,
+                               [key](const FormEntry& entry) { return entry.key->name == key; });
+  };
+  EXPECT_FALSE(has(kOnlyQuestionTable, "/blocks/own/question", "tie"));
+  EXPECT_TRUE(has(kOnlyQuestionTable, "/blocks/pairs/question", "tie"));
+  EXPECT_FALSE(has(kBlockTable, "/blocks/pairs", "design"));
+  EXPECT_FALSE(has(kProtocolTable, "", "estimation"));
+  EXPECT_TRUE(has(kProtocolTable, "", "realism_standard")) << "of a block";
+  protocol["kind"] = "discrimination";
+  EXPECT_TRUE(has(kBlockTable, "/blocks/own", "design"));
+  EXPECT_FALSE(has(kOnlyQuestionTable, "/blocks/own/question", "asks_for"));
+  protocol["blocks"]["own"]["question"]["judgement"] = "comparison";
+  EXPECT_TRUE(has(kOnlyQuestionTable, "/blocks/own/question", "asks_for"));
 }
 
 TEST(FormEntries, HaveTheUnitInWhichTheNameOfAKeyEnds) {

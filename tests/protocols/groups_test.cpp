@@ -200,9 +200,8 @@ TEST(Groups, AreAllocatedToPlacesAsToSimulatedParticipants) {
 }
 
 std::string permuted(const std::string& further) {
-  return replaced(
-      grouped(), R"({"factor": "training"},)",
-      R"({"factor": "training", "assigned": "permuted_blocks")" + further + "},");
+  return replaced(grouped(), R"({"factor": "training"},)",
+                  R"({"factor": "training", "assigned": "permuted_blocks")" + further + "},");
 }
 
 TEST(PermutedBlocks, ContainEveryGroupEquallyOften) {
@@ -262,8 +261,7 @@ TEST(PermutedBlocks, AreDeterminedBySeedAndMode) {
   };
   EXPECT_EQ(sequence(protocol, "run"), sequence(protocol, "run"));
   EXPECT_NE(sequence(protocol, "run"), sequence(protocol, "pilot"));
-  EXPECT_NE(sequence(protocol, "run"),
-            sequence(read_grouped(permuted(R"(, "seed": 5)")), "run"));
+  EXPECT_NE(sequence(protocol, "run"), sequence(read_grouped(permuted(R"(, "seed": 5)")), "run"));
 }
 
 TEST(PermutedBlocks, NeedASeedAndSizesThatFit) {
@@ -274,7 +272,7 @@ TEST(PermutedBlocks, NeedASeedAndSizesThatFit) {
                         "(/groups/block_sizes/1)"));
   EXPECT_THAT(problems_in(replaced(grouped(), R"({"factor": "training"},)",
                                    R"({"factor": "training", "seed": 4},)")),
-              HasSubstr("only the assignment \"permuted_blocks\" has this key"));
+              HasSubstr("this key applies only where \"assigned\" is \"permuted_blocks\""));
 }
 
 }  // namespace

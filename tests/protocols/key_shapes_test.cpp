@@ -11,8 +11,8 @@
 
 #include "protocols/file/library_protocols.h"
 #include "protocols/keys/schema_of.h"
-#include "protocols/keys/shape.h"
 #include "protocols/keys/valid_part.h"
+#include "protocols/shapes/shape.h"
 
 namespace asperity {
 namespace {
@@ -126,7 +126,10 @@ TEST(KeyShapes, OfMapsKeepTheValidEntries) {
 constexpr std::array<ProtocolKey, 3> kStepKeys{
     {{.name = "screen", .meaning = "A text.", .shape = kText},
      {.name = "run", .meaning = "A block.", .shape = kName},
-     {.name = "for_each", .meaning = "A factor.", .shape = kName, .needs = "run"}}};
+     {.name = "for_each",
+      .meaning = "A factor.",
+      .shape = kName,
+      .conditions = {KeyCondition{"run"}}}}};
 constexpr std::array<std::string_view, 2> kDecidingKeys{"screen", "run"};
 constexpr KeyTable kStep{.meaning = "A step.", .keys = kStepKeys, .deciding = kDecidingKeys};
 

@@ -15,6 +15,7 @@
 
 #include "analysis/numbers/random.h"
 #include "protocols/design/json_pointer.h"
+#include "protocols/keys/conditions.h"
 #include "protocols/keys/page_of.h"
 #include "protocols/keys/reading.h"
 #include "protocols/keys/tables.h"
@@ -29,6 +30,8 @@ using nlohmann::json;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
+using testing::IsSupersetOf;
+using testing::Not;
 using testing::Pair;
 
 /// A value for every key that tables declare.
@@ -62,18 +65,14 @@ const json kEverything = json::parse(R"({
         "levels_percent": {"lowest": 1, "highest": 10, "step": 2, "scale": "ratio"},
         "levels_ratio": [4], "levels_decibels": [5, 6]},
       "procedure": {
-        "method": "psi", "repetitions": 3, "down": 2, "up": 3, "target": 0.8, "start": 4,
-        "steps": [2], "steps_up": [1], "steps_down": [3, 4],
+        "method": "psi", "target": 0.8,
         "prior": {
           "threshold": {"lowest": 1, "highest": 2, "count": 3},
           "slope": {"lowest": 2, "highest": 3, "count": 4},
           "lapse": {"lowest": 0, "highest": 0.1, "count": 5}},
-        "marginalise": ["lapse"], "settings": {"x-a": 1, "b": [2]}, "answer_within_s": 60,
-        "stop": {
-          "trials": 40, "reversals": 8, "clipped_moves": 3,
-          "interval": {"ratio": 2.5, "minimum_trials": 10, "minimum_of_each": 4}},
-        "tracks": [{"start": 5}, {}], "timed_out": "incorrect",
-        "catch_trials": {"type": "no_signal", "level": 7, "every": 10}},
+        "marginalise": ["lapse"],
+        "stop": {"trials": 40, "interval": {"ratio": 2.5, "minimum_trials": 10, "minimum_of_each": 4}},
+        "tracks": [{}, {}], "timed_out": "incorrect", "catch_trials": {"type": "no_signal", "every": 10}},
       "design": "yes_no", "repetitions": 2, "drawn": ["c"], "anchor": {"a": 2}, "anchor_pair": [1, "x"],
       "anchor_at": ["end", "start"], "order": "fixed", "maximum_in_a_row": {"a": 2},
       "minimum_distance": {"a": 3}, "fixed_positions": [{"position": 2, "levels": {"a": 1}}],
@@ -82,19 +81,21 @@ const json kEverything = json::parse(R"({
       "questions": [
         {"name": "first", "prompt": "Which?", "pictures": ["stone", "metal"],
          "reshuffle_pictures": true, "allow_cannot_tell": true, "correct_factor": "a",
-         "form": "scale", "minimum": 1, "maximum": 9, "unit": "mm",
-         "judgement": "comparison", "asks_for": "less", "confidence_of": "z", "rates": "similarity",
-         "tie": {"text": "Same"}, "options": [{"value": "y", "text": "Yes"}, {"value": "n", "text": "No"}],
-         "scale": {"minimum": 1},
          "if": {"question": "z", "is": "y", "in": ["y", 3], "includes": "y", "at_least": 1, "at_most": 2}},
-        {"name": "second", "prompt": "How long?", "line": {"longest": 0.5}}],
+        {"name": "second", "prompt": "How long?", "line": {"longest": 0.5}},
+        {"name": "third", "prompt": "Which?", "judgement": "comparison", "asks_for": "less",
+         "options": [{"value": "y", "text": "Yes"}, {"value": "n", "text": "No"}]},
+        {"name": "fourth", "prompt": "Sure?", "scale": {"minimum": 1}, "confidence_of": "third"},
+        {"name": "fifth", "prompt": "Alike?", "scale": {}, "rates": "similarity"},
+        {"name": "sixth", "prompt": "Which?", "tie": {"text": "Same"}},
+        {"name": "seventh", "prompt": "?", "form": "number", "minimum": 1, "maximum": 9, "unit": "mm"}],
       "question_order": "shuffle", "question_layout": "one_page", "page_prompt": "All",
       "experimenter_prompt": "Sample {code}", "pictures_after_feeling": true, "allow_revisit": false,
       "exploration": {"factor": "e"},
       "arrangement": {
         "surfaces": "on_request", "visits": {"minimum": 2, "maximum": 3},
         "interval_s": {"shortest": 1, "longest": 2}, "exposure": {"strokes": 4, "contact_s": 5},
-        "gap_m": 0.01, "axis": "y", "phase": "drawn"},
+        "phase": "drawn"},
       "equal_roughness": {"matched_in": "other"},
       "rove": {"stiffness_N_per_m": [400, 500], "friction": [0.1], "raised_m": [-0.01, 0.01]},
       "pause_before_trial_s": 1, "pause_between_surfaces_s": 2, "response_deadline_s": 3,
@@ -102,15 +103,37 @@ const json kEverything = json::parse(R"({
       "until": {"correct": 4, "of_last": 5, "maximum_trials": 20, "on_failure": "end_session"}},
     "other": {
       "presented": [{"stimulus": "matched"}], "exploration": "stroke",
-      "arrangement": {"interval_s": 0.4},
+      "arrangement": {"surfaces": "side_by_side", "interval_s": 0.4, "gap_m": 0.01, "axis": "y"},
+      "vary": {"parameter": "gain_N", "of": "comparison", "levels": [1, 2]},
+      "procedure": {
+        "method": "transformed_up_down", "down": 2, "up": 3, "start": 4, "steps": [2], "steps_up": [1],
+        "steps_down": [3, 4], "stop": {"trials": 40, "reversals": 8, "clipped_moves": 3},
+        "tracks": [{"start": 5}, {}], "catch_trials": {"level": 7, "every": 10}},
       "question": {
-        "name": "only", "prompt": "Which?", "form": "line", "minimum": 1, "maximum": 9, "unit": "mm", "pictures": ["stone", "metal"],
-        "reshuffle_pictures": true, "allow_cannot_tell": true, "correct_factor": "a",
-        "judgement": "performance", "asks_for": "more", "confidence_of": "z",
-        "rates": "dissimilarity", "tie": {"text": "Same"},
-        "options": [{"value": "y", "text": "Yes"}, {"value": "n", "text": "No"}], "scale": {},
-        "line": {}, "if": {"question": "z", "is": 4}, "experimenter_prompt": "E", "pictures_after_feeling": true,
-        "allow_revisit": true}}},
+        "name": "only", "prompt": "Which?", "pictures": ["stone", "metal"], "reshuffle_pictures": true,
+        "allow_cannot_tell": true, "correct_factor": "a", "if": {"question": "z", "is": 4},
+        "experimenter_prompt": "E", "pictures_after_feeling": true, "allow_revisit": true}},
+    "constant": {
+      "presented": [{"stimulus": "matched"}], "exploration": "stroke",
+      "vary": {"parameter": "gain_N", "of": "comparison", "levels": [1, 2]},
+      "procedure": {"method": "constant_stimuli", "repetitions": 3},
+      "question": {
+        "name": "only", "prompt": "Which?", "judgement": "comparison", "asks_for": "more",
+        "options": [{"value": "y", "text": "Yes"}, {"value": "n", "text": "No"}]}},
+    "outside": {
+      "presented": [{"stimulus": "matched"}], "exploration": "stroke",
+      "vary": {"parameter": "gain_N", "of": "comparison", "levels": [1, 2]},
+      "procedure": {"method": "external", "settings": {"x-a": 1, "b": [2]}, "answer_within_s": 60},
+      "question": {"name": "only", "prompt": "Alike?", "scale": {}, "rates": "dissimilarity", "confidence_of": "z"}},
+    "paired": {
+      "presented": [{"stimulus": "matched"}], "exploration": "stroke",
+      "question": {"name": "only", "prompt": "Which?", "tie": {"text": "Same"}}},
+    "drawn": {
+      "presented": [{"stimulus": "matched"}], "exploration": "stroke",
+      "question": {"name": "only", "prompt": "How long?", "line": {}}},
+    "counted": {
+      "presented": [{"stimulus": "matched"}], "exploration": "stroke",
+      "question": {"name": "only", "prompt": "?", "form": "number", "minimum": 1, "maximum": 9, "unit": "mm"}}},
   "estimation": {
     "spacing": "s", "factor": "model", "predictor": "values", "values": {"2": 0.5},
     "unit": "mm", "modulus": {"standard": 2, "value": 10}, "normalisation": "standard",
@@ -487,7 +510,7 @@ TEST(Keys, OfBlocksGoToTheirMembers) {
   EXPECT_TRUE(block.all_pairs->in_both_orders);
   EXPECT_TRUE(block.all_pairs->with_identical);
   EXPECT_EQ(block.all_pairs->parts, 2);
-  EXPECT_EQ(block.design, find_design("yes_no"));
+  EXPECT_EQ(block.design(), find_design("yes_no"));
   EXPECT_EQ(block.repetitions, 2);
   EXPECT_THAT(block.drawn, ElementsAre("c"));
   EXPECT_EQ(block.anchor, (Levels{{"a", 2.0}}));
@@ -539,40 +562,44 @@ TEST(Keys, OfArrangementsGoToTheirMembers) {
   EXPECT_EQ(stated.interval->longest_s, 2.0);
   EXPECT_EQ(stated.strokes, 4);
   EXPECT_EQ(stated.contact_s, 5.0);
-  EXPECT_EQ(stated.gap_m, 0.01);
-  EXPECT_EQ(stated.axis, Arrangement::Axis::y);
   EXPECT_TRUE(stated.draws_phase);
   const Arrangement& other = protocol.blocks.at("other").arrangement;
   ASSERT_TRUE(other.interval);
   EXPECT_EQ(other.interval->shortest_s, 0.4);
   EXPECT_EQ(other.interval->longest_s, 0.4);
+  EXPECT_EQ(other.gap_m, 0.01);
+  EXPECT_EQ(other.axis, Arrangement::Axis::y);
 }
 
 TEST(Keys, OfQuestionsOfTrialsGoToTheirMembers) {
   const Protocol protocol = read_of(kEverything);
   const auto& questions = protocol.blocks.at("main").questions;
-  ASSERT_EQ(questions.size(), 2U);
+  ASSERT_EQ(questions.size(), 7U);
   EXPECT_EQ(questions[0].name, "first");
   EXPECT_EQ(questions[0].prompt, "Which?");
   EXPECT_THAT(questions[0].pictures, ElementsAre("stone", "metal"));
   EXPECT_TRUE(questions[0].reshuffle_pictures);
   EXPECT_TRUE(questions[0].allow_cannot_tell);
-  EXPECT_EQ(questions[0].correct_factor, "a");
-  EXPECT_EQ(questions[0].judgement, DiscriminationJudgement::comparison);
-  EXPECT_TRUE(questions[0].asks_for_less());
-  EXPECT_EQ(questions[0].confidence_of, "z");
-  EXPECT_EQ(questions[0].rates, RatedQuantity::similarity);
-  EXPECT_EQ(questions[0].tie, "Same");
-  ASSERT_EQ(questions[0].options.size(), 2U);
-  EXPECT_EQ(questions[0].options[1].value, "n");
-  EXPECT_EQ(questions[0].options[1].text, "No");
-  EXPECT_EQ(std::get<ScaleForm>(questions[0].form).minimum, 1.0);
+  EXPECT_EQ(questions[0].own_as<RecognitionQuestion>()->correct_factor, "a");
+  EXPECT_EQ(questions[2].judgement(), DiscriminationJudgement::comparison);
+  EXPECT_TRUE(questions[2].asks_for_less());
+  ASSERT_EQ(questions[2].options.size(), 2U);
+  EXPECT_EQ(questions[2].options[1].value, "n");
+  EXPECT_EQ(questions[2].options[1].text, "No");
+  EXPECT_EQ(questions[3].confidence_of(), "third");
+  EXPECT_EQ(std::get<ScaleForm>(questions[3].form).minimum, 1.0);
+  EXPECT_EQ(questions[4].own_as<SimilarityQuestion>()->rates, RatedQuantity::similarity);
+  EXPECT_EQ(questions[5].own_as<PairQuestion>()->tie, "Same");
+  EXPECT_EQ(std::get<NumberForm>(questions[6].form).maximum, 9.0);
   EXPECT_EQ(std::get<LineForm>(questions[1].form).longest, 0.5);
   const Protocol::Block& other = protocol.blocks.at("other");
   EXPECT_FALSE(other.has_question_list);
   ASSERT_EQ(other.questions.size(), 1U);
   EXPECT_EQ(other.questions[0].name, "only");
-  EXPECT_EQ(other.questions[0].judgement, DiscriminationJudgement::performance);
+  EXPECT_EQ(other.questions[0].own_as<RecognitionQuestion>()->correct_factor, "a");
+  const auto& judged = protocol.blocks.at("constant").questions[0];
+  EXPECT_EQ(judged.judgement(), DiscriminationJudgement::comparison);
+  EXPECT_FALSE(judged.asks_for_less());
   EXPECT_EQ(other.questions[0].condition, (AnswerCondition{"z", AnswerIsOneOf{{4.0}}}));
   EXPECT_EQ(other.experimenter_prompt, "E");
   EXPECT_TRUE(other.pictures_after_feeling);
@@ -605,37 +632,84 @@ TEST(Keys, OfLevelsGoToTheirMembers) {
 }
 
 TEST(Keys, OfAProcedureGoToTheirMembers) {
-  ProcedureDeclaration stated{};
-  EXPECT_THAT(
-      read_keys(kProcedureTable, kEverything.at("/blocks/main/procedure"_json_pointer), "", stated),
-      IsEmpty());
-  EXPECT_EQ(stated.method, "psi");
-  EXPECT_EQ(stated.repetitions, 3U);
-  EXPECT_EQ(stated.down, 2U);
-  EXPECT_EQ(stated.up, 3U);
-  EXPECT_EQ(stated.target, 0.8);
-  EXPECT_EQ(stated.start, 4.0);
-  EXPECT_THAT(stated.steps, ElementsAre(2.0));
-  EXPECT_THAT(stated.steps_up, ElementsAre(1.0));
-  EXPECT_THAT(stated.steps_down, ElementsAre(3.0, 4.0));
-  EXPECT_EQ(stated.prior.threshold, (ValueRange{1.0, 2.0, 3}));
-  EXPECT_EQ(stated.prior.slope, (ValueRange{2.0, 3.0, 4}));
-  EXPECT_EQ(stated.prior.lapse, (ValueRange{0.0, 0.1, 5}));
-  EXPECT_THAT(stated.marginalised, ElementsAre(NuisanceParameter::lapse));
-  EXPECT_EQ(stated.settings_json, R"({"b":[2],"x-a":1})") << "unchanged, comments included";
-  EXPECT_EQ(stated.answer_within_s, 60.0);
-  EXPECT_EQ(stated.stop.trials, 40U);
-  EXPECT_EQ(stated.stop.reversals, 8U);
-  EXPECT_EQ(stated.stop.clipped_moves, 3U);
-  EXPECT_EQ(stated.stop.interval, (IntervalRule{2.5, 10, 4}));
-  ASSERT_EQ(stated.tracks.size(), 2U);
-  EXPECT_EQ(stated.tracks[0].start, 5.0);
-  EXPECT_FALSE(stated.tracks[1].start);
-  EXPECT_TRUE(stated.timeouts_are_incorrect);
-  ASSERT_TRUE(stated.catch_trials);
-  EXPECT_EQ(stated.catch_trials->type, CatchType::no_signal);
-  EXPECT_EQ(stated.catch_trials->level, 7.0);
-  EXPECT_EQ(stated.catch_trials->every, 10);
+  const auto procedure_of = [](const char* block) {
+    ProcedureDeclaration stated{};
+    const json& object = kEverything.at("blocks").at(block).at("procedure");
+    EXPECT_THAT(read_keys(kProcedureTable, object, "", stated), IsEmpty());
+    return stated;
+  };
+  const ProcedureDeclaration psi = procedure_of("main");
+  EXPECT_EQ(psi.method, "psi");
+  EXPECT_EQ(psi.target, 0.8);
+  EXPECT_EQ(psi.prior.threshold, (ValueRange{1.0, 2.0, 3}));
+  EXPECT_EQ(psi.prior.slope, (ValueRange{2.0, 3.0, 4}));
+  EXPECT_EQ(psi.prior.lapse, (ValueRange{0.0, 0.1, 5}));
+  EXPECT_THAT(psi.marginalised, ElementsAre(NuisanceParameter::lapse));
+  EXPECT_EQ(psi.stop.interval, (IntervalRule{2.5, 10, 4}));
+  EXPECT_TRUE(psi.timeouts_are_incorrect);
+  ASSERT_TRUE(psi.catch_trials);
+  EXPECT_EQ(psi.catch_trials->type, CatchType::no_signal);
+  EXPECT_EQ(psi.catch_trials->every, 10);
+
+  const ProcedureDeclaration up_down = procedure_of("other");
+  EXPECT_EQ(up_down.down, 2U);
+  EXPECT_EQ(up_down.up, 3U);
+  EXPECT_EQ(up_down.start, 4.0);
+  EXPECT_THAT(up_down.steps, ElementsAre(2.0));
+  EXPECT_THAT(up_down.steps_up, ElementsAre(1.0));
+  EXPECT_THAT(up_down.steps_down, ElementsAre(3.0, 4.0));
+  EXPECT_EQ(up_down.stop.trials, 40U);
+  EXPECT_EQ(up_down.stop.reversals, 8U);
+  EXPECT_EQ(up_down.stop.clipped_moves, 3U);
+  ASSERT_EQ(up_down.tracks.size(), 2U);
+  EXPECT_EQ(up_down.tracks[0].start, 5.0);
+  EXPECT_FALSE(up_down.tracks[1].start);
+  EXPECT_EQ(up_down.catch_trials->level, 7.0);
+
+  EXPECT_EQ(procedure_of("constant").repetitions, 3U);
+  const ProcedureDeclaration outside = procedure_of("outside");
+  EXPECT_EQ(outside.settings_json, R"({"b":[2],"x-a":1})") << "unchanged, comments included";
+  EXPECT_EQ(outside.answer_within_s, 60.0);
+}
+
+TEST(Keys, ApplyWhereTheirConditionsHold) {
+  json protocol = kEverything;
+  const auto keys_of_block = [&protocol](const char* block) {
+    std::set<std::string> pointers{};
+    for (const InapplicableKey& key : inapplicable_keys(protocol)) {
+      if (key.pointer.starts_with(pointer_to("/blocks", block))) pointers.insert(key.pointer);
+    }
+    return pointers;
+  };
+  // The protocol is a rating; the block a discrimination.
+  EXPECT_THAT(keys_of_block("main"),
+              IsSupersetOf({"/blocks/main/all_pairs", "/blocks/main/questions/4/rates",
+                            "/blocks/main/questions/5/tie"}));
+  EXPECT_THAT(keys_of_block("main"), Not(Contains("/blocks/main/questions/2/judgement")));
+  EXPECT_THAT(keys_of_block("constant"), Contains("/blocks/constant/question/judgement"));
+  protocol["kind"] = "discrimination";
+  EXPECT_THAT(keys_of_block("constant"), IsEmpty());
+  EXPECT_THAT(keys_of_block("paired"), ElementsAre("/blocks/paired/question/tie"));
+  // The method of a procedure is stated around its stopping rule.
+  protocol["blocks"]["main"]["procedure"]["stop"]["reversals"] = 4;
+  EXPECT_THAT(keys_of_block("main"), Contains("/blocks/main/procedure/stop/reversals"));
+  EXPECT_THAT(keys_of_block("other"), Not(Contains("/blocks/other/procedure/stop/reversals")));
+  // A default is equivalent to the absence of the key, and comments are not blocks.
+  protocol["blocks"]["paired"] = {{"kind", "paired_comparison"},
+                                  {"question", {{"allow_cannot_tell", false}}}};
+  ASSERT_THAT(keys_of_block("paired"), ElementsAre("/blocks/paired/question/allow_cannot_tell"));
+  const auto is_permitted = [&protocol] {
+    return std::ranges::any_of(inapplicable_keys(protocol), [](const InapplicableKey& key) {
+      return key.is_permitted && key.pointer.starts_with("/blocks/paired/");
+    });
+  };
+  EXPECT_TRUE(is_permitted());
+  protocol["blocks"]["paired"]["question"]["allow_cannot_tell"] = true;
+  EXPECT_FALSE(is_permitted());
+  EXPECT_THAT(keys_of_block("paired"), ElementsAre("/blocks/paired/question/allow_cannot_tell"));
+  const json only = {{"kind", "rating"},
+                     {"blocks", {{"$comment", "one"}, {"main", {{"kind", "similarity"}}}}}};
+  EXPECT_EQ(kinds_at(only, "/analysis"), (std::set<std::string>{"similarity"}));
 }
 
 TEST(Keys, OfTheAnalysisGoToTheirMembers) {
@@ -666,11 +740,11 @@ TEST(Keys, OfTheObserverGoToTheirMembers) {
   EXPECT_EQ(observer.position_bias, 0.3);
   EXPECT_EQ(observer.lapse, 0.04);
   EXPECT_EQ(observer.magnitude_of, ObserverDeclaration::MagnitudeOf::held_tool);
-  EXPECT_EQ(observer.exponent, 0.9);
-  EXPECT_TRUE(observer.magnitude_decreases);
-  EXPECT_EQ(observer.yes_above, 1.5);
-  EXPECT_EQ(observer.different_above, 0.25);
-  EXPECT_EQ(observer.unsure_within, 0.05);
+  EXPECT_EQ(observer.magnitude.exponent, 0.9);
+  EXPECT_TRUE(observer.discrimination.magnitude_decreases);
+  EXPECT_EQ(observer.discrimination.yes_above, 1.5);
+  EXPECT_EQ(observer.discrimination.different_above, 0.25);
+  EXPECT_EQ(observer.discrimination.unsure_within, 0.05);
 }
 
 TEST(Keys, AreReadExceptForThoseInAnotherForm) {
@@ -709,6 +783,38 @@ TEST(Keys, AreThoseOfThePage) {
     expect_in_page("| --- | --- | --- | --- |\n" + page_rows_of(*table) + '\n');
   }
   expect_in_page("| --- | --- | --- | --- |\n" + page_rows_of(kProtocolTable) + '\n');
+}
+
+/// A misspelt key, word or kind in a condition would hide its key, or permit it nowhere.
+TEST(Keys, HaveConditionsOnExistingKeysAndWords) {
+  const auto words_in = [](const ValueShape& shape) {
+    std::set<std::string_view> words{kAbsent};
+    if (const auto* const listed = std::get_if<WordShape>(&shape)) {
+      for (const KeyWord& word : listed->words) words.insert(word.name);
+    }
+    return words;
+  };
+  std::size_t conditions = 0;
+  std::set<const KeyTable*> all = tables();
+  all.insert(&kProtocolTable);
+  for (const KeyTable* const table : all) {
+    for (const ProtocolKey& key : table->keys) {
+      for (const KeyCondition& condition : key.conditions) {
+        if (condition.key.empty()) continue;
+        ++conditions;
+        SCOPED_TRACE(std::string(key.name) + " and " + std::string(condition.key));
+        const KeyTable* owner = table;  // of the other key
+        if (condition.of == KeyCondition::Of::around) owner = &kProcedureTable;
+        if (condition.of == KeyCondition::Of::kind) owner = &kProtocolTable;
+        const ProtocolKey* const other = owner->find(condition.key);
+        ASSERT_NE(other, nullptr);
+        for (const std::string_view value : condition.values()) {
+          EXPECT_TRUE(words_in(other->shape).contains(value)) << value;
+        }
+      }
+    }
+  }
+  EXPECT_GT(conditions, 60U);
 }
 
 /// The unit of a quantity ends its name.

@@ -192,7 +192,7 @@ TEST(LibraryProtocols, HaveVirtualNumbersOfForceAndSpeedThatDependOnBoth) {
   for (const char* const name : {"roughness_force", "roughness_speed"}) {
     const ObserverDeclaration observer = library_protocol(name).observer;
     EXPECT_EQ(observer.magnitude_of, ObserverDeclaration::MagnitudeOf::held_tool) << name;
-    EXPECT_EQ(observer.exponent, 1.0) << name;
+    EXPECT_EQ(observer.magnitude.exponent, 1.0) << name;
     EXPECT_EQ(observer.feature_noise, 0.15) << name;
     EXPECT_EQ(observer.lapse, 0.02) << name;
   }

@@ -173,9 +173,9 @@ TEST(PairedComparison, RefusesWhatIsNoChoiceBetweenTwoSurfaces) {
     return protocol;
   };
   EXPECT_THAT(problem_in_block(asked("allow_cannot_tell", true), "/question/allow_cannot_tell"),
-              HasSubstr("tie"));
+              HasSubstr("or a discrimination has this key"));
   EXPECT_THAT(problem_in_block(asked("correct_factor", "texture"), "/question/correct_factor"),
-              HasSubstr("correct or incorrect"));
+              HasSubstr("only a recognition has this key"));
   json one = pairs_of_textures();
   comparisons_block(one).erase("all_pairs");
   comparisons_block(one)["crossed"] = {"texture"};
@@ -188,7 +188,8 @@ TEST(PairedComparison, RefusesWhatIsNoChoiceBetweenTwoSurfaces) {
   json selection = pairs_of_textures();
   selection["kind"] = "selection";
   selection["realism_standard"] = "memory";
-  EXPECT_THAT(problem_in_block(selection, "/question/tie"), HasSubstr("has no ties"));
+  EXPECT_THAT(problem_in_block(selection, "/question/tie"),
+              HasSubstr("only a paired comparison has this key"));
 }
 
 TEST(PairedComparison, AsksOneQuestionAboutOneSetOfItemsInAllItsMainBlocks) {
@@ -237,7 +238,7 @@ TEST(AllPairs, BelongToKindsThatCompareSurfaces) {
     protocol["blocks"][name]["question"].erase("tie");
     protocol["blocks"][name]["question"]["scale"] = json::object();
   }
-  EXPECT_THAT(problem_in_block(protocol, "/all_pairs"), HasSubstr("does not compare surfaces"));
+  EXPECT_THAT(problem_in_block(protocol, "/all_pairs"), HasSubstr("or a similarity has this key"));
   EXPECT_EQ(problem_in_block(protocol, "/presented"), "");
 }
 
@@ -262,7 +263,7 @@ TEST(PairedComparison, CanBeMadeAgainstAPhysicalSampleOfEachTexture) {
   json rating = pairs_of_textures();
   rating["kind"] = "rating";
   rating["realism_standard"] = "memory";
-  EXPECT_THAT(problem_in_block(rating, "//realism_standard"), HasSubstr("remove this key"));
+  EXPECT_THAT(problem_in_block(rating, "//realism_standard"), HasSubstr("remove it"));
 }
 
 }  // namespace

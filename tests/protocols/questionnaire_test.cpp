@@ -124,16 +124,14 @@ TEST(Questionnaire, RefusesKeysOfOtherForms) {
   json protocol = questioned();
   protocol["questions"]["pain"]["unit"] = "N";
   protocol["questions"]["pain"]["scale"] = {{"points", 5}};
-  protocol["questions"]["strength"].erase("scale");
-  protocol["questions"]["kinds"].erase("options");
-  EXPECT_THAT(test::problems_at(protocol, "/questions/pain/unit"),
-              HasSubstr("\"number\" has a unit"));
-  EXPECT_THAT(test::problems_at(protocol, "/questions/pain/scale"),
-              HasSubstr("\"scale\" has a scale"));
-  EXPECT_THAT(test::problems_at(protocol, "/questions/strength"),
+  EXPECT_THAT(test::problems_at(protocol, "/questions/pain/unit"), HasSubstr("is \"number\""));
+  EXPECT_THAT(test::problems_at(protocol, "/questions/pain/scale"), HasSubstr("is \"scale\""));
+  json lacking = questioned();
+  lacking["questions"]["strength"].erase("scale");
+  lacking["questions"]["kinds"].erase("options");
+  EXPECT_THAT(test::problems_at(lacking, "/questions/strength"),
               HasSubstr("a scale needs the key"));
-  EXPECT_THAT(test::problems_at(protocol, "/questions/kinds"),
-              HasSubstr("a multiple choice needs"));
+  EXPECT_THAT(test::problems_at(lacking, "/questions/kinds"), HasSubstr("a multiple choice needs"));
 }
 
 TEST(Questionnaire, RefusesAScaleAndAConditionAmongTheQuestionsAboutTheParticipant) {

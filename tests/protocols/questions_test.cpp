@@ -111,18 +111,20 @@ TEST(Questions, AreRefusedAtTheirPlace) {
               HasSubstr("one_after_another"));
   EXPECT_THAT(refused("/blocks/ratings/questions/0/pictures", {"metal", "wood"},
                       block + "/questions/0/pictures"),
-              HasSubstr("not answered by a picture"));
-  EXPECT_THAT(
-      refused("/blocks/recognition/question/scale", json::object(), "/blocks/recognition/question"),
-      HasSubstr("needs one question answered by a choice"));
+              HasSubstr("exclude each other"));
+  EXPECT_THAT(refused("/blocks/recognition/question/scale", json::object(),
+                      "/blocks/recognition/question/pictures"),
+              HasSubstr("exclude each other"));
   const json words = {{{"value", "yes"}, {"text", "Yes"}}, {{"value", "no"}, {"text", "No"}}};
   EXPECT_THAT(refused("/blocks/recognition/question/options", words,
                       "/blocks/recognition/question/options"),
-              HasSubstr("either pictures or words"));
+              HasSubstr("only a discrimination has this key"));
   EXPECT_THAT(refused("/blocks/ratings/questions/0/options", words, block + "/questions/0/options"),
-              HasSubstr("are not words"));
+              HasSubstr("exclude each other"));
   json protocol = attributes();
-  protocol["blocks"]["ratings"].erase("questions");
+  for (const char* const key : {"questions", "question_order", "question_layout", "page_prompt"}) {
+    protocol["blocks"]["ratings"].erase(key);
+  }
   EXPECT_THAT(test::problems_at(protocol, block), HasSubstr("needs the key \"question\""));
 }
 

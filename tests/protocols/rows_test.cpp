@@ -37,8 +37,7 @@ std::string rated_waves(const std::string& keys) {
                R"("model": "sinusoid", "parameters": {"wavelength_m": {"factor": "wavelength"}})");
   const std::size_t from = text.find(R"("crossed": ["texture"])");
   const std::size_t to = text.find(R"("exploration": "stroking")");
-  return text.replace(from, to - from,
-                      R"("crossed": ["wavelength", "speed"], )" + keys + R"(
+  return text.replace(from, to - from, R"("crossed": ["wavelength", "speed"], )" + keys + R"(
       "presented": [{"stimulus": "rendered", "item": "wave"}],
       "question": {"name": "rough", "prompt": "How rough?", "scale": {"points": 7}},
       )");
@@ -111,8 +110,9 @@ TEST(ExcludedCombinations, AreAbsent) {
 TEST(ExcludedCombinations, MustExistAndLeaveSome) {
   EXPECT_THAT(problems_of_waves(R"("exclude": [{"speed": 0.03}],)"),
               HasSubstr("is not a level of the factor \"speed\""));
-  EXPECT_THAT(problems_of_waves(R"("exclude": [{"speed": 0.02}, {"speed": 0.04}, {"speed": 0.08}],)"),
-              HasSubstr("all combinations are excluded; remove entries (/blocks/main/exclude)"));
+  EXPECT_THAT(
+      problems_of_waves(R"("exclude": [{"speed": 0.02}, {"speed": 0.04}, {"speed": 0.08}],)"),
+      HasSubstr("all combinations are excluded; remove entries (/blocks/main/exclude)"));
   EXPECT_THAT(problems_of_waves(R"("exclude": [{"texture": "stone"}],)"),
               HasSubstr("neither crosses, lists nor varies the factor \"texture\""));
 }
@@ -125,8 +125,7 @@ TEST(DerivedLevels, AreComputedInEveryTrialAndBoundLikeAnyFactor) {
   }
   const Protocol protocol = read_waves(keys);
   // 20, 40, 80 and 10, 20, 40 Hz.
-  EXPECT_EQ(protocol.factors.at("frequency").levels,
-            (std::vector<Level>{10.0, 20.0, 40.0, 80.0}));
+  EXPECT_EQ(protocol.factors.at("frequency").levels, (std::vector<Level>{10.0, 20.0, 40.0, 80.0}));
   EXPECT_EQ(protocol.factors.at("frequency").meaning, "Computed as speed / wavelength");
   const Protocol bound =
       read_protocol(replaced(rated_waves(R"("derived": {"half": "0.3 * wavelength"},)"),
@@ -175,11 +174,10 @@ TEST(UnequalRepetitions, ArePresentedThatOften) {
 }
 
 TEST(UnequalRepetitions, AreRefusedWhereTheyContradictEachOther) {
-  EXPECT_THAT(
-      problems_of_waves(
-          R"("repetitions_of": [{"levels": {"speed": 0.04}, "repetitions": 5},
+  EXPECT_THAT(problems_of_waves(
+                  R"("repetitions_of": [{"levels": {"speed": 0.04}, "repetitions": 5},
                                 {"levels": {"wavelength": 0.001}, "repetitions": 3}],)"),
-      HasSubstr("already has repetitions by an earlier entry"));
+              HasSubstr("already has repetitions by an earlier entry"));
   EXPECT_THAT(problems_of_waves(R"("exclude": [{"speed": 0.04}],
                    "repetitions_of": [{"levels": {"speed": 0.04}, "repetitions": 5}],)"),
               HasSubstr("no combination has speed 0.04"));
@@ -228,21 +226,19 @@ TEST(FixedPositions, HaveTheirLevels) {
 }
 
 TEST(FixedPositions, AreRefusedWithTheReasonWhereTheyCannotBeMet) {
-  EXPECT_THAT(problems_of_waves(R"("fixed_positions": [{"position": 7, "levels": {"speed": 0.08}}],)"),
-              HasSubstr("the block has 6 trials; state a position from 1 to 6"));
   EXPECT_THAT(
-      problems_of_waves(R"("fixed_positions": [{"position": 1, "levels": {"speed": 0.08}},
+      problems_of_waves(R"("fixed_positions": [{"position": 7, "levels": {"speed": 0.08}}],)"),
+      HasSubstr("the block has 6 trials; state a position from 1 to 6"));
+  EXPECT_THAT(problems_of_waves(R"("fixed_positions": [{"position": 1, "levels": {"speed": 0.08}},
          {"position": 2, "levels": {"speed": 0.08}}, {"position": 3, "levels": {"speed": 0.08}}],)"),
-      HasSubstr("only 2 trials have speed 0.08, and more positions require them"));
-  EXPECT_THAT(
-      problems_of_waves(R"("fixed_positions": [{"position": 1, "levels": {"speed": 0.08}},
+              HasSubstr("only 2 trials have speed 0.08, and more positions require them"));
+  EXPECT_THAT(problems_of_waves(R"("fixed_positions": [{"position": 1, "levels": {"speed": 0.08}},
          {"position": 1, "levels": {"speed": 0.02}}],)"),
-      HasSubstr("the position 1 is already fixed"));
-  EXPECT_THAT(
-      problems_of_waves(R"("minimum_distance": {"speed": 2},
+              HasSubstr("the position 1 is already fixed"));
+  EXPECT_THAT(problems_of_waves(R"("minimum_distance": {"speed": 2},
          "fixed_positions": [{"position": 1, "levels": {"speed": 0.08}},
          {"position": 2, "levels": {"speed": 0.08}}],)"),
-      HasSubstr("satisfies fixed_positions together with the other constraints"));
+              HasSubstr("satisfies fixed_positions together with the other constraints"));
 }
 
 }  // namespace

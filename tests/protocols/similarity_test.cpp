@@ -302,7 +302,7 @@ TEST(Similarity, KeepsItsKeysToItself) {
   ratings_block(protocol)["question"]["rates"] = "similarity";
   ratings_block(protocol)["all_pairs"]["parts"] = 3;
   EXPECT_THAT(problem_in_ratings(protocol, "/blocks/ratings/question/rates"),
-              HasSubstr("only the question of a similarity"));
+              HasSubstr("only a similarity has this key"));
   EXPECT_THAT(problem_in_ratings(protocol, "/blocks/ratings/all_pairs/parts"),
               HasSubstr("only a similarity"));
   EXPECT_THAT(problem_in_ratings(protocol, "/blocks/ratings/all_pairs/with_identical"),

@@ -50,12 +50,13 @@ TEST(StoredProtocol, ReadsWhatIsSpecified) {
 TEST(StoredProtocol, DoesNotReplaceWhatItDoesNotKnowOfABlockByADefault) {
   const Protocol read = stored_protocol(R"({"kind": "selection", "blocks": {
       "ranked": {"kind": "ranking"}, "own": {}, "later": {"phase": "retention"},
-      "odd": {"design": "three_down", "page_prompt": "Feel {surfaces}."}}})")
+      "odd": {"design": "three_down", "questions": [], "question_layout": "one_page",
+              "page_prompt": "Feel {surfaces}."}}})")
                             .protocol;
   EXPECT_EQ(read.blocks.at("ranked").kind, "ranking");
   EXPECT_EQ(read.blocks.at("own").kind, "selection");
   EXPECT_NE(read.blocks.at("later").phase, Phase::main);
-  EXPECT_EQ(read.blocks.at("odd").design, nullptr);
+  EXPECT_EQ(read.blocks.at("odd").design(), nullptr);
   EXPECT_EQ(read.blocks.at("odd").page_prompt, "Feel {surfaces}.") << "their number is not known";
   EXPECT_EQ(stored_protocol(R"({"kind": "ranking"})").protocol.kind, "ranking");
   EXPECT_EQ(stored_protocol(R"({"blocks": {"main": {}}})").protocol.blocks.at("main").kind, "");

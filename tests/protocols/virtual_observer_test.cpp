@@ -165,7 +165,7 @@ TEST(VirtualObserver, HasNoCertaintyInALapseAndFullCertaintyWithoutNoise) {
 
 TEST(VirtualObserver, SaysNumbersThatGrowWithThePowerOfTheFeltForce) {
   ObserverDeclaration exact{.feature_noise = 0.0, .lapse = 0.0};
-  exact.exponent = 2.0;
+  exact.magnitude.exponent = 2.0;
   const NumberHabit habit{.modulus = 100.0, .digits = 2};
   VirtualObserver observer(exact, Random(1));
   EXPECT_EQ(observer.estimate(felt_with(0.0), habit), 100.0);
@@ -179,7 +179,7 @@ TEST(VirtualObserver, SaysNumbersThatGrowWithThePowerOfTheFeltForce) {
 TEST(VirtualObserver, SaysNumbersThatGrowWithHowAHeldToolIsShaken) {
   ObserverDeclaration exact{.feature_noise = 0.0, .lapse = 0.0};
   exact.magnitude_of = ObserverDeclaration::MagnitudeOf::held_tool;
-  exact.exponent = 2.0;
+  exact.magnitude.exponent = 2.0;
   const NumberHabit habit{.modulus = 100.0, .digits = 2};
   const auto number_of = [&](double shaking_m_per_s2) {
     ForceFeatures felt = felt_with(-3.0);  // shares of the normal force are nothing to it
@@ -197,7 +197,7 @@ TEST(VirtualObserver, SaysNumbersThatGrowWithHowAHeldToolIsShaken) {
 TEST(VirtualObserver, SaysNumbersThatGrowWithTheComplianceOfASurface) {
   ObserverDeclaration exact{.feature_noise = 0.0, .lapse = 0.0};
   exact.magnitude_of = ObserverDeclaration::MagnitudeOf::compliance;
-  exact.exponent = 2.0;
+  exact.magnitude.exponent = 2.0;
   const auto number_of = [&](double compliance_m_per_N) {
     ForceFeatures felt = felt_with(-3.0);
     felt.compliance_m_per_N = compliance_m_per_N;
@@ -212,7 +212,7 @@ TEST(VirtualObserver, SaysNumbersThatGrowWithTheComplianceOfASurface) {
 TEST(VirtualObserver, ChoosesTheHarderOfTwoBodies) {
   ObserverDeclaration noisy{.feature_noise = 0.1, .lapse = 0.0};
   noisy.magnitude_of = ObserverDeclaration::MagnitudeOf::compliance;
-  noisy.magnitude_decreases = true;
+  noisy.discrimination.magnitude_decreases = true;
   VirtualObserver observer(noisy, Random(4));
   ForceFeatures soft{};
   soft.compliance_m_per_N = 1.2e-3;

@@ -134,7 +134,7 @@ std::map<std::string, QuestionsOfKind> questions_by_kind(const Protocol& protoco
       if (kind != kind_of_stored_block(kind_of_protocol, block)) {
         kinds[kind].accompanied.insert(name);
       }
-      if (!question.confidence_of.empty()) {
+      if (!question.confidence_of().empty()) {
         kinds[kind_of_stored_block(kind_of_protocol, block)].confidences[name] = question.name;
       }
       auto& names = kinds[kind].by_block[name];
@@ -551,7 +551,7 @@ class Gathering {
         block != gathered.blocks.end() &&
         std::any_of(block->second.questions.begin(), block->second.questions.end(),
                     [](const auto& question) {
-                      return question.judgement == DiscriminationJudgement::performance;
+                      return question.judgement() == DiscriminationJudgement::performance;
                     });
     return is_performance ? CatchType::no_signal : CatchType::identical_pair;
   }

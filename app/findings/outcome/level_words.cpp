@@ -159,7 +159,7 @@ std::string end_text(const StopRules& stop) {
 /// What moves a track down, of which the target is a proportion: "correct responses".
 std::string downward_responses(const Block& block) {
   const auto* const judged = judged_question(block);
-  if (judged == nullptr || judged->judgement == DiscriminationJudgement::performance) {
+  if (judged == nullptr || judged->judgement() == DiscriminationJudgement::performance) {
     return "correct responses";
   }
   return judged->asks_for_less() ? "choices of the standard" : "choices of the comparison";

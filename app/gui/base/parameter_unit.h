@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "protocols/keys/shape.h"
+#include "protocols/shapes/shape.h"
 #include "stimuli/properties/parameter.h"
 
 namespace asperity {

@@ -6520,10 +6520,6 @@
         <translation>Testfamilie</translation>
     </message>
     <message>
-        <source>Tests whose p values are Holm-corrected together: the confirmatory tests of the study. All others are exploratory. Reports compare women and men only if `sexes` is listed. Absent: pairs in a selection, items in a matching, right in a recognition, spacing in a magnitude (with a factor in place of the spacing: exponent, or stimuli without a predictor), ratings in a rating, pairs in a paired comparison, order in a discrimination.</source>
-        <translation>Tests, deren p-Werte gemeinsam Holm-korrigiert werden: die konfirmatorischen Tests der Studie. Alle anderen sind explorativ. Berichte vergleichen Frauen und Männer nur, wenn `sexes` aufgeführt ist. Ohne Angabe: pairs bei einer Auswahl, items bei einer Zuordnung, right bei einer Wiedererkennung, spacing bei einer Größenschätzung (mit einem Faktor anstelle der Abstände: exponent, oder stimuli ohne Prädiktor), ratings bei einer Beurteilung, pairs bei einem Paarvergleich, order bei einer Unterscheidung.</translation>
-    </message>
-    <message>
         <source>Equivalence margin</source>
         <translation>Äquivalenzbereich</translation>
     </message>
@@ -8716,16 +8712,8 @@
         <translation>Exponent</translation>
     </message>
     <message>
-        <source>Magnitude: exponent of the power function from the quantity in `magnitude_of` to the estimate.</source>
-        <translation>Größenschätzung: Exponent der Potenzfunktion von der Größe in `magnitude_of` zur Schätzung.</translation>
-    </message>
-    <message>
         <source>Effect of the parameter</source>
         <translation>Wirkung des Parameters</translation>
-    </message>
-    <message>
-        <source>Discrimination: whether the magnitude increases or decreases with the varied parameter.</source>
-        <translation>Unterscheidung: ob die Größe mit dem variierten Parameter zu- oder abnimmt.</translation>
     </message>
     <message>
         <source>Criterion of yes</source>
@@ -8950,10 +8938,6 @@
     <message>
         <source>The version of this format.</source>
         <translation>Die Version dieses Formats.</translation>
-    </message>
-    <message>
-        <source>selection: the most realistic of several renderings is chosen; matching: felt textures are assigned to the same number of pictures; recognition: one felt texture is recognised among pictures; magnitude: the roughness of one felt surface is estimated as a number; rating: one felt surface is rated on one or more scales; paired_comparison: one of two felt surfaces is chosen; discrimination: a standard and a comparison that differs from it in one parameter are felt, and one of the two is chosen; similarity: the dissimilarity of two felt surfaces is rated. A block can have another kind.</source>
-        <translation>selection: die realistischste von mehreren Wiedergaben wird gewählt; matching: gefühlte Texturen werden ebenso vielen Bildern zugeordnet; recognition: eine gefühlte Textur wird unter Bildern wiedererkannt; magnitude: die Rauheit einer gefühlten Oberfläche wird als Zahl geschätzt; rating: eine gefühlte Oberfläche wird auf einer oder mehreren Skalen beurteilt; paired_comparison: eine von zwei gefühlten Oberflächen wird gewählt; discrimination: ein Standardreiz und ein Vergleichsreiz, der sich in einem Parameter unterscheidet, werden gefühlt, und einer der beiden wird gewählt; similarity: die Unähnlichkeit zweier gefühlter Oberflächen wird beurteilt. Ein Block kann eine andere Art haben.</translation>
     </message>
     <message>
         <source>chapter: one response per participant and column of the published table; improved: balanced, with practice and repetitions.</source>
@@ -9906,6 +9890,22 @@
     <message>
         <source>Options in words, in the order in which they are shown; only for kinds of experiment that permit them, and for an additional question.</source>
         <translation>Optionen in Worten, in der Reihenfolge der Anzeige; nur für Arten von Experimenten, die sie erlauben, und für eine zusätzliche Frage.</translation>
+    </message>
+    <message>
+        <source>Tests whose p values are Holm-corrected together: the confirmatory tests of the study. All others are exploratory. Reports compare women and men only if `sexes` is listed. Absent: the first test of the kind; of estimates by another factor than spacings, exponent, or stimuli without a predictor.</source>
+        <translation>Tests, deren p-Werte gemeinsam Holm-korrigiert werden: die konfirmatorischen Tests der Studie. Alle anderen sind explorativ. Berichte vergleichen Frauen und Männer nur, wenn `sexes` aufgeführt ist. Ohne Angabe: der erste Test der Art; bei Schätzungen nach einem anderen Faktor als Abständen exponent, oder stimuli ohne Prädiktor.</translation>
+    </message>
+    <message>
+        <source>The kind of experiment; a block can have another one.</source>
+        <translation>Die Art des Experiments; ein Block kann eine andere haben.</translation>
+    </message>
+    <message>
+        <source>Discrimination and paired comparison: whether the magnitude increases or decreases with the parameter.</source>
+        <translation>Unterscheidung und Paarvergleich: ob die Größe mit dem Parameter zunimmt oder abnimmt.</translation>
+    </message>
+    <message>
+        <source>Magnitude and rating: exponent of the power function from the quantity in `magnitude_of` to the estimate.</source>
+        <translation>Größenschätzung und Beurteilung: Exponent der Potenzfunktion von der Größe in `magnitude_of` zur Schätzung.</translation>
     </message>
 </context>
 <context>

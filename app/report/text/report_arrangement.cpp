@@ -7,6 +7,7 @@
 #include "analysis/numbers/number_text.h"
 #include "app/findings/outcome/display_number.h"
 #include "app/words/text_parts.h"
+#include "protocols/design/block_factors.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/block_design.h"
 
@@ -41,7 +42,7 @@ constexpr Verbs kPast{"was",       "were",  "lay",      "moved",    "chose",
 
 /// Whether another sentence names the arrangement.
 bool is_named_with_task(const Protocol::Block& block) {
-  return kind_of(block).has_judgement && block.vary.has_value();
+  return judged_question(block) != nullptr && block.vary.has_value();
 }
 
 /// Of surfaces that are presented once each.

@@ -93,8 +93,9 @@ ReportList blocks_list(const Protocol& protocol, const ReportFacts& facts) {
         })) {
       text += " “Cannot tell” is also a response option.";
     }
-    if (std::any_of(questions.begin(), questions.end(),
-                    [](const auto& question) { return !question.tie.empty(); })) {
+    if (std::any_of(questions.begin(), questions.end(), [](const auto& question) {
+          return question.template own_as<PairQuestion>() != nullptr;
+        })) {
       text += " A tie is also a response option.";
     }
     text += arrangement_sentences(block);

@@ -65,10 +65,10 @@ std::string paper_practice(const ReportFacts& facts) {
 /// Feedback in the main blocks; of its absence where it could be expected.
 std::string paper_feedback(const Protocol& protocol) {
   std::set<Protocol::Block::Feedback> given{};
-  bool has_judgement = false;
+  bool is_judged = false;
   for (const Protocol::Block* const block : blocks_in_flow(protocol, true)) {
     given.insert(block->feedback);
-    has_judgement = has_judgement || kind_of(*block).has_judgement;
+    is_judged = is_judged || judged_question(*block) != nullptr;
   }
   const bool is_practised_with = std::any_of(
       protocol.blocks.begin(), protocol.blocks.end(),
@@ -76,9 +76,8 @@ std::string paper_feedback(const Protocol& protocol) {
   if (given.size() != 1) return {};
   switch (*given.begin()) {
     case Protocol::Block::Feedback::none:
-      return has_judgement || is_practised_with
-                 ? " No feedback was given in the experimental trials."
-                 : std::string();
+      return is_judged || is_practised_with ? " No feedback was given in the experimental trials."
+                                            : std::string();
     case Protocol::Block::Feedback::correctness:
       return " After each experimental trial, the correctness of the response was shown.";
     case Protocol::Block::Feedback::correct_answer:

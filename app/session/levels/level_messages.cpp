@@ -33,7 +33,7 @@ Json json_of_factors(const FactorLevels& factors) {
 /// Without a judged question there are no correct responses, and no program is asked.
 bool has_correct_responses(const Protocol::Block& block) {
   const Protocol::TrialQuestionTemplate* const judged = judged_question(block);
-  return judged != nullptr && judged->judgement == DiscriminationJudgement::performance;
+  return judged != nullptr && judged->judgement() == DiscriminationJudgement::performance;
 }
 
 /// A delivered level is computed from the value of the parameter, and differs from the level that was presented in the

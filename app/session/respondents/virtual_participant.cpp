@@ -241,7 +241,7 @@ const VirtualResponse* VirtualParticipant::response_rated_by(const Trial& trial,
                                                              const Question& question) const {
   const auto* const asked = question_named(protocol_.blocks.at(trial.block), question.name);
   if (asked == nullptr) return nullptr;
-  const auto rated = responses_.find(asked->confidence_of);
+  const auto rated = responses_.find(asked->confidence_of());
   return rated == responses_.end() ? nullptr : &rated->second;
 }
 

@@ -11,6 +11,7 @@
 #include "analysis/numbers/number_text.h"
 #include "app/session/attempt_measures.h"
 #include "app/session/respondents/felt_surface.h"
+#include "protocols/design/block_factors.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
@@ -86,7 +87,7 @@ Extremes extremes_of(const std::vector<Trial>& trials, const Protocol::Block& bl
 /// The proportion of trials in which a threshold of this block must be distinguished from the standard.
 double required_proportion(const Protocol::Block& block) {
   // The definition of the just-noticeable difference: halfway between guessing and certainty.
-  const double at_threshold = 0.5 * (1.0 + block.design->guess_rate());
+  const double at_threshold = 0.5 * (1.0 + block.design()->guess_rate());
   if (!block.procedure) return at_threshold;
   const ProcedureSettings& track = block.procedure->tracks.front();
   return std::max(at_threshold, procedure_of(track).target(track).value_or(at_threshold));
@@ -125,7 +126,7 @@ std::vector<Diagnostic> warnings_about_observer(const CheckedProtocol& checked,
   const ObserverDeclaration& observer = protocol.observer;
   const auto is_compared = [](const auto& named) {
     const Protocol::Block& block = named.second;
-    return block.phase == Phase::main && block.vary && kind_of(block).has_judgement;
+    return block.phase == Phase::main && block.vary && judged_question(block) != nullptr;
   };
   if (observer.deaf || std::none_of(protocol.blocks.begin(), protocol.blocks.end(), is_compared)) {
     return warnings;
@@ -162,7 +163,7 @@ std::vector<Diagnostic> warnings_about_observer(const CheckedProtocol& checked,
     if (!least || !greatest || !standard) continue;
     const double from_standard =
         std::max(std::abs(*least - *standard), std::abs(*greatest - *standard));
-    const double distinguished = correct_proportion(observer, from_standard, *block.design);
+    const double distinguished = correct_proportion(observer, from_standard, *block.design());
     const double required = required_proportion(block);
     const double change = *greatest - *least;
     const std::string place = pointer_to("/blocks", block.name) + "/vary/parameter";
@@ -170,8 +171,9 @@ std::vector<Diagnostic> warnings_about_observer(const CheckedProtocol& checked,
     const std::string parameter = in_quotes(block.vary->parameter);
     const double from = std::min(*least, *standard);
     const double to = std::max(*greatest, *standard);
-    if (block.design->surfaces() == 1 && observer.yes_above &&
-        (std::log(*observer.yes_above) <= from || std::log(*observer.yes_above) >= to)) {
+    if (block.design()->surfaces() == 1 && observer.discrimination.yes_above &&
+        (std::log(*observer.discrimination.yes_above) <= from ||
+         std::log(*observer.discrimination.yes_above) >= to)) {
       const double nearest = magnitude_of(extremes.of_nearest).value_or(*standard);
       const double farthest =
           std::abs(*least - *standard) > std::abs(*greatest - *standard) ? *least : *greatest;
@@ -189,7 +191,7 @@ std::vector<Diagnostic> warnings_about_observer(const CheckedProtocol& checked,
                      ": simulated responses are guesses. State another \"magnitude_of\" under "
                      "\"observer\", or a surface on which this force depends on the parameter "
                      "(its friction and its force_direction determine the lateral force)"));
-    } else if ((change < 0.0) != observer.magnitude_decreases) {
+    } else if ((change < 0.0) != observer.discrimination.magnitude_decreases) {
       warnings.push_back(document.at(
           place, "the virtual observer judges " + judged + ", which " +
                      (change < 0.0 ? "decreases" : "increases") + " by a factor of " +

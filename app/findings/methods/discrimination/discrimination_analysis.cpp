@@ -74,7 +74,7 @@ std::string placement_of(const Arrangement& arrangement) {
 
 /// The task of a design with options in words.
 std::string task_in_words(const Block& block) {
-  return block.design->surfaces() == 1
+  return block.design()->surfaces() == 1
              ? std::string(
                    "yes/no task. In each trial, one surface is presented, the standard or a "
                    "comparison equally often, and the response is “yes” or “no”")
@@ -86,7 +86,7 @@ std::string task_in_words(const Block& block) {
 }
 
 std::string paper_task_in_words(const Block& block) {
-  return block.design->surfaces() == 1
+  return block.design()->surfaces() == 1
              ? std::string(
                    ", the standard or a comparison equally often, and the response was “yes” "
                    "or “no” (yes/no task).")
@@ -100,7 +100,7 @@ std::string paper_task_in_words(const Block& block) {
 std::string three_surfaces(const Block& block, const char* verb) {
   const std::string chosen =
       std::string(" and the odd one, at any position, ") + verb + " to be chosen";
-  return block.design->asks_for_odd_one
+  return block.design()->asks_for_odd_one
              ? ", equally often two standards and a comparison or two comparisons and a standard," +
                    chosen
              : std::string(", two standards and a comparison, at any position, and one of them ") +
@@ -108,14 +108,14 @@ std::string three_surfaces(const Block& block, const char* verb) {
 }
 
 std::string task_of_three(const Block& block) {
-  return std::string(block.design->name) + ". In each trial, three surfaces are presented " +
+  return std::string(block.design()->name) + ". In each trial, three surfaces are presented " +
          placement_of(block.arrangement) + three_surfaces(block, "is");
 }
 
 std::string paper_task_of_three(const Block& block) {
   return ' ' + placement_of(block.arrangement) + three_surfaces(block, "was") +
-         (block.design->asks_for_odd_one ? " (oddity task)."
-                                         : " (three-alternative forced choice, 3AFC).");
+         (block.design()->asks_for_odd_one ? " (oddity task)."
+                                           : " (three-alternative forced choice, 3AFC).");
 }
 
 std::string task_of_arrangement(const Arrangement& arrangement) {
@@ -151,9 +151,10 @@ std::string paper_task_of_arrangement(const Arrangement& arrangement) {
 
 std::string task_of_block(const Block& block) {
   const auto* const asked = judged_question(block);
-  std::string text = block.design->has_noise()            ? task_in_words(block)
-                     : block.design->is_choice_of_three() ? task_of_three(block)
-                                                          : task_of_arrangement(block.arrangement);
+  std::string text = block.design()->has_noise() ? task_in_words(block)
+                     : block.design()->is_choice_of_three()
+                         ? task_of_three(block)
+                         : task_of_arrangement(block.arrangement);
   if (asked != nullptr) text += ": " + quoted(asked->prompt);
   if (asked == nullptr || !asked->prompt.ends_with('?')) text += '.';
   text += " The " + words_of_parameter(block.vary->parameter) + " of the standard is " +
@@ -170,11 +171,11 @@ std::string task_of_block(const Block& block) {
               "; no threshold is estimated from these trials. ";
     }
   }
-  if (block.design->has_noise()) {
-    return text + "“" + std::string(block.design->yes) + "” is the correct response " +
-           (block.design->surfaces() == 1 ? "to the comparison." : "to different surfaces.");
+  if (block.design()->has_noise()) {
+    return text + "“" + std::string(block.design()->yes) + "” is the correct response " +
+           (block.design()->surfaces() == 1 ? "to the comparison." : "to different surfaces.");
   }
-  if (block.design->asks_for_odd_one) return text + "The odd surface is the correct response.";
+  if (block.design()->asks_for_odd_one) return text + "The odd surface is the correct response.";
   return text + (asks_for_performance(block)
                      ? "The comparison is the correct response (judgement of performance)."
                      : "No response is correct or incorrect" + apart_from_catch_trials(block) +
@@ -197,15 +198,15 @@ std::string task_of_discrimination(const Protocol& protocol) {
 std::string paper_task_of_discrimination(const Protocol& protocol) {
   const std::vector<const Block*> blocks = discrimination_blocks(protocol);
   const auto paper_task = [](const Block& block) {
-    return block.design->has_noise()            ? paper_task_in_words(block)
-           : block.design->is_choice_of_three() ? paper_task_of_three(block)
-                                                : paper_task_of_arrangement(block.arrangement);
+    return block.design()->has_noise()            ? paper_task_in_words(block)
+           : block.design()->is_choice_of_three() ? paper_task_of_three(block)
+                                                  : paper_task_of_arrangement(block.arrangement);
   };
   std::string text = blocks.empty() ? paper_task_of_arrangement({}) : paper_task(*blocks.front());
   for (const Block* const block : blocks) {
     const bool is_arranged_otherwise =
         block->arrangement.surfaces != blocks.front()->arrangement.surfaces ||
-        block->design != blocks.front()->design;
+        block->design() != blocks.front()->design();
     const std::string details =
         (is_arranged_otherwise
              ? " In the block " + quoted(block->name) + ", they were presented" + paper_task(*block)
@@ -216,11 +217,11 @@ std::string paper_task_of_discrimination(const Protocol& protocol) {
         (chooses_levels_from_answers(*block) ? as_possible(levels_text(*block, "it"))
                                              : in_past(levels_text(*block, "it"))) +
         ". " +
-        (block->design->has_noise()
-             ? "“" + std::string(block->design->yes) + "” was the correct response " +
-                   (block->design->surfaces() == 1 ? "to the comparison. "
-                                                   : "to different surfaces. ")
-         : block->design->asks_for_odd_one
+        (block->design()->has_noise()
+             ? "“" + std::string(block->design()->yes) + "” was the correct response " +
+                   (block->design()->surfaces() == 1 ? "to the comparison. "
+                                                     : "to different surfaces. ")
+         : block->design()->asks_for_odd_one
              ? std::string("The choice of the odd surface was correct. ")
          : asks_for_performance(*block)
              ? std::string("The choice of the comparison was correct. ")

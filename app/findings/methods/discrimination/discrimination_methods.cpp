@@ -38,7 +38,7 @@ std::vector<const Protocol::Block*> discrimination_blocks(const Protocol& protoc
 
 bool asks_for_performance(const Protocol::Block& block) {
   const auto* const asked = judged_question(block);
-  return asked != nullptr && asked->judgement == DiscriminationJudgement::performance;
+  return asked != nullptr && asked->judgement() == DiscriminationJudgement::performance;
 }
 
 namespace {
@@ -75,7 +75,7 @@ bool allows_cannot_tell(const Block& block) {
 
 /// " Each response “cannot tell” counted as …"
 std::string split_sentence(const Block& block) {
-  const std::string part = block.design->alternatives() == 2 ? "one half" : "one third";
+  const std::string part = block.design()->alternatives() == 2 ? "one half" : "one third";
   return " Each response “cannot tell” counted as the mean of a guess, " + part +
          (asks_for_performance(block) ? " of a correct response" : " of a choice of each surface") +
          " [Kaernbach 2001].";
@@ -99,7 +99,7 @@ std::string interval_at_constant_levels(const Block& block, const UnforcedPartic
 
 /// How the intervals of single participants are made, and how the slope is limited where a procedure chose the levels.
 std::string interval_sentence(const Block& block, const UnforcedParticipants& unforced) {
-  if (block.design->has_noise()) {
+  if (block.design()->has_noise()) {
     return " Confidence intervals (CI) of single participants are Wald intervals on the "
            "logarithmic scale.";
   }
@@ -147,7 +147,7 @@ std::string fit_in_words(const Block& block) {
   const std::string model =
       "d′ as a power function of the difference from the standard and lapse rates fixed at 2 % in "
       "both directions. The ";
-  return block.design->surfaces() == 1
+  return block.design()->surfaces() == 1
              ? "For each participant and condition, the responses “yes” were modelled by signal "
                "detection [Macmillan 2005] by maximum likelihood, with " +
                    model + threshold + "."
@@ -165,7 +165,7 @@ std::string per_cent_of(double proportion) {
 }
 
 std::string fit_of_block(const Block& block) {
-  if (block.design->has_noise()) return fit_in_words(block);
+  if (block.design()->has_noise()) return fit_in_words(block);
   if (!asks_for_performance(block)) {
     return "For each participant and condition, a cumulative normal function was fitted to the "
            "choices by maximum likelihood, with lapse rates fixed at 2 % in both directions. The "
@@ -178,11 +178,11 @@ std::string fit_of_block(const Block& block) {
           "For each participant and condition, a Weibull function of the difference from "
           "the standard ") +
       "was fitted to the correct responses by maximum likelihood, with the guess rate fixed at " +
-      per_cent_of(block.design->guess_rate()) + " and a lapse rate between 0 and 6 %. The ";
+      per_cent_of(block.design()->guess_rate()) + " and a lapse rate between 0 and 6 %. The ";
   return fit +
          (*block.vary->standard == 0.0 ? "detection threshold is the value"
                                        : "just-noticeable difference (JND) is the difference") +
-         " at " + per_cent_of(proportion_at_threshold(*block.design)) + " correct responses.";
+         " at " + per_cent_of(proportion_at_threshold(*block.design())) + " correct responses.";
 }
 
 /// Whether the outcome answers a question with this name, of one or of several tasks, by a number.
@@ -194,7 +194,7 @@ bool has_answer(const AnalysisOutcome& outcome, const std::string& name) {
 }
 
 std::string sensitivity_method(const Block& block) {
-  const DiscriminationDesign& design = *block.design;
+  const DiscriminationDesign& design = *block.design();
   if (design.is_choice_of_three()) {
     return std::string(" d′ at each level is that of ") +
            (design.asks_for_odd_one ? "an oddity task by the differencing rule [Frijters 1979]"

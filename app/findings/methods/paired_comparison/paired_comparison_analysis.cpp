@@ -44,7 +44,7 @@ PairedQuestions paired_questions(const Protocol& protocol) {
     if (block.phase != Phase::main || block.kind != paired_comparison_kind().id) continue;
     for (const Protocol::TrialQuestionTemplate& question : block.questions) {
       if (kind_of_question(kind_of(block), question) != &kind_of(block)) continue;
-      asked.have_ties = asked.have_ties || !question.tie.empty();
+      asked.have_ties = asked.have_ties || question.own_as<PairQuestion>() != nullptr;
       const std::string prompt = quoted(question.prompt);
       if (std::find(asked.prompts.begin(), asked.prompts.end(), prompt) == asked.prompts.end()) {
         asked.prompts.push_back(prompt);

@@ -24,6 +24,7 @@
 #include "app/findings/shared/group_comparisons.h"
 #include "app/findings/shared/similarity_properties.h"
 #include "protocols/answers/scale_form.h"
+#include "protocols/kinds/similarity.h"
 #include "results_schema/tables/table.h"
 
 namespace asperity {
@@ -41,8 +42,8 @@ std::optional<double> dissimilarity_of(const GatheredAnswers& gathered,
   for (const Protocol::TrialQuestionTemplate& question : gathered.questions) {
     if (question.name != gathered.word(answer.question)) continue;
     const ScaleForm& scale = scale_of(question);
-    return question.rates == RatedQuantity::similarity ? scale.maximum - *number
-                                                       : *number - scale.minimum;
+    return rated_quantity(question) == RatedQuantity::similarity ? scale.maximum - *number
+                                                                 : *number - scale.minimum;
   }
   return std::nullopt;
 }

@@ -7,6 +7,7 @@
 
 #include "app/findings/outcome/estimate_sentences.h"
 #include "app/findings/outcome/task_words.h"
+#include "protocols/kinds/similarity.h"
 
 namespace asperity {
 
@@ -35,23 +36,24 @@ bool asks_for_similarity(const Protocol& protocol) {
   for (const auto& [name, block] : protocol.blocks) {
     if (block.phase != Phase::main || block.kind != "similarity") continue;
     for (const Protocol::TrialQuestionTemplate& question : block.questions) {
-      if (question.rates == RatedQuantity::similarity) return true;
+      if (rated_quantity(question) == RatedQuantity::similarity) return true;
     }
   }
   return false;
 }
 
-std::string rated_quantity(const Protocol& protocol) {
+std::string rated_quantity_text(const Protocol& protocol) {
   return asks_for_similarity(protocol) ? "similarity" : "dissimilarity";
 }
 
 std::string task_of_similarity(const Protocol& protocol) {
-  return "Task: in each trial, two surfaces are presented, and their " + rated_quantity(protocol) +
-         " is rated on " + scales_of_blocks(protocol, "similarity") + '.';
+  return "Task: in each trial, two surfaces are presented, and their " +
+         rated_quantity_text(protocol) + " is rated on " +
+         scales_of_blocks(protocol, "similarity") + '.';
 }
 
 std::string paper_task_of_similarity(const Protocol& protocol) {
-  return ", and their " + rated_quantity(protocol) + " was rated on " +
+  return ", and their " + rated_quantity_text(protocol) + " was rated on " +
          scales_of_blocks(protocol, "similarity") + '.';
 }
 

@@ -11,7 +11,7 @@
 
 #include "app/gui/editor/form/form_part.h"
 #include "protocols/form/form_pages.h"
-#include "protocols/keys/shape.h"
+#include "protocols/shapes/shape.h"
 
 class QCheckBox;
 class QLabel;

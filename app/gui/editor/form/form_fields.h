@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/gui/editor/form/form_part.h"
-#include "protocols/keys/key.h"
+#include "protocols/shapes/key.h"
 
 namespace asperity {
 

@@ -112,4 +112,16 @@ QString text_of_keys(std::string_view english) {
   return QCoreApplication::translate("Keys", std::string(english).c_str());
 }
 
+QString meaning_of_key(const ProtocolKey& key) {
+  QString meaning = text_of_keys(meaning_of(key));
+  if (!key.lists_words) return meaning;
+  for (const KeyWord& word : std::get<WordShape>(key.shape).words) {
+    meaning +=
+        QStringLiteral("\n%1: %2")
+            .arg(QString::fromUtf8(word.name.data(), static_cast<qsizetype>(word.name.size())),
+                 text_of_keys(word.meaning));
+  }
+  return meaning;
+}
+
 }  // namespace asperity

@@ -11,7 +11,7 @@
 
 #include "protocols/file/json_document.h"
 #include "protocols/keys/names_in.h"
-#include "protocols/keys/shape.h"
+#include "protocols/shapes/key.h"
 #include "stimuli/properties/parameter.h"
 
 namespace asperity {
@@ -54,5 +54,7 @@ std::string json_of(const ParameterValue& value);
 
 /// A text of the tables of keys, which are English, in the language of the windows.
 QString text_of_keys(std::string_view english);
+/// The meaning of a key, and where it belongs to it that of every word.
+QString meaning_of_key(const ProtocolKey& key);
 
 }  // namespace asperity

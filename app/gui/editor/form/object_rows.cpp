@@ -69,8 +69,9 @@ const PagePart* ObjectRows::part_of(std::string_view key) const {
 
 std::vector<FormEntry> ObjectRows::entries() const {
   const nlohmann::json* const object = value();
-  std::vector<FormEntry> entries = entries_of(
-      table_, object == nullptr || !object->is_object() ? kNoObject : *object, pointer());
+  std::vector<FormEntry> entries =
+      entries_of(table_, object == nullptr || !object->is_object() ? kNoObject : *object, pointer(),
+                 source().document().root());
   std::erase_if(entries, [this](const FormEntry& entry) {
     if (page_ != nullptr) return part_of(entry.key->name) == nullptr;
     return part_ != nullptr && !has_key(*part_, entry.key->name);
@@ -150,7 +151,7 @@ void ObjectRows::add_field(const FormEntry& entry) {
   QLabel* label = make_text(text_of_keys(entry.key->label), this);
   label->setFixedWidth(kLabelWidth);
   FormPart* field = make_field(context(), entry.key->shape, {entry.key}, entry.pointer, this);
-  const QString meaning = text_of_keys(meaning_of(*entry.key));
+  const QString meaning = meaning_of_key(*entry.key);
   field->set_meaning(meaning);
   label->setToolTip(meaning);
   label->setBuddy(field);
@@ -175,7 +176,7 @@ void ObjectRows::add_section(const FormEntry& entry) {
   auto* head = new QHBoxLayout();
   QLabel* label = page_ != nullptr ? make_heading(text_of_keys(entry.key->label), this)
                                    : make_text(text_of_keys(entry.key->label), this);
-  const QString meaning = text_of_keys(meaning_of(*entry.key));
+  const QString meaning = meaning_of_key(*entry.key);
   label->setToolTip(meaning);
   head->addWidget(label);
   head->addStretch();
@@ -202,7 +203,7 @@ void ObjectRows::add_key_button(const FormEntry& entry) {
   QPushButton* add =
       make_button(tr("+ %1").arg(text_of_keys(entry.key->label)), ButtonRole::link, this);
   add->setObjectName("add:" + text(entry.pointer));
-  add->setToolTip(text_of_keys(meaning_of(*entry.key)));
+  add->setToolTip(meaning_of_key(*entry.key));
   grid_->addWidget(add, grid_->rowCount(), kLabelColumn, 1, kColumns, Qt::AlignLeft);
   connect(add, &QPushButton::clicked, this, [this, entry] {
     context().opened.insert(entry.pointer);
@@ -217,9 +218,9 @@ void ObjectRows::add_key_button(const FormEntry& entry) {
 
 void ObjectRows::add_fold(std::size_t count) {
   const bool is_open = is_unfolded();
-  QPushButton* fold = make_button(is_open ? tr("Hide unset settings")
-                                          : tr("Further settings (%1)").arg(count),
-                                  ButtonRole::link, this);
+  QPushButton* fold =
+      make_button(is_open ? tr("Hide unset settings") : tr("Further settings (%1)").arg(count),
+                  ButtonRole::link, this);
   fold->setObjectName("fold:" + text(pointer()));
   grid_->addWidget(fold, grid_->rowCount(), kLabelColumn, 1, kColumns, Qt::AlignLeft);
   connect(fold, &QPushButton::clicked, this, [this, is_open] {

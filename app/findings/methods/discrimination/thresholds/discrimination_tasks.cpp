@@ -237,15 +237,15 @@ std::optional<DiscriminationTask> discrimination_task(const std::string& block_n
                                                       const Protocol::Block& block) {
   if (!block.vary || !block.vary->standard) return std::nullopt;
   const Protocol::TrialQuestionTemplate* const asked = judged_question(block);
-  if (asked == nullptr || block.design == nullptr) return std::nullopt;
+  if (asked == nullptr || block.design() == nullptr) return std::nullopt;
   DiscriminationTask task{
       .name = block_name,
       .question = asked->name,
       .prompt = asked->prompt,
-      .design = block.design,
-      .is_performance = asked->judgement == DiscriminationJudgement::performance,
+      .design = block.design(),
+      .is_performance = asked->judgement() == DiscriminationJudgement::performance,
       .is_sequential = block.arrangement.surfaces == Arrangement::Surfaces::sequential,
-      .asks_for = asked->asks_for,
+      .asks_for = asked->own_as<DiscriminationQuestion>()->asks_for,
       .varied = *block.vary,
       .has_levels_of_procedure = chooses_levels_from_answers(block)};
   task.varied.unit = unit_of_parameter(task.varied.parameter);
@@ -260,8 +260,7 @@ bool is_hit_response(const DiscriminationTask& task, std::size_t comparisons,
 
 bool counts_standard(const DiscriminationTask& task, double trend) {
   return !task.is_performance &&
-         (task.asks_for ? task.asks_for == Protocol::TrialQuestionTemplate::AsksFor::less
-                        : trend < 0.0);
+         (task.asks_for ? task.asks_for == DiscriminationQuestion::AsksFor::less : trend < 0.0);
 }
 
 std::vector<DiscriminationStudy> discrimination_studies(const GatheredAnswers& gathered) {

@@ -13,7 +13,7 @@
 #include "analysis/numbers/proportion.h"
 #include "app/findings/gathering/gathered_answers.h"
 #include "protocols/design/dimension.h"
-#include "protocols/design/discrimination_design.h"
+#include "protocols/kind_keys/discrimination_design.h"
 
 namespace asperity {
 
@@ -30,7 +30,7 @@ struct DiscriminationTask {
   /// that on the left or in front, or the one that the participant knows as A.
   bool is_sequential = true;
   /// Of a comparison: whether the question asks for less of the parameter, as the protocol states; nothing if it does not.
-  std::optional<Protocol::TrialQuestionTemplate::AsksFor> asks_for{};
+  std::optional<DiscriminationQuestion::AsksFor> asks_for{};
   Dimension varied{};  ///< with the unit of the parameter and the value of the standard
   /// Whether a procedure chose the levels of the block with `name`; proportions over such levels depend on the procedure and are
   /// never reported.

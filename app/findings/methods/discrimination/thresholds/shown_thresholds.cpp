@@ -108,7 +108,7 @@ void add_lapse(const GatheredAnswers& gathered, const TabulatedQuestion& asked,
 ShownParameters shown_discrimination_parameters(const GatheredAnswers& gathered,
                                                 const TabulatedQuestion& asked) {
   ShownParameters shown{};
-  if (asked.block.design != &two_alternatives()) return shown;
+  if (asked.block.design() != &two_alternatives()) return shown;
   for (DiscriminationStudy& study : discrimination_studies(gathered)) {
     std::erase_if(study.trials, [&](const DiscriminationTrial& trial) {
       return gathered.word(trial.block) != asked.block.name;

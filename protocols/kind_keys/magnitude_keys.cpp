@@ -1,9 +1,10 @@
-// Defines the keys of "estimation".
+// Defines the keys of the analysis of estimates.
+
+#include "protocols/kind_keys/magnitude_keys.h"
 
 #include "analysis/numbers/number_text.h"
-#include "protocols/keys/common_shapes.h"
-#include "protocols/keys/keys_of.h"
-#include "protocols/keys/tables.h"
+#include "protocols/shapes/common_shapes.h"
+#include "protocols/shapes/keys_of.h"
 
 namespace asperity {
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
@@ -15,9 +16,8 @@
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 
-#include "protocols/design/protocol.h"
-#include "protocols/keys/key.h"
-#include "protocols/keys/valid_part.h"
+#include "protocols/shapes/binding.h"
+#include "protocols/shapes/key.h"
 
 namespace asperity {
 
@@ -125,7 +125,7 @@ nlohmann::json standard_value(const ShapeOfValue&, const Value&) {
 template <NumberMember Number>
 nlohmann::json standard_value(const NumberShape& shape, const Number& member) {
   // A number that the key does not permit stands for the absence of the key.
-  return valid_part(member, shape, "", "").value.value_or(nullptr);
+  return lies_within(shape, static_cast<double>(member)) ? nlohmann::json(member) : nullptr;
 }
 inline nlohmann::json standard_value(const TruthShape&, const bool& member) { return member; }
 template <WordMember Value>
@@ -332,10 +332,11 @@ consteval KeyOf<Owner> required_key(KeyOf<Owner> row) {
   row.is_required = true;
   return row;
 }
-/// A key that is permitted only together with another one.
-template <class Owner>
-consteval KeyOf<Owner> needing(std::string_view other, KeyOf<Owner> row) {
-  row.needs = other;
+/// A key that applies where all of the conditions hold.
+template <class Owner, class... Conditions>
+requires(sizeof...(Conditions) > 0) consteval KeyOf<Owner> when(KeyOf<Owner> row,
+                                                                const Conditions&... conditions) {
+  row.conditions = {conditions...};
   return row;
 }
 /// A key of one alternative of a variant, which its value makes the current one.
@@ -350,6 +351,13 @@ consteval KeyOf<Variant> alternative_of(const KeyOf<Alternative>& row) {
     return &std::get<Alternative>(variant);
   };
   return made;
+}
+/// A key whose meaning includes those of its words.
+template <class Owner>
+consteval KeyOf<Owner> listing_words(KeyOf<Owner> row) {
+  (void)std::get<WordShape>(row.shape);
+  row.lists_words = true;
+  return row;
 }
 /// A key whose default is not the value of its member.
 template <class Owner>
@@ -380,6 +388,27 @@ consteval KeysOf<Owner, N> in_part(const KeysOf<Part, N>& keys, void* (*part)(vo
   KeysOf<Owner, N> made{keys.rows};
   for (ProtocolKey& row : made.rows) row.part = part;
   return made;
+}
+/// Rows that kinds of experiment own.
+template <class Owner, std::size_t N>
+consteval KeysOf<Owner, N> owned_by(std::initializer_list<std::string_view> kinds,
+                                    KeysOf<Owner, N> keys) {
+  for (ProtocolKey& row : keys.rows) {
+    KeyCondition* free = row.conditions.begin();
+    while (!free->key.empty()) ++free;
+    *free = of_kinds(kinds);
+  }
+  return keys;
+}
+/// The rows of one alternative of a variant, for the table of the object that has the variant: a value of such a key makes
+/// the alternative the current one. `variant_of` finds the variant in the owner.
+template <class Owner, auto variant_of, class Alternative, std::size_t N>
+consteval KeysOf<Owner, N> own_keys(const KeysOf<Alternative, N>& keys) {
+  return in_part<Owner>(keys, [](void* owner) -> void* {
+    auto& variant = variant_of(owner);
+    if (!std::holds_alternative<Alternative>(variant)) variant.template emplace<Alternative>();
+    return &std::get<Alternative>(variant);
+  });
 }
 template <class Owner, std::size_t N, std::size_t M>
 consteval auto joined(const KeysOf<Owner, N>& first, const KeysOf<Owner, M>& second) {

@@ -2,6 +2,10 @@
 
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,9 +13,56 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "protocols/keys/shape.h"
+#include "protocols/shapes/shape.h"
 
 namespace asperity {
+
+/// What has to hold where a key is stated: another key has one of several values.
+struct KeyCondition {
+  enum class Of {
+    object,  ///< the object that has the key
+    around,  ///< the nearest object around that one that has the other key
+    /// The kind of experiment of the block, or any kind of the protocol. It holds for an additional question, which no kind
+    /// owns. The default of the key is permitted with every kind: it is equivalent to the absence of the key.
+    kind,
+  };
+  static constexpr std::size_t kMostValues = 6;
+
+  std::string_view key{};  ///< empty: no condition
+  Of of = Of::object;
+  /// Words, and `kAbsent` where the other key may be absent. None: the other key is present.
+  std::array<std::string_view, kMostValues> listed{};
+  std::size_t count = 0;
+
+  constexpr KeyCondition() = default;
+  constexpr KeyCondition(std::string_view other,
+                         std::initializer_list<std::string_view> values = {}, Of where = Of::object)
+      : key(other), of(where), count(values.size()) {
+    std::copy(values.begin(), values.end(), listed.begin());
+  }
+  constexpr std::span<const std::string_view> values() const { return {listed.data(), count}; }
+};
+/// The value of a key that is not stated.
+inline constexpr std::string_view kAbsent{};
+
+/// The other key is present, or absent, or has one of the values.
+constexpr KeyCondition with(std::string_view key) { return {key}; }
+constexpr KeyCondition without(std::string_view key) { return {key, {kAbsent}}; }
+constexpr KeyCondition where(std::string_view key, std::initializer_list<std::string_view> values) {
+  return {key, values};
+}
+/// The same of the nearest object around that has the other key.
+constexpr KeyCondition where_around(std::string_view key,
+                                    std::initializer_list<std::string_view> values) {
+  return {key, values, KeyCondition::Of::around};
+}
+/// The kinds of experiment that own a key.
+constexpr KeyCondition of_kinds(std::initializer_list<std::string_view> kinds) {
+  return {"kind", kinds, KeyCondition::Of::kind};
+}
+
+/// Whether a condition on the object itself holds; true for others.
+bool holds_in(const KeyCondition& condition, const nlohmann::json& object);
 
 /// A key of an object. Rows are written with `member_key`, `inner_key` and `entry_key` (keys_of.h), which derive `store`
 /// and `standard` from the member that receives the value.
@@ -20,8 +71,10 @@ struct ProtocolKey {
   std::string_view label{};    ///< of its field in a form
   std::string_view meaning{};  ///< see `meaning_of`
   ValueShape shape{};
+  bool lists_words = false;  ///< the meanings of its words belong to its meaning
   bool is_required = false;
-  std::string_view needs{};  ///< another key of the object without which this one is not permitted
+  /// When the key applies: if all of them hold. It is not permitted elsewhere, and forms do not offer it there.
+  std::array<KeyCondition, 3> conditions{};
   /// The default that is computed from something else, in words: "95 % of `device.rate_Hz`". Empty: the default is that
   /// of the member, if there is one.
   std::string_view computed_default{};
@@ -41,6 +94,8 @@ nlohmann::json default_of(const ProtocolKey& key);
 /// ends with a full stop.
 std::string_view meaning_of(const ValueShape& shape, std::string_view own);
 std::string_view meaning_of(const ProtocolKey& key);
+/// The meaning, and where it belongs to it that of every word: "The kind. rating: …; matching: …."
+std::string full_meaning_of(const ProtocolKey& key);
 
 /// The shape that applies to a value: of several forms that of its type; of a value that can be bound that of the
 /// binding, an object, or that of the value. Null if the value has none of their types.

@@ -4,7 +4,8 @@
 
 #include <array>
 
-#include "protocols/keys/shape.h"
+#include "protocols/shapes/key.h"
+#include "protocols/shapes/shape.h"
 
 namespace asperity {
 
@@ -31,6 +32,11 @@ inline constexpr NameShape kFactorName{kFactorNames};
 inline constexpr MapShape kSomeLevels{
     .entry = &kLevelShape, .meaning = kLevelMeaning, .key = kFactorName, .shortest = 1};
 
+/// A question that states its form is additional: it is not that of the kind of experiment. A scale is analysed with the
+/// kind, whether it states its form or not.
+inline constexpr KeyCondition kOfTheKind = without("form");
+inline constexpr KeyCondition kScaleOfTheKind{"form", {kAbsent, "scale"}};
+
 /// The ids of the kinds of experiment (protocols/kinds/experiment_kind.h).
 inline constexpr std::array<KeyWord, 8> kKinds{
     {{"selection", 0, "the most realistic of several renderings is chosen"},
@@ -43,6 +49,17 @@ inline constexpr std::array<KeyWord, 8> kKinds{
       "a standard and a comparison that differs from it in one parameter are felt, and one of the "
       "two is chosen"},
      {"similarity", 0, "the dissimilarity of two felt surfaces is rated"}}};
+
+// The kinds that permit a key.
+inline constexpr KeyCondition kWithPairs =  // "all_pairs"
+    of_kinds({"selection", "paired_comparison", "similarity"});
+inline constexpr KeyCondition kWithPictures = of_kinds({"matching", "recognition"});
+inline constexpr KeyCondition kWithCannotTell =
+    of_kinds({"selection", "recognition", "discrimination"});
+inline constexpr KeyCondition kWithWords = of_kinds({"discrimination"});  // "options"
+inline constexpr KeyCondition kWithCorrectFactor = of_kinds({"recognition"});
+inline constexpr KeyCondition kWithRealism = of_kinds({"selection", "paired_comparison"});
+inline constexpr KeyCondition kWithProportions = of_kinds({"matching", "recognition"});
 
 inline constexpr NumberShape kStiffness{.above = 0.0, .maximum = 10'000.0, .unit = "N/m"};
 inline constexpr NumberShape kFriction{.minimum = 0.0, .maximum = 2.0};

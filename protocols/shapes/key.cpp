@@ -1,6 +1,6 @@
 // Implements the properties of keys and shapes, and the reading of the keys of a table.
 
-#include "protocols/keys/key.h"
+#include "protocols/shapes/key.h"
 
 #include <algorithm>
 #include <string>
@@ -23,6 +23,16 @@ bool is_name(std::string_view text) {
   });
 }
 
+bool holds_in(const KeyCondition& condition, const nlohmann::json& object) {
+  if (condition.key.empty() || condition.of != KeyCondition::Of::object) return true;
+  const auto found = object.find(condition.key);
+  if (condition.count == 0) return found != object.end();
+  if (found != object.end() && !found->is_string())
+    return !std::ranges::equal(condition.values(), std::array{kAbsent});
+  const std::string value = found == object.end() ? std::string() : found->get<std::string>();
+  return std::ranges::find(condition.values(), value) != condition.values().end();
+}
+
 bool lies_within(const NumberShape& shape, double number) {
   return (!shape.minimum || number >= *shape.minimum) && (!shape.above || number > *shape.above) &&
          (!shape.maximum || number <= *shape.maximum) && (!shape.below || number < *shape.below);
@@ -40,6 +50,17 @@ std::string_view meaning_of(const ValueShape& shape, std::string_view own) {
 }
 
 std::string_view meaning_of(const ProtocolKey& key) { return meaning_of(key.shape, key.meaning); }
+
+std::string full_meaning_of(const ProtocolKey& key) {
+  std::string meaning(meaning_of(key));
+  if (!key.lists_words) return meaning;
+  std::string words{};
+  for (const KeyWord& word : std::get<WordShape>(key.shape).words) {
+    words +=
+        (words.empty() ? " " : "; ") + std::string(word.name) + ": " + std::string(word.meaning);
+  }
+  return meaning + words + '.';
+}
 
 nlohmann::json default_of(const ProtocolKey& key) {
   if (key.is_required || !key.computed_default.empty()) return nullptr;

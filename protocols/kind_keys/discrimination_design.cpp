@@ -1,6 +1,6 @@
 // Holds the table of designs with their trials, roles and responses.
 
-#include "protocols/design/discrimination_design.h"
+#include "protocols/kind_keys/discrimination_design.h"
 
 #include <algorithm>
 
