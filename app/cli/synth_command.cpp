@@ -56,12 +56,11 @@ void add_synth(CLI::App& program, Job& job) {
                    "The height field, FILE.png (its sidecar is FILE.png.json)")
       ->required();
   command->add_option("--param", options->parameters, "Parameter of the kind, NAME=VALUE");
-  command->add_option("--width-m", options->canvas.width_m, "Side of the square")
+  const std::vector<Parameter> canvas = canvas_parameters();
+  command->add_option("--width-m", options->canvas.width_m, canvas[0].meaning)
       ->capture_default_str();
-  command->add_option("--pixels", options->canvas.pixels, "Samples per side")
-      ->capture_default_str();
-  command->add_option("--seed", options->canvas.seed, "Seed of all random numbers")
-      ->capture_default_str();
+  command->add_option("--pixels", options->canvas.pixels, canvas[1].meaning)->capture_default_str();
+  command->add_option("--seed", options->canvas.seed, canvas[2].meaning)->capture_default_str();
   command
       ->add_option("--photo", options->photograph,
                    "Also write a synthetic photograph of the surface: bright_height, lambert or "

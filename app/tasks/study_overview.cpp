@@ -154,6 +154,20 @@ std::set<std::string> declared_assets_of(const std::vector<ProtocolFile>& protoc
   return assets;
 }
 
+/// Those that note the rendering with their surfaces.
+std::vector<std::string> protocols_with_rendering(const std::vector<ProtocolFile>& protocols,
+                                                  const std::string& name) {
+  std::vector<std::string> names{};
+  for (const auto& [file, protocol] : protocols) {
+    for (const std::string& rendering : renderings_in(protocol.source)) {
+      if (rendering != name) continue;
+      names.push_back(protocol.name);
+      break;
+    }
+  }
+  return names;
+}
+
 /// Protocols and the names of their bodies that are shapes.
 std::vector<std::pair<const Protocol*, std::string>> shapes_of(
     const std::vector<ProtocolFile>& protocols) {
@@ -412,6 +426,9 @@ std::vector<StimulusOverview> stimulus_overviews(const std::filesystem::path& st
       stimulus.kind = StimulusKind::textured_mesh;
     } else if (assets.contains(stimulus.path)) {
       stimulus.kind = StimulusKind::asset;
+    } else if (is_rendering(file)) {
+      stimulus.kind = StimulusKind::rendering;
+      stimulus.used_by = protocols_with_rendering(protocols, rendering_name(file));
     } else {
       continue;
     }
@@ -420,6 +437,12 @@ std::vector<StimulusOverview> stimulus_overviews(const std::filesystem::path& st
     }
     add(std::move(stimulus), [&](StimulusOverview& own) -> std::shared_ptr<const TexturedMesh> {
       if (own.kind == StimulusKind::asset) return {};  // only its models can read it
+      if (own.kind == StimulusKind::rendering) {
+        const Rendering rendering = load_rendering(file);
+        own.model = rendering.model;
+        own.remarks = remarks_about(rendering, models, study);
+        return {};
+      }
       if (own.kind != StimulusKind::textured_mesh) {
         look_into(own, file, relief_rows);
         return {};

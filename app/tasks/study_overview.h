@@ -15,6 +15,7 @@
 #include <glm/vec3.hpp>
 
 #include "app/tasks/protocol_files.h"
+#include "app/tasks/rendering_use.h"
 #include "device/device_capability.h"
 #include "renderers/force/force_model.h"
 #include "results_schema/study.h"
@@ -128,6 +129,7 @@ struct StimulusOverview {
     textured_mesh,
     shape,
     asset,  ///< of a role that force models declare
+    rendering,
   };
   /// Study-relative; for a shape the protocol's name and the body's, "tools_matching/fine".
   std::string path{};
@@ -147,9 +149,13 @@ struct StimulusOverview {
   glm::dvec3 size_m{0.0};     ///< of the box around it
   std::string source_name{};  ///< for a mesh: the file from which it was baked
   std::optional<Shape> shape{};
+  // Of a rendering:
+  std::string model{};
+  RenderingRemarks remarks{};
 
-  std::vector<std::string> used_by{};  ///< names of protocols
-  std::string problem{};               ///< why it cannot be used; empty when it can
+  /// Names of protocols; of a rendering those with its values, which do not depend on it.
+  std::vector<std::string> used_by{};
+  std::string problem{};  ///< why it cannot be used; empty when it can
 };
 /// Receives every body while it is in memory, with its index in the list: the textures of many
 /// bodies would need too much memory.
@@ -157,7 +163,7 @@ using BodySeen = std::function<void(std::size_t, const std::shared_ptr<const Tex
 /// The number of surfaces, without their pictures; reads no picture and makes no body.
 int count_stimuli(const std::filesystem::path& study, const ModelRegistry& models);
 /// Files by path, then shapes by protocol and name, of protocols without a problem. Files that are
-/// neither pictures nor height fields nor textured meshes are omitted.
+/// neither pictures nor height fields nor textured meshes nor renderings are omitted.
 std::vector<StimulusOverview> stimulus_overviews(const std::filesystem::path& study,
                                                  const ModelRegistry& models,
                                                  std::size_t relief_rows,

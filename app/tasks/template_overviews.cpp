@@ -28,21 +28,6 @@ std::string text_in(const LibraryProtocol& protocol, const std::string& language
   return std::string(protocol.text);
 }
 
-/// "Brick wall-2" → "brick_wall_2"
-std::string as_name(const std::string& stem) {
-  std::string name{};
-  for (const char c : stem) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool is_plain = byte < 0x80U && std::isalnum(byte) != 0;
-    name += is_plain ? static_cast<char>(std::tolower(byte)) : '_';
-  }
-  if (name.empty() || std::isalpha(static_cast<unsigned char>(name.front())) == 0) {
-    name.insert(0, "texture_");
-  }
-  constexpr std::size_t kForANumber = 4;  // that distinguishes equal names
-  return name.substr(0, kMaximumNameLength - kForANumber);
-}
-
 /// The study-relative file of the photograph that the relief was made from; empty if the study has none.
 std::string photograph_of(const std::filesystem::path& stimuli, const std::filesystem::path& png) {
   std::vector<std::string> names{png.stem().string() + "_photo.png"};
@@ -61,6 +46,20 @@ std::string photograph_of(const std::filesystem::path& stimuli, const std::files
 }
 
 }  // namespace
+
+std::string name_in_protocol(const std::string& stem) {
+  std::string name{};
+  for (const char c : stem) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain = byte < 0x80U && std::isalnum(byte) != 0;
+    name += is_plain ? static_cast<char>(std::tolower(byte)) : '_';
+  }
+  if (name.empty() || std::isalpha(static_cast<unsigned char>(name.front())) == 0) {
+    name.insert(0, "texture_");
+  }
+  constexpr std::size_t kForANumber = 4;  // that distinguishes equal names
+  return name.substr(0, kMaximumNameLength - kForANumber);
+}
 
 std::vector<TemplateOverview> template_overviews(const ModelRegistry& models,
                                                  const std::string& language,
@@ -92,7 +91,7 @@ std::vector<OwnTexture> reliefs_of_study(const std::filesystem::path& study) {
   std::sort(files.begin(), files.end());
   std::vector<std::string> names{};
   for (const std::filesystem::path& file : files) {
-    names.push_back(free_name(names, as_name(file.stem().string())));
+    names.push_back(free_name(names, name_in_protocol(file.stem().string())));
     reliefs.push_back(
         {names.back(), "stimuli/" + file.filename().string(), photograph_of(stimuli, file)});
   }

@@ -26,6 +26,9 @@ std::vector<TemplateOverview> template_overviews(const ModelRegistry& models,
                                                  const std::string& language,
                                                  const std::stop_token& stop);
 
+/// The stem of a file as a name of a protocol, to which a number can be added: "Brick wall-2" → "brick_wall_2".
+std::string name_in_protocol(const std::string& stem);
+
 /// The height fields in `stimuli/`, by file, each with the photograph that it was made from if the study has it. True reliefs of the
 /// demonstration are left out. Names are those of the files as names of a protocol.
 ///

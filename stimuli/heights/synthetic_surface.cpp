@@ -20,7 +20,11 @@ std::vector<SurfaceMaker> all_makers() {
 }
 
 constexpr double kFewestSamples = 8.0;  // of a wave
-constexpr double kWholeWaves = 1e-3;    // of a wave: a smaller seam is rounding
+constexpr double kNarrowest_m = 1e-3;
+constexpr double kWidest_m = 1.0;
+constexpr std::size_t kFewestPixels = 16;
+constexpr std::size_t kMostPixels = 8192;
+constexpr double kWholeWaves = 1e-3;  // of a wave: a smaller seam is rounding
 
 // Rounded to nanometres, without the last bits of a division.
 std::string length_text(double length_m) {
@@ -127,13 +131,31 @@ std::vector<SurfaceDeclaration> synthetic_surfaces() {
   return declarations;
 }
 
+std::vector<Parameter> canvas_parameters() {
+  constexpr double kGreatestSeed = 9007199254740991.0;  // the whole numbers of a double
+  const SurfaceCanvas usual{};
+  return {number_parameter("width_m", "m", kNarrowest_m, kWidest_m, usual.width_m,
+                           "Side of the square"),
+          integer_parameter("pixels", kFewestPixels, kMostPixels, static_cast<double>(usual.pixels),
+                            "Samples per side"),
+          integer_parameter("seed", 0.0, kGreatestSeed, static_cast<double>(usual.seed),
+                            "Seed of all random numbers")};
+}
+
+SurfaceCanvas canvas_with(const ParameterValues& values) {
+  const ParameterValues complete = complete_values("the canvas", canvas_parameters(), values);
+  return {.width_m = number_of(complete, "width_m"),
+          .pixels = static_cast<std::size_t>(number_of(complete, "pixels")),
+          .seed = static_cast<std::uint64_t>(number_of(complete, "seed"))};
+}
+
 HeightField make_surface(std::string_view kind, const ParameterValues& values,
                          const SurfaceCanvas& canvas) {
-  if (!(canvas.width_m >= 1e-3 && canvas.width_m <= 1.0)) {
+  if (!(canvas.width_m >= kNarrowest_m && canvas.width_m <= kWidest_m)) {
     throw std::invalid_argument("width_m is " + number_text(canvas.width_m) +
                                 " m; it must be from 0.001 to 1 m.");
   }
-  if (canvas.pixels < 16 || canvas.pixels > 8192) {
+  if (canvas.pixels < kFewestPixels || canvas.pixels > kMostPixels) {
     throw std::invalid_argument("pixels is " + std::to_string(canvas.pixels) +
                                 "; it must be from 16 to 8192 per side.");
   }

@@ -17,6 +17,11 @@ namespace asperity {
 /// and the direction of their relief, so that each is recognised by a stroke along x.
 std::vector<SurfaceDeclaration> synthetic_surfaces();
 
+/// The width, the samples and the seed of a canvas as parameters, with the values of a new one as defaults.
+std::vector<Parameter> canvas_parameters();
+/// The canvas with these values; what they leave out has its default. Errors: as `complete_values`.
+SurfaceCanvas canvas_with(const ParameterValues& values);
+
 /// The surface of that kind; `values` may leave parameters to their defaults.
 ///
 /// Every surface repeats without a seam under Tiling::repeat, those with a regular spacing if

@@ -2,6 +2,7 @@
 
 #include "app/gui/base/command_lines.h"
 
+#include "analysis/numbers/number_text.h"
 #include "app/device_bench/device_choice.h"
 #include "app/words/shell_word.h"
 
@@ -121,6 +122,23 @@ std::string analyze_line(const std::filesystem::path& study,
   CommandLine line("analyze");
   line.word(study.string());
   if (protocol) line.option("--protocol", *protocol);
+  return line.text();
+}
+
+std::string synth_line(const std::string& kind, const ParameterValues& given,
+                       const SurfaceCanvas& canvas, const std::filesystem::path& out) {
+  CommandLine line("synth");
+  line.word(kind).option("--out", out.string());
+  for (const auto& [name, value] : given) {
+    const double* const number = std::get_if<double>(&value);
+    line.option(
+        "--param",
+        name + '=' + (number != nullptr ? number_text(*number) : std::get<std::string>(value)));
+  }
+  const SurfaceCanvas usual{};
+  if (canvas.width_m != usual.width_m) line.option("--width-m", number_text(canvas.width_m));
+  if (canvas.pixels != usual.pixels) line.option("--pixels", std::to_string(canvas.pixels));
+  if (canvas.seed != usual.seed) line.option("--seed", std::to_string(canvas.seed));
   return line.text();
 }
 

@@ -10,6 +10,7 @@
 #include "app/exports/export_options.h"
 #include "app/tasks/run_session.h"
 #include "app/tasks/simulation/simulation.h"
+#include "stimuli/heights/surface_declaration.h"
 
 namespace asperity {
 
@@ -26,6 +27,9 @@ std::string run_line(const RunInputs& inputs, const std::vector<std::filesystem:
 /// `protocol`: its name; without one, of all protocols.
 std::string analyze_line(const std::filesystem::path& study,
                          const std::optional<std::string>& protocol);
+/// `out`: the PNG. Of the canvas and the values those are written that are not the defaults of the kind.
+std::string synth_line(const std::string& kind, const ParameterValues& given,
+                       const SurfaceCanvas& canvas, const std::filesystem::path& out);
 std::string report_line(const std::filesystem::path& study, const std::filesystem::path& out);
 std::string export_line(const std::filesystem::path& study, const std::filesystem::path& out,
                         const ExportOptions& options);

@@ -252,6 +252,28 @@ void ProtocolEditorPage::open(const std::filesystem::path& protocol) {
   views_->give_focus();
 }
 
+void ProtocolEditorPage::open_changed(const std::filesystem::path& protocol,
+                                      const std::string& before, const std::string& after,
+                                      const QString& news) {
+  if (protocol != file_ && !may_leave([this, protocol, before, after, news] {
+        open_changed(protocol, before, after, news);
+      })) {
+    return;
+  }
+  open(protocol);
+  if (protocol != file_) return;  // the banner states why
+  views_->commit();
+  if (as_it_is_ || content() != before) {
+    banner().show_news(State::look, tr("The protocol has changed meanwhile and was left as it is. "
+                                       "Choose the rendering again."));
+    return;
+  }
+  QString shown = text(after);
+  if (dos_lines_) shown.replace("\r\n", "\n");
+  edit_->replace_text(shown);
+  banner().show_news(State::fine, news);
+}
+
 bool ProtocolEditorPage::has_unsaved_changes() const {
   return !file_.empty() && edit_->document()->isModified();
 }
@@ -316,10 +338,10 @@ void ProtocolEditorPage::show_whether_saved() {
   const bool can_write = study().can_be_written();
   save_->setEnabled(changed && !saving && !as_it_is_ && can_write);
   note_->show_text(!can_write  ? tr("This study is read-only")
-                 : as_it_is_ ? tr("Cannot be edited here")
-                 : saving    ? tr("Saving…")
-                 : changed   ? tr("● Unsaved changes")
-                             : tr("No unsaved changes"));
+                   : as_it_is_ ? tr("Cannot be edited here")
+                   : saving    ? tr("Saving…")
+                   : changed   ? tr("● Unsaved changes")
+                               : tr("No unsaved changes"));
 }
 
 // What the text is checked against may have changed meanwhile: the files and the sessions of the study.

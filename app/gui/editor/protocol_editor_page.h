@@ -39,6 +39,9 @@ class ProtocolEditorPage final : public StudyPage {
 
   /// Shows the file; asks first when there are unsaved changes of another.
   void open(const std::filesystem::path& protocol);
+  /// The same, then `after` in place of the text `before`, as one step of the undo that is not saved. `news` is shown.
+  void open_changed(const std::filesystem::path& protocol, const std::string& before,
+                    const std::string& after, const QString& news);
   /// Empty while none is open.
   const std::filesystem::path& file() const noexcept { return file_; }
   bool has_unsaved_changes() const;

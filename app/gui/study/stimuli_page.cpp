@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <utility>
 #include <variant>
 
 #include <QtCore/QFileSystemWatcher>
@@ -16,7 +17,10 @@
 
 #include "app/gui/base/study_table.h"
 #include "app/gui/look/words.h"
+#include "app/gui/look/wrapped_buttons.h"
 #include "app/gui/scene/body_picture.h"
+#include "app/gui/study/copy_stimuli_dialog.h"
+#include "app/gui/study/stimulus_actions.h"
 
 namespace asperity {
 
@@ -39,7 +43,10 @@ QImage image_of(const GreyImage& grey) {
 
 /// Of a file that is no body.
 QImage picture_of(const std::filesystem::path& study, const StimulusOverview& stimulus) {
-  if (!stimulus.problem.empty() || stimulus.kind == StimulusOverview::Kind::asset) return {};
+  if (!stimulus.problem.empty() || stimulus.kind == StimulusOverview::Kind::asset ||
+      stimulus.kind == StimulusOverview::Kind::rendering) {
+    return {};
+  }
   if (stimulus.kind == StimulusOverview::Kind::height_field) return image_of(stimulus.relief);
   QImageReader reader(QString::fromStdString((study / stimulus.path).string()));
   reader.setScaledSize(reader.size().scaled(2 * kPicture, 2 * kPicture, Qt::KeepAspectRatio));
@@ -91,6 +98,8 @@ QString kind_of(const StimulusOverview& stimulus) {
       return StimuliPage::tr("%1 of %2 triangles").arg(shape_name(*stimulus.shape), triangles);
     case Kind::asset:
       return StimuliPage::tr("data file");
+    case Kind::rendering:
+      return StimuliPage::tr("rendering (%1)").arg(QString::fromStdString(stimulus.model));
   }
   return StimuliPage::tr("picture");
 }
@@ -112,7 +121,7 @@ QStandardItem* size_cell(const StimulusOverview& stimulus) {
 }
 
 QStandardItem* pixels_cell(const StimulusOverview& stimulus) {
-  if (stimulus.kind == StimulusOverview::Kind::asset) return empty_number_cell();
+  if (stimulus.columns == 0) return empty_number_cell();
   return number_cell(StimuliPage::tr("%1 × %2").arg(stimulus.columns).arg(stimulus.rows),
                      static_cast<double>(stimulus.columns * stimulus.rows));
 }
@@ -126,12 +135,18 @@ QStandardItem* maybe_number_cell(bool there, double value, int decimals) {
 StimuliPage::StimuliPage(OpenStudy& study, QWidget* parent)
     : StudyPage(study, tr("Stimuli"), parent) {
   setObjectName("stimuli_page");
-  set_empty_state(new EmptyState(
+  auto* empty = new EmptyState(
       tr("No stimuli yet"),
       tr("Stimuli are pictures, height fields and textured meshes in the study's folder “stimuli”, "
-         "and the bodies of its protocols. Make one from a photograph on the Workbench page, or "
-         "copy files into the folder: they appear here at once."),
-      this));
+         "and the bodies of its protocols. Make one from a photograph on the Workbench page, "
+         "compute "
+         "one, or copy files into the folder: they appear here at once."),
+      this);
+  QPushButton* first = empty->add_action(tr("Compute a texture…"), ButtonRole::plain,
+                                         [this] { emit generate_wanted(); });
+  QPushButton* second = empty->add_action(tr("Copy from another study…"), ButtonRole::plain,
+                                          [this] { copy_from_study(); });
+  set_empty_state(empty);
   filter_ = new QLineEdit(this);
   filter_->setObjectName("stimuli_filter");
   filter_->setAccessibleName(tr("Filter"));
@@ -139,6 +154,19 @@ StimuliPage::StimuliPage(OpenStudy& study, QWidget* parent)
   filter_->setClearButtonEnabled(true);
   filter_->setFixedWidth(280);
   head().addWidget(filter_);
+  auto* made = new WrappedButtons(this);
+  QPushButton* generate = make_button(tr("Compute a texture…"), ButtonRole::plain, made);
+  generate->setObjectName("stimuli_generate");
+  generate->setToolTip(tr("A grating, noise, cones or another surface with known heights"));
+  QPushButton* copy = make_button(tr("Copy from another study…"), ButtonRole::plain, made);
+  copy->setObjectName("stimuli_copy");
+  made->set_buttons({generate, copy});
+  for (QPushButton* const button : {first, second, generate, copy}) {
+    button->setEnabled(study.can_be_written());
+  }
+  body().addWidget(made);
+  connect(generate, &QPushButton::clicked, this, &StimuliPage::generate_wanted);
+  connect(copy, &QPushButton::clicked, this, &StimuliPage::copy_from_study);
 
   using Align = StudyTable::Align;
   table_ = new StudyTable({{tr("Name"), 208, Align::text},
@@ -157,6 +185,18 @@ StimuliPage::StimuliPage(OpenStudy& study, QWidget* parent)
   table_->setIconSize({kPicture, kPicture});
   table_->verticalHeader()->setMinimumSectionSize(kPicture + kGrid);
   body().addWidget(table_, 1);
+  actions_ = new StimulusActions(study, this);
+  body().addWidget(actions_);
+  connect(table_, &StudyTable::row_selected, this, &StimuliPage::show_selected);
+  connect(actions_, &StimulusActions::open_wanted, this, &StimuliPage::open_wanted);
+  connect(actions_, &StimulusActions::use_wanted, this, &StimuliPage::use_wanted);
+  connect(actions_, &StimulusActions::changed, this, [this](const QString& path) {
+    banner().hide();
+    select_next_ = path;
+    this->study().announce_change();
+  });
+  connect(actions_, &StimulusActions::refused, this,
+          [this](const QString& why) { banner().show_news(State::look, why); });
   connect(filter_, &QLineEdit::textChanged, table_, &StudyTable::set_filter);
 
   const std::filesystem::path& folder = study.folder();
@@ -176,9 +216,29 @@ StimuliPage::StimuliPage(OpenStudy& study, QWidget* parent)
       [this](const std::vector<Shown>& stimuli) { show_stimuli(stimuli); });
 }
 
-void StimuliPage::show_stimuli(const std::vector<Shown>& stimuli) {
+void StimuliPage::copy_from_study() {
+  auto* dialog = new CopyStimuliDialog(study(), this);
+  connect(dialog, &CopyStimuliDialog::copied, this, [this](int stimuli) {
+    banner().show_news(State::fine, tr("%n stimuli were copied.", nullptr, stimuli));
+    study().announce_change();
+  });
+  dialog->open();
+}
+
+void StimuliPage::select_later(const QString& path) { select_next_ = path; }
+
+void StimuliPage::show_selected() {
+  const QString key = table_->selected_key();
+  const auto found = std::find_if(stimuli_.begin(), stimuli_.end(), [&key](const Shown& shown) {
+    return text(shown.stimulus.path) == key;
+  });
+  actions_->set_stimulus(found == stimuli_.end() ? nullptr : &found->stimulus);
+}
+
+void StimuliPage::show_stimuli(std::vector<Shown> stimuli) {
+  stimuli_ = std::move(stimuli);
   std::vector<StudyTable::Row> rows{};
-  for (const auto& [stimulus, picture] : stimuli) {
+  for (const auto& [stimulus, picture] : stimuli_) {
     const QString path = QString::fromStdString(stimulus.path);
     // A shape has no file; its protocol stands under "Used by".
     QStandardItem* name = text_cell(path.mid(path.indexOf('/') + 1));
@@ -189,6 +249,13 @@ void StimuliPage::show_stimuli(const std::vector<Shown>& stimuli) {
     }
     if (!stimulus.problem.empty()) {
       kind = text_cell(tr("▲ %1").arg(QString::fromStdString(stimulus.problem)));
+      kind->setForeground(theme().look);
+    }
+    const RenderingRemarks& remarks = stimulus.remarks;
+    const std::vector<Phrase>& sentences =
+        remarks.problems.empty() ? remarks.warnings : remarks.problems;
+    if (!sentences.empty()) {
+      kind->setText(tr("▲ %1").arg(words_of(sentences.front())));
       kind->setForeground(theme().look);
     }
     QStringList users{};
@@ -203,7 +270,9 @@ void StimuliPage::show_stimuli(const std::vector<Shown>& stimuli) {
           text_cell(users.isEmpty() ? tr("no protocol") : users.join(", "))}});
   }
   table_->fill(rows);
-  show_empty(stimuli.empty());
+  if (!select_next_.isEmpty()) table_->select(std::exchange(select_next_, {}));
+  show_selected();
+  show_empty(stimuli_.empty());
 }
 
 }  // namespace asperity

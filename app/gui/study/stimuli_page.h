@@ -14,6 +14,7 @@ class QLineEdit;
 
 namespace asperity {
 
+class StimulusActions;
 class StudyTable;
 
 class StimuliPage final : public StudyPage {
@@ -26,12 +27,27 @@ class StimuliPage final : public StudyPage {
     QImage picture{};
   };
 
+ signals:
+  void open_wanted(const QString& file);  ///< in the workbench
+  void use_wanted(const QStringList& renderings);
+  void generate_wanted();
+
+ public:
+  /// Selects the stimulus once it is listed. `path` is relative to the study.
+  void select_later(const QString& path);
+
  private:
-  void show_stimuli(const std::vector<Shown>& stimuli);
+  void show_stimuli(std::vector<Shown> stimuli);
+  void show_selected();
+  void copy_from_study();
+
+  std::vector<Shown> stimuli_{};
+  QString select_next_{};  ///< a file that was made just now
 
   QFileSystemWatcher* watcher_ = nullptr;
   QLineEdit* filter_ = nullptr;
   StudyTable* table_ = nullptr;
+  StimulusActions* actions_ = nullptr;
 };
 
 }  // namespace asperity

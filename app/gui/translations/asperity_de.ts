@@ -11170,6 +11170,25 @@
     </message>
 </context>
 <context>
+    <name>Renderings</name>
+    <message>
+        <source>This version has no force model “%1”. Load the plug-in that contains it, or choose another model in the workbench.</source>
+        <translation>Diese Version hat kein Kraftmodell „%1“. Laden Sie das Plug-in, das es enthält, oder wählen Sie in der Werkstatt ein anderes Modell.</translation>
+    </message>
+    <message>
+        <source>The force model “%1” had version %2 when the rendering was saved, and has version %3 now: its forces differ. Compare them in the workbench, and save the rendering again.</source>
+        <translation>Das Kraftmodell „%1“ hatte Version %2, als die Wiedergabe gespeichert wurde, und hat jetzt Version %3: Seine Kräfte sind andere. In der Werkstatt vergleichen und die Wiedergabe neu speichern.</translation>
+    </message>
+    <message>
+        <source>%1 has changed since the rendering was saved (another SHA-256). Restore the file, or choose the values again in the workbench and save a new rendering.</source>
+        <translation>%1 wurde geändert, seit die Wiedergabe gespeichert wurde (anderer SHA-256). Die Datei wiederherstellen, oder die Werte in der Werkstatt neu wählen und eine neue Wiedergabe speichern.</translation>
+    </message>
+    <message>
+        <source>The texture %1 cannot be read: %2. Restore the file, or save the rendering of another texture.</source>
+        <translation>Die Textur %1 ist nicht lesbar: %2. Die Datei wiederherstellen, oder die Wiedergabe einer anderen Textur speichern.</translation>
+    </message>
+</context>
+<context>
     <name>RunSession</name>
     <message>
         <source>the session last ran on %1 and is resumed on %2; this is stored with the session and stated in its report</source>
@@ -12003,6 +12022,33 @@
     <message>
         <source>The heights as an illuminated surface.</source>
         <translation>Die Höhen als beleuchtete Oberfläche.</translation>
+    </message>
+</context>
+<context>
+    <name>StimulusFiles</name>
+    <message>
+        <source>%1 names %2 and cannot be changed, because it is not valid JSON. Fix the file first.</source>
+        <translation>%1 nennt %2 und kann nicht geändert werden, weil die Datei kein gültiges JSON ist. Zuerst die Datei berichtigen.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to stored sessions, which refer to its name and its content. It can be neither renamed nor deleted.</source>
+        <translation>%1 gehört zu gespeicherten Sitzungen, die sich auf Namen und Inhalt beziehen. Umbenennen und Löschen sind nicht möglich.</translation>
+    </message>
+    <message>
+        <source>%1 is used by %2. Remove it there before you delete it.</source>
+        <translation>%1 wird von %2 verwendet. Vor dem Löschen dort entfernen.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be the name of a stimulus. Use unaccented letters, digits, _ and -.</source>
+        <translation>„%1“ kann nicht der Name eines Reizes sein. Erlaubt sind Buchstaben ohne Akzente, Ziffern, _ und -.</translation>
+    </message>
+    <message>
+        <source>The study already has a file %1. Choose another name.</source>
+        <translation>Die Studie hat bereits eine Datei %1. Einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>%1 is not a study. Choose the folder of a study.</source>
+        <translation>%1 ist keine Studie. Den Ordner einer Studie wählen.</translation>
     </message>
 </context>
 <context>
@@ -12902,6 +12948,68 @@
     <message>
         <source>at %1</source>
         <translation>um %1</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::CopyStimuliDialog</name>
+    <message>
+        <source>Copy stimuli from another study</source>
+        <translation>Reize aus einer anderen Studie kopieren</translation>
+    </message>
+    <message>
+        <source>No study chosen yet.</source>
+        <translation>Noch keine Studie gewählt.</translation>
+    </message>
+    <message>
+        <source>Choose a study…</source>
+        <translation>Studie wählen…</translation>
+    </message>
+    <message>
+        <source>Stimuli of the other study</source>
+        <translation>Reize der anderen Studie</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Choose the folder of a study</source>
+        <translation>Den Ordner einer Studie wählen</translation>
+    </message>
+    <message>
+        <source>Comparing the files…</source>
+        <translation>Die Dateien werden verglichen…</translation>
+    </message>
+    <message>
+        <source>%1 (this study has the same file)</source>
+        <translation>%1 (diese Studie hat dieselbe Datei)</translation>
+    </message>
+    <message>
+        <source>%1 (this study has another file of this name)</source>
+        <translation>%1 (diese Studie hat eine andere Datei dieses Namens)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stimuli will be copied, each with its sidecar. No file is replaced.</source>
+        <translation>
+            <numerusform>%n Reiz wird mit seiner Begleitdatei kopiert. Keine Datei wird ersetzt.</numerusform>
+            <numerusform>%n Reize werden mit ihren Begleitdateien kopiert. Keine Datei wird ersetzt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose a study.</source>
+        <translation>Eine Studie wählen.</translation>
+    </message>
+    <message>
+        <source>This study has no stimuli.</source>
+        <translation>Diese Studie hat keine Reize.</translation>
+    </message>
+    <message>
+        <source>Tick the stimuli to copy.</source>
+        <translation>Die Reize ankreuzen, die kopiert werden sollen.</translation>
     </message>
 </context>
 <context>
@@ -15683,6 +15791,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>Screen</source>
         <translation>Bildschirm</translation>
     </message>
+    <message>
+        <source>The protocol has changed meanwhile and was left as it is. Choose the rendering again.</source>
+        <translation>Das Protokoll wurde inzwischen geändert und blieb unverändert. Die Wiedergabe noch einmal wählen.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ProtocolFileActions</name>
@@ -16155,6 +16267,61 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Light</source>
         <translation>Licht</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::RenderingPanel</name>
+    <message>
+        <source>Name of the renderings</source>
+        <translation>Name der Wiedergaben</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>The chosen force models with their values, the texture, stiffness and friction</source>
+        <translation>Die gewählten Kraftmodelle mit ihren Werten, der Textur, Steifigkeit und Reibung</translation>
+    </message>
+    <message>
+        <source>Use in an experiment…</source>
+        <translation>In einem Experiment verwenden…</translation>
+    </message>
+    <message>
+        <source>Saves the renderings, then copies the values of one of them into a protocol</source>
+        <translation>Speichert die Wiedergaben und kopiert dann die Werte einer davon in ein Protokoll</translation>
+    </message>
+    <message>
+        <source>This study is read-only; copy it to a folder that you may write to.</source>
+        <translation>Diese Studie ist schreibgeschützt; die Studie in einen beschreibbaren Ordner kopieren.</translation>
+    </message>
+    <message>
+        <source>Choose a force model.</source>
+        <translation>Ein Kraftmodell wählen.</translation>
+    </message>
+    <message>
+        <source>Enter a name for the renderings.</source>
+        <translation>Einen Namen für die Wiedergaben eingeben.</translation>
+    </message>
+    <message>
+        <source>Use only unaccented letters, digits, _ and -.</source>
+        <translation>Nur Buchstaben ohne Akzente, Ziffern, _ und - verwenden.</translation>
+    </message>
+    <message>
+        <source>Saving …</source>
+        <translation>Wird gespeichert…</translation>
+    </message>
+    <message>
+        <source>Will be saved in stimuli/ as %1.</source>
+        <translation>Wird in stimuli/ gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>Saved in stimuli/: %1.</source>
+        <translation>In stimuli/ gespeichert: %1.</translation>
+    </message>
+    <message>
+        <source>The renderings were not saved: %1</source>
+        <translation>Die Wiedergaben wurden nicht gespeichert: %1</translation>
     </message>
 </context>
 <context>
@@ -17555,12 +17722,110 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Erzeugt aus %1.</translation>
     </message>
     <message>
-        <source>Stimuli are pictures, height fields and textured meshes in the study&apos;s folder “stimuli”, and the bodies of its protocols. Make one from a photograph on the Workbench page, or copy files into the folder: they appear here at once.</source>
-        <translation>Reize sind Bilder, Höhenfelder und texturierte Netze im Ordner „stimuli“ der Studie sowie die Körper ihrer Protokolle. Auf der Seite „Werkstatt“ einen Reiz aus einem Foto erzeugen oder Dateien in den Ordner kopieren: Sie erscheinen hier sofort.</translation>
-    </message>
-    <message>
         <source>data file</source>
         <translation>Datendatei</translation>
+    </message>
+    <message>
+        <source>rendering (%1)</source>
+        <translation>Wiedergabe (%1)</translation>
+    </message>
+    <message>
+        <source>Stimuli are pictures, height fields and textured meshes in the study&apos;s folder “stimuli”, and the bodies of its protocols. Make one from a photograph on the Workbench page, compute one, or copy files into the folder: they appear here at once.</source>
+        <translation>Reize sind Bilder, Höhenfelder und texturierte Netze im Ordner „stimuli“ der Studie und die Körper ihrer Protokolle. Auf der Seite „Werkstatt“ einen Reiz aus einem Foto erzeugen, einen berechnen oder Dateien in den Ordner kopieren: Sie erscheinen hier sofort.</translation>
+    </message>
+    <message>
+        <source>Compute a texture…</source>
+        <translation>Textur berechnen…</translation>
+    </message>
+    <message>
+        <source>Copy from another study…</source>
+        <translation>Aus einer anderen Studie kopieren…</translation>
+    </message>
+    <message>
+        <source>A grating, noise, cones or another surface with known heights</source>
+        <translation>Ein Gitter, Rauschen, Kegel oder eine andere Oberfläche mit bekannten Höhen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stimuli were copied.</source>
+        <translation>
+            <numerusform>%n Reiz wurde kopiert.</numerusform>
+            <numerusform>%n Reize wurden kopiert.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>asperity::StimulusActions</name>
+    <message>
+        <source>Open in the workbench</source>
+        <translation>In der Werkstatt öffnen</translation>
+    </message>
+    <message>
+        <source>Use in an experiment…</source>
+        <translation>In einem Experiment verwenden…</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Umbenennen…</translation>
+    </message>
+    <message>
+        <source>Delete…</source>
+        <translation>Löschen…</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Choose a stimulus to open, rename or delete it.</source>
+        <translation>Einen Reiz wählen, um ihn zu öffnen, umzubenennen oder zu löschen.</translation>
+    </message>
+    <message>
+        <source>This body is part of a protocol: change it there.</source>
+        <translation>Dieser Körper ist Teil eines Protokolls: dort ändern.</translation>
+    </message>
+    <message>
+        <source>This study is read-only; copy it to a folder that you may write to.</source>
+        <translation>Diese Studie ist schreibgeschützt; die Studie in einen beschreibbaren Ordner kopieren.</translation>
+    </message>
+    <message>
+        <source>The workbench opens pictures, height fields and renderings.</source>
+        <translation>Die Werkstatt öffnet Bilder, Höhenfelder und Wiedergaben.</translation>
+    </message>
+    <message>
+        <source>New name of %1 (without its ending).</source>
+        <translation>Neuer Name von %1 (ohne die Endung).</translation>
+    </message>
+    <message>
+        <source>Renamed with it: %1.</source>
+        <translation>Mit umbenannt wird: %1.</translation>
+    </message>
+    <message>
+        <source>No protocol refers to it.</source>
+        <translation>Kein Protokoll bezieht sich darauf.</translation>
+    </message>
+    <message>
+        <source>The references are changed in: %1.</source>
+        <translation>Die Verweise werden geändert in: %1.</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete %1? Protocols with its values keep them. The file cannot be restored.</source>
+        <translation>%1 löschen? Protokolle mit den Werten behalten sie. Die Datei ist nicht wiederherstellbar.</translation>
+    </message>
+    <message>
+        <source>Delete %1? Nothing refers to it. The files cannot be restored.</source>
+        <translation>%1 löschen? Nichts bezieht sich darauf. Die Dateien sind nicht wiederherstellbar.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
     </message>
 </context>
 <context>
@@ -17752,6 +18017,18 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>The study was not opened, because loading the plug-ins was cancelled. Open it again, or remove plug-ins (Study → Plug-ins…).</source>
         <translation>Die Studie wurde nicht geöffnet, weil das Laden der Plug-ins abgebrochen wurde. Öffnen Sie sie erneut, oder entfernen Sie Plug-ins (Studie → Plug-ins…).</translation>
     </message>
+    <message>
+        <source>The relief in the workbench is not saved and would be lost.</source>
+        <translation>Das Relief in der Werkstatt ist nicht gespeichert und ginge verloren.</translation>
+    </message>
+    <message>
+        <source>Open anyway</source>
+        <translation>Trotzdem öffnen</translation>
+    </message>
+    <message>
+        <source>The values of “%1” were copied. Save the protocol to keep them; Undo takes them back.</source>
+        <translation>Die Werte von „%1“ wurden kopiert. Zum Behalten das Protokoll speichern; Rückgängig nimmt sie zurück.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SurfaceCard</name>
@@ -17770,6 +18047,77 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Choose mesh…</source>
         <translation>Netz wählen …</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SurfaceDialog</name>
+    <message>
+        <source>Compute a texture</source>
+        <translation>Textur berechnen</translation>
+    </message>
+    <message>
+        <source>Compute a texture with known heights</source>
+        <translation>Textur mit bekannten Höhen berechnen</translation>
+    </message>
+    <message>
+        <source>Name in the study</source>
+        <translation>Name in der Studie</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Save to study</source>
+        <translation>In Studie speichern</translation>
+    </message>
+    <message>
+        <source>Kind of surface</source>
+        <translation>Art der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Heights are exaggerated by a factor of %1.</source>
+        <translation>Höhen sind %1-fach überhöht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Heights are drawn to scale.</source>
+        <translation>Höhen sind maßstäblich gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Enter a name for the texture.</source>
+        <translation>Einen Namen für die Textur eingeben.</translation>
+    </message>
+    <message>
+        <source>Use only unaccented letters, digits, _ and -.</source>
+        <translation>Nur Buchstaben ohne Akzente, Ziffern, _ und - verwenden.</translation>
+    </message>
+    <message>
+        <source>The study already has a stimulus “%1”. Choose another name.</source>
+        <translation>Die Studie hat bereits einen Reiz „%1“. Einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>Saving …</source>
+        <translation>Wird gespeichert…</translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation>Wird berechnet…</translation>
+    </message>
+    <message>
+        <source>Will be saved as %1, with its sidecar.</source>
+        <translation>Wird mit Begleitdatei gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>Compute the texture</source>
+        <translation>Die Textur berechnen</translation>
     </message>
 </context>
 <context>
@@ -18213,6 +18561,121 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
 </context>
 <context>
+    <name>asperity::UseRenderingDialog</name>
+    <message>
+        <source>Use a rendering in an experiment</source>
+        <translation>Eine Wiedergabe in einem Experiment verwenden</translation>
+    </message>
+    <message>
+        <source>The values are copied: the protocol does not depend on the rendering.</source>
+        <translation>Die Werte werden kopiert: Das Protokoll hängt nicht von der Wiedergabe ab.</translation>
+    </message>
+    <message>
+        <source>Rendering</source>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Experiment</source>
+        <translation>Experiment</translation>
+    </message>
+    <message>
+        <source>New from a template…</source>
+        <translation>Neu aus einer Vorlage…</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>Änderungen</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Afterwards</source>
+        <translation>Nachher</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Change in the editor</source>
+        <translation>Im Editor ändern</translation>
+    </message>
+    <message>
+        <source>The editor shows the changed protocol. It is stored when you save it there.</source>
+        <translation>Der Editor zeigt das geänderte Protokoll. Gespeichert wird es erst dort.</translation>
+    </message>
+    <message>
+        <source>The protocol could not be created: %1</source>
+        <translation>Das Protokoll konnte nicht angelegt werden: %1</translation>
+    </message>
+    <message>
+        <source>Replace “%1”</source>
+        <translation>„%1“ ersetzen</translation>
+    </message>
+    <message>
+        <source>Add a surface</source>
+        <translation>Eine Oberfläche hinzufügen</translation>
+    </message>
+    <message>
+        <source>Keep its textures, the levels of “%1”</source>
+        <translation>Ihre Texturen behalten, die Stufen von „%1“</translation>
+    </message>
+    <message>
+        <source>Keep its texture</source>
+        <translation>Ihre Textur behalten</translation>
+    </message>
+    <message>
+        <source>The study has no protocol yet. Create one from a template.</source>
+        <translation>Die Studie hat noch kein Protokoll. Eines aus einer Vorlage anlegen.</translation>
+    </message>
+    <message>
+        <source>This protocol cannot be read. Choose another one.</source>
+        <translation>Dieses Protokoll ist nicht lesbar. Ein anderes wählen.</translation>
+    </message>
+    <message>
+        <source>This study is read-only; copy it to a folder that you may write to.</source>
+        <translation>Diese Studie ist schreibgeschützt; die Studie in einen beschreibbaren Ordner kopieren.</translation>
+    </message>
+    <message>
+        <source>checking…</source>
+        <translation>wird geprüft…</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>kein Wert</translation>
+    </message>
+    <message>
+        <source>The protocol has problems. Fix them in the editor first: %1</source>
+        <translation>Das Protokoll hat Probleme. Zuerst im Editor beheben: %1</translation>
+    </message>
+    <message>
+        <source>This rendering cannot be used.</source>
+        <translation>Diese Wiedergabe ist nicht verwendbar.</translation>
+    </message>
+    <message>
+        <source>The protocol would not be valid: %1</source>
+        <translation>Das Protokoll wäre nicht gültig: %1</translation>
+    </message>
+    <message>
+        <source>The surface already has these values.</source>
+        <translation>Die Oberfläche hat diese Werte bereits.</translation>
+    </message>
+    <message>
+        <source>The changed protocol is valid.</source>
+        <translation>Das geänderte Protokoll ist gültig.</translation>
+    </message>
+    <message>
+        <source>The changed protocol is valid. No block presents the new surface yet: choose it under Task in the editor.</source>
+        <translation>Das geänderte Protokoll ist gültig. Noch bietet kein Block die neue Oberfläche dar: im Editor unter Aufgabe wählen.</translation>
+    </message>
+</context>
+<context>
     <name>asperity::WelcomePage</name>
     <message>
         <source>Asperity</source>
@@ -18633,6 +19096,22 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
     <message>
         <source>Preparing the models…</source>
         <translation>Modelle werden vorbereitet …</translation>
+    </message>
+    <message>
+        <source>Save the relief to the study first, under “Make a relief”.</source>
+        <translation>Zuerst das Relief in der Studie speichern, unter „Relief erzeugen“.</translation>
+    </message>
+    <message>
+        <source>This relief is not in the study. Copy it there on the Stimuli page, then open it from there.</source>
+        <translation>Dieses Relief ist nicht in der Studie. Es auf der Seite Reize dorthin kopieren und von dort öffnen.</translation>
+    </message>
+    <message>
+        <source>A rendering lies on the plane. Choose the plane as the body under Surface and hand.</source>
+        <translation>Eine Wiedergabe liegt auf der Ebene. Unter Oberfläche und Hand die Ebene als Körper wählen.</translation>
+    </message>
+    <message>
+        <source>A rendering contains neither bodies nor recordings; left out: %1.</source>
+        <translation>Eine Wiedergabe enthält weder Körper noch Aufnahmen; ausgelassen: %1.</translation>
     </message>
 </context>
 </TS>

@@ -11,7 +11,9 @@
 #include "app/gui/study/sessions_page.h"
 #include "app/gui/study/stimuli_page.h"
 #include "app/gui/study/trials_page.h"
+#include "app/gui/study/use_rendering_dialog.h"
 #include "app/gui/window/study_window.h"
+#include "app/gui/workbench/surface_dialog.h"
 #include "app/gui/workbench/workbench_page.h"
 
 namespace asperity {
@@ -38,7 +40,11 @@ void StudyWindow::add_pages() {
     return attempt;
   });
   add_page("stimuli", tr("Stimuli"), stimuli);
-  add_page_for_later("workbench", tr("Workbench"), [this] { return new WorkbenchPage(*study_); });
+  add_page_for_later("workbench", tr("Workbench"), [this] {
+    auto* workbench = new WorkbenchPage(*study_);
+    connect(workbench, &WorkbenchPage::use_wanted, this, &StudyWindow::use_renderings);
+    return workbench;
+  });
   add_page("analysis", tr("Analysis"), new AnalysisPage(*study_));
   add_page("devices", tr("Devices"), devices);
   auto* device_test = new DeviceTestPage(*study_);
@@ -62,6 +68,16 @@ void StudyWindow::add_pages() {
     show_page("editor");
     editor()->open(file.toStdString());
   });
+  connect(stimuli, &StimuliPage::use_wanted, this, &StudyWindow::use_renderings);
+  connect(stimuli, &StimuliPage::open_wanted, this, &StudyWindow::open_in_workbench);
+  connect(stimuli, &StimuliPage::generate_wanted, this, [this, stimuli] {
+    auto* dialog = new SurfaceDialog(*study_, this);
+    connect(dialog, &SurfaceDialog::saved, stimuli, [this, stimuli](const QString& path) {
+      stimuli->select_later(path);
+      study_->announce_change();
+    });
+    dialog->open();
+  });
   connect(sessions, &SessionsPage::session_wanted, this, &StudyWindow::session_wanted);
   connect(sessions, &SessionsPage::session_opened, this, [this, trials](qlonglong id) {
     trials->show_session(id);
@@ -78,6 +94,39 @@ void StudyWindow::add_pages() {
     show_page("attempt");
   });
   connect(trials, &TrialsPage::back_wanted, this, [this] { show_page("sessions"); });
+}
+
+void StudyWindow::open_in_workbench(const QString& file) {
+  auto* workbench = qobject_cast<WorkbenchPage*>(page("workbench"));
+  const auto open = [this, workbench, file] {
+    show_page("workbench");
+    workbench->open_file(file.toStdString());
+  };
+  if (workbench->property("keep").toString().isEmpty()) return open();
+  banner_->show_news(State::look, tr("The relief in the workbench is not saved and would be lost."),
+                     tr("Open anyway"), open);
+}
+
+void StudyWindow::use_renderings(const QStringList& renderings) {
+  std::vector<std::filesystem::path> files{};
+  for (const QString& file : renderings) files.emplace_back(file.toStdString());
+  auto* dialog = new UseRenderingDialog(
+      *study_, std::move(files),
+      [this](const std::filesystem::path& protocol) -> std::optional<std::string> {
+        if (editor() == nullptr || editor()->file() != protocol) return {};
+        return editor()->content();
+      },
+      this);
+  connect(dialog, &UseRenderingDialog::wanted, this,
+          [this](const std::filesystem::path& protocol, const std::string& before,
+                 const std::string& after, const QString& rendering) {
+            show_page("editor");
+            editor()->open_changed(protocol, before, after,
+                                   tr("The values of “%1” were copied. Save the protocol to keep "
+                                      "them; Undo takes them back.")
+                                       .arg(rendering));
+          });
+  dialog->open();
 }
 
 }  // namespace asperity

@@ -93,6 +93,8 @@ class StudyWindow final : public QMainWindow {
   /// On the banner: a plug-in was not loaded, or the study can only be read.
   void tell_limits();
   void add_pages();  ///< study_pages.cpp
+  void use_renderings(const QStringList& renderings);
+  void open_in_workbench(const QString& file);
   void remove_pages();
   QWidget* made_page(const QString& key) const;  ///< null also where it is still to be made
   void take_over(const QString& key, QWidget* page);

@@ -180,6 +180,23 @@ void ForceComparison::choose(const Choices& choices) {
   make_renderers();
 }
 
+ForceComparison::Saveable ForceComparison::saveable() const {
+  Saveable saveable{.is_on_body = surface_->body()->choice().shape != "plane"};
+  for (std::size_t m = 0; m < stroke_.models().size(); ++m) {
+    const ModelDeclaration& model = card_of(m).model->declaration;
+    if (model.needs_bodies || !model.assets.empty()) {
+      saveable.left_out << model_name(*card_of(m).model);
+      continue;
+    }
+    saveable.renderings.push_back(
+        {.model = model.id,
+         .version = model.version,
+         .parameters = complete_values(model, stroke_.models()[m].inputs.parameters),
+         .material = surface_->material()});
+  }
+  return saveable;
+}
+
 void ForceComparison::set_field(std::shared_ptr<const HeightField> field) {
   if (field_ != nullptr && field == field_->field()) return;  // a stroke over it goes on
   field_ = field != nullptr ? std::make_shared<FieldPlate>(std::move(field)) : nullptr;
@@ -249,6 +266,7 @@ void ForceComparison::make_renderers() {
   // A press often ends the editing of a value: its stroke, or one under way, is that of the new models.
   is_stroke_waiting_ = is_stroke_waiting_ || stroke_.is_going_on();
   clear_stroke();
+  emit models_changed();
   emit advanced();
 }
 
@@ -267,6 +285,7 @@ void ForceComparison::take(Built built) {
   stroke_.set_models(std::move(models), std::move(built.hand));
   // Of an earlier choice while a newer one is being prepared: no stroke yet.
   if (is_stroke_waiting_ && !is_preparing()) start_stroke();
+  emit models_changed();
   emit advanced();
 }
 

@@ -11,6 +11,7 @@
 
 #include <QtCore/QElapsedTimer>
 #include <QtCore/QString>
+#include <QtCore/QStringList>
 #include <QtCore/QTimer>
 #include <QtCore/QVector>
 #include <QtWidgets/QWidget>
@@ -21,6 +22,7 @@
 #include "app/gui/workbench/force_stroke.h"
 #include "app/gui/workbench/signal_plots.h"
 #include "app/gui/workbench/surface_card.h"
+#include "app/study_files/rendering_files.h"
 #include "renderers/elastic/surface_dent.h"
 #include "renderers/force/force_model.h"
 #include "renderers/offline/felt_roughness.h"
@@ -60,6 +62,15 @@ class ForceComparison final : public QWidget {
   Choices choices() const;
   void choose(const Choices& choices);
 
+  /// The chosen models with their values, as the stroke has them: without a texture.
+  struct Saveable {
+    std::vector<Rendering> renderings{};
+    QStringList
+        left_out{};  ///< names of models that need more than a rendering has: bodies, or files
+    bool is_on_body = false;  ///< the relief lies on a body: no rendering has one
+  };
+  Saveable saveable() const;
+
   /// While models are prepared, the stroke begins once they are ready, at the place of the hand then.
   void begin_stroke(double x_m, double y_m);
   void aim_stroke(double x_m, double y_m);
@@ -90,6 +101,7 @@ class ForceComparison final : public QWidget {
  signals:
   void advanced();  ///< there is more of the stroke, or there are other models
   void across_wanted();
+  void models_changed();  ///< they are prepared, or being prepared
 
  protected:
   void showEvent(QShowEvent* event) override;

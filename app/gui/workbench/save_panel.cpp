@@ -220,7 +220,7 @@ void SavePanel::save(Overwrite overwrite) {
             State::fine,
             tr("Saved as stimuli/%1.png, with its sidecar and stimuli/%1_photo.png.").arg(shown));
         if (opened == opened_ && parameter_values(recipe) == parameter_values(recipe_())) {
-          emit saved();
+          emit saved(shown);
         }
         study_.announce_change();
       },

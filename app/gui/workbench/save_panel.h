@@ -40,8 +40,8 @@ class SavePanel final : public QFrame {
   bool is_saving() const noexcept { return saving_.is_running(); }
 
  signals:
-  /// What is shown is what was saved.
-  void saved();
+  /// What is shown is what was saved as stimuli/NAME.png.
+  void saved(const QString& name);
 
  private:
   void save(Overwrite overwrite);

@@ -28,6 +28,7 @@
 #include "app/gui/workbench/relief_view.h"
 #include "app/gui/workbench/save_panel.h"
 #include "app/gui/workbench/signal_plots.h"
+#include "app/tasks/rendering_use.h"
 #include "results_schema/files/folder_entries.h"
 
 namespace asperity {
@@ -73,7 +74,13 @@ WorkbenchPage::WorkbenchPage(OpenStudy& study, QWidget* parent) : QWidget(parent
   });
   connect(recipe_, &RecipePanel::edited, this, &WorkbenchPage::recompute);
   connect(recipe_, &RecipePanel::edited, save_, &SavePanel::check);
-  connect(save_, &SavePanel::saved, this, [this] { keep_unsaved(false); });
+  connect(save_, &SavePanel::saved, this, [this](const QString& name) {
+    keep_unsaved(false);
+    saved_as_ = "stimuli/" + name.toStdString() + ".png";
+    renderings_->show_relief(name.toStdString());
+  });
+  connect(renderings_, &RenderingPanel::use_wanted, this, &WorkbenchPage::use_wanted);
+  connect(comparison_, &ForceComparison::models_changed, renderings_, &RenderingPanel::check);
   connect(relief_, &ReliefView::pointed, this, [this](double, double y_m) {
     if (mode_->checkedId() == static_cast<int>(Mode::making)) show_line(y_m);
   });
@@ -220,7 +227,15 @@ QWidget* WorkbenchPage::make_workspace() {
   side_->addWidget(making);
   comparison_ = new ForceComparison(study_.models(), side_);
   comparison_->setObjectName("comparison");
-  side_->addWidget(scrolled(comparison_, side_));
+  auto* comparing = new QWidget(side_);
+  auto* models = new QVBoxLayout(comparing);
+  models->setContentsMargins(0, 0, 0, 0);
+  models->setSpacing(kGrid);
+  renderings_ = new RenderingPanel(
+      study_, *banner_, [this] { return compared(); }, comparing);
+  models->addWidget(scrolled(comparison_, comparing), 1);
+  models->addWidget(renderings_);
+  side_->addWidget(comparing);
   layout->addWidget(side_);
   return work;
 }
@@ -300,7 +315,61 @@ void WorkbenchPage::dropEvent(QDropEvent* event) {
   read(first, remarks);
 }
 
-void WorkbenchPage::open_file(const std::filesystem::path& file) { read(file, {}); }
+void WorkbenchPage::open_file(const std::filesystem::path& file) {
+  is_rendering(file) ? open_rendering(file) : read(file, {});
+}
+
+void WorkbenchPage::open_rendering(const std::filesystem::path& file) {
+  struct Loaded {
+    Rendering rendering{};
+    RenderingRemarks remarks{};
+    std::shared_ptr<const OpenedPicture> opened{};
+  };
+  banner_->hide();
+  reading_->set_words(tr("Reading %1 …").arg(path_text(file.filename())));
+  opening_.run<std::shared_ptr<const Loaded>>(
+      [file, recipe = recipe(), &models = study_.models(), folder = study_.folder()](
+          const std::stop_token& stop, const BackgroundTask::Progress& progress) {
+        auto loaded = std::make_shared<Loaded>();
+        loaded->rendering = load_rendering(file);
+        loaded->remarks = remarks_about(loaded->rendering, models, folder);
+        if (loaded->remarks.problems.empty()) {
+          loaded->opened =
+              open_picture(folder / loaded->rendering.texture.height_field, recipe, stop, progress);
+        }
+        return loaded;
+      },
+      [this](const std::shared_ptr<const Loaded>& loaded) {
+        QStringList sentences{};
+        for (const auto* const some : {&loaded->remarks.problems, &loaded->remarks.warnings}) {
+          for (const Phrase& sentence : *some) sentences << words_of(sentence);
+        }
+        if (loaded->opened == nullptr) {
+          if (!sentences.isEmpty()) banner_->show_news(State::stop, sentences.join(' '));
+          return;
+        }
+        take(loaded->opened, sentences);
+        take_rendering(loaded->rendering);
+      },
+      [this](const QString& what) {
+        banner_->show_news(State::stop, tr("The file could not be opened: %1").arg(what));
+      });
+}
+
+void WorkbenchPage::take_rendering(const Rendering& rendering) {
+  ForceComparison::Choices choices = comparison_->choices();
+  for (auto& [model, is_chosen] : choices.chosen) is_chosen = model == rendering.model;
+  choices.given[rendering.model] = rendering.parameters;
+  choices.surface.given["stiffness_N_per_m"] = rendering.material.stiffness_N_per_m;
+  choices.surface.given["friction"] = rendering.material.friction;
+  choices.surface.given["body"] = std::string("plane");
+  try {
+    comparison_->choose(choices);
+  } catch (const std::exception& error) {
+    banner_->show_news(State::stop, tr("The file could not be opened: %1").arg(text(error.what())));
+  }
+  set_mode(Mode::comparing);
+}
 
 void WorkbenchPage::read(const std::filesystem::path& file, const QStringList& remarks) {
   banner_->hide();
@@ -322,6 +391,7 @@ void WorkbenchPage::read(const std::filesystem::path& file, const QStringList& r
 
 void WorkbenchPage::take(std::shared_ptr<const OpenedPicture> opened, const QStringList& remarks) {
   opened_ = std::move(opened);
+  saved_as_.clear();
   const QStringList all = remarks + opened_->remarks;
   all.isEmpty() ? banner_->hide() : banner_->show_news(State::look, all.join(' '));
   pages_->setCurrentIndex(1);
@@ -346,6 +416,7 @@ void WorkbenchPage::take(std::shared_ptr<const OpenedPicture> opened, const QStr
   }
   choose_panels();
   save_->show_opened(opened_);
+  renderings_->show_relief(opened_->file.stem().string());
   keep_unsaved(opened_->is_photograph());
   show_preview(opened_->preview);
   strip_->choose(Step::relief);
@@ -358,6 +429,7 @@ WorkbenchPage::Work WorkbenchPage::work() const {
   return {.opened = opened_,
           .recipe = recipe(),
           .stated = recipe_->stated(),
+          .saved_as = saved_as_,
           .compares = mode_->checkedId() == static_cast<int>(Mode::comparing),
           .comparison = comparison_->choices()};
 }
@@ -372,6 +444,8 @@ void WorkbenchPage::resume(const Work& work) {
     save_->check();
     recompute();
     keep_unsaved(false);
+    saved_as_ = work.saved_as;
+    renderings_->check();
   }
   if (work.compares) set_mode(Mode::comparing);
 }
@@ -381,6 +455,8 @@ TextureRecipe WorkbenchPage::recipe() const { return recipe_->recipe(); }
 void WorkbenchPage::recompute() {
   if (opened_ == nullptr || !opened_->is_photograph()) return;
   keep_unsaved(true);
+  saved_as_.clear();
+  renderings_->check();
   work_.ask(
       [this, opened = opened_, recipe = recipe(),
        dragging = recipe_->is_dragging()]() -> NewestWork::Delivery {
@@ -496,9 +572,42 @@ void WorkbenchPage::keep_unsaved(bool unsaved) {
                           : QString());
 }
 
+std::string WorkbenchPage::relief_of_study() const {
+  if (opened_ == nullptr) return {};
+  if (opened_->is_photograph()) return saved_as_;
+  std::error_code unknown{};
+  const bool is_there = std::filesystem::equivalent(opened_->file.parent_path(),
+                                                    study_.folder() / "stimuli", unknown);
+  return is_there && !opened_->is_measured ? "stimuli/" + opened_->file.filename().string()
+                                           : std::string();
+}
+
+RenderingPanel::Compared WorkbenchPage::compared() const {
+  ForceComparison::Saveable saveable = comparison_->saveable();
+  RenderingPanel::Compared compared{.renderings = std::move(saveable.renderings)};
+  const std::string relief = relief_of_study();
+  for (Rendering& rendering : compared.renderings) rendering.texture.height_field = relief;
+  if (relief.empty()) {
+    compared.problem = opened_ != nullptr && opened_->is_photograph()
+                           ? tr("Save the relief to the study first, under “Make a relief”.")
+                           : tr("This relief is not in the study. Copy it there on the Stimuli "
+                                "page, then open it from there.");
+  } else if (comparison_->is_preparing()) {
+    compared.problem = tr("Preparing the models…");
+  } else if (saveable.is_on_body) {
+    compared.problem =
+        tr("A rendering lies on the plane. Choose the plane as the body under Surface and hand.");
+  }
+  if (!saveable.left_out.isEmpty()) {
+    compared.left_out = tr("A rendering contains neither bodies nor recordings; left out: %1.")
+                            .arg(saveable.left_out.join(", "));
+  }
+  return compared;
+}
+
 bool WorkbenchPage::is_settled() const {
-  return !opening_.is_running() && !save_->is_saving() && !work_.is_busy() &&
-         relief_->is_settled() && comparison_->is_settled();
+  return !opening_.is_running() && !save_->is_saving() && !renderings_->is_saving() &&
+         !work_.is_busy() && relief_->is_settled() && comparison_->is_settled();
 }
 
 }  // namespace asperity

@@ -13,6 +13,7 @@
 #include "app/gui/workbench/force_comparison.h"
 #include "app/gui/workbench/opened_picture.h"
 #include "app/gui/workbench/recipe_panel.h"
+#include "app/gui/workbench/rendering_panel.h"
 #include "app/gui/workbench/step_strip.h"
 
 class QButtonGroup;
@@ -42,7 +43,8 @@ class WorkbenchPage final : public QWidget {
   explicit WorkbenchPage(OpenStudy& study, QWidget* parent = nullptr);
   ~WorkbenchPage() override;
 
-  /// In the background, and can be cancelled. A PNG that has a sidecar beside it is a height field.
+  /// In the background, and can be cancelled. A PNG that has a sidecar beside it is a height field; a rendering of the
+  /// study is its texture with its force model.
   void open_file(const std::filesystem::path& file);
 
   /// What is open, for a page that takes the place of this one.
@@ -50,6 +52,7 @@ class WorkbenchPage final : public QWidget {
     std::shared_ptr<const OpenedPicture> opened{};  ///< null: nothing
     TextureRecipe recipe{};
     RecipePanel::Statements stated{};
+    std::string saved_as{};
     bool compares = false;
     ForceComparison::Choices comparison{};
   };
@@ -62,6 +65,10 @@ class WorkbenchPage final : public QWidget {
   std::shared_ptr<const HeightField> field() const noexcept { return preview_.field; }
   /// Nothing is being computed, drawn, read or written.
   bool is_settled() const;
+
+ signals:
+  /// These renderings are to be used in an experiment.
+  void use_wanted(const QStringList& renderings);
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -78,7 +85,9 @@ class WorkbenchPage final : public QWidget {
   void fill_study_menu(QMenu& menu);
   void choose_file();
   void read(const std::filesystem::path& file, const QStringList& remarks);
+  void open_rendering(const std::filesystem::path& file);
   void take(std::shared_ptr<const OpenedPicture> opened, const QStringList& remarks);
+  void take_rendering(const Rendering& rendering);
   void show_preview(TexturePreview preview);
   void choose_panels();
   void recompute();
@@ -87,6 +96,8 @@ class WorkbenchPage final : public QWidget {
   void show_forces();
   void show_dent();
   void keep_unsaved(bool unsaved);
+  std::string relief_of_study() const;
+  RenderingPanel::Compared compared() const;
 
   OpenStudy& study_;
   Banner* banner_ = nullptr;
@@ -107,8 +118,11 @@ class WorkbenchPage final : public QWidget {
   ForceComparison* comparison_ = nullptr;
   RecipePanel* recipe_ = nullptr;
   SavePanel* save_ = nullptr;
+  RenderingPanel* renderings_ = nullptr;
 
   std::shared_ptr<const OpenedPicture> opened_{};
+  std::string
+      saved_as_{};  ///< relative to the study; empty while the relief of a photograph is not saved
   TexturePreview preview_{};
   bool has_sound_ = false;  // asked for when forces are first looked at
   double line_y_m_ = 0.0;

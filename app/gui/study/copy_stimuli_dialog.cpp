@@ -1,0 +1,162 @@
+// Compares the files of both studies in the background, and copies the chosen ones.
+
+#include "app/gui/study/copy_stimuli_dialog.h"
+
+#include <QtWidgets/QBoxLayout>
+#include <QtWidgets/QFileDialog>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QListWidget>
+
+#include "app/gui/base/open_study.h"
+#include "app/gui/base/shown_text.h"
+#include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr QSize kCopySize{640, 520};
+
+}  // namespace
+
+CopyStimuliDialog::CopyStimuliDialog(OpenStudy& study, QWidget* parent)
+    : QDialog(parent), study_(study) {
+  setObjectName("copy_stimuli_dialog");
+  setWindowTitle(tr("Copy stimuli from another study"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  resize(parent == nullptr ? kCopySize : kCopySize.boundedTo(parent->window()->size()));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
+  layout->setSpacing(kMargin);
+  layout->addWidget(make_heading(tr("Copy stimuli from another study"), this));
+  auto* row = new QHBoxLayout();
+  row->setSpacing(kGrid);
+  folder_ = make_text(tr("No study chosen yet."), this, true);
+  folder_->setObjectName("copy_folder");
+  choose_ = make_button(tr("Choose a study…"), ButtonRole::plain, this);
+  choose_->setObjectName("copy_choose");
+  row->addWidget(folder_, 1);
+  row->addWidget(choose_);
+  layout->addLayout(row);
+  list_ = new QListWidget(this);
+  list_->setObjectName("copy_list");
+  list_->setAccessibleName(tr("Stimuli of the other study"));
+  layout->addWidget(list_, 1);
+  state_ = new StateLabel(this);
+  state_->setObjectName("copy_state");
+  state_->setWordWrap(true);
+  layout->addWidget(state_);
+  auto* buttons = new QHBoxLayout();
+  buttons->setSpacing(kGrid);
+  buttons->addStretch(1);
+  QPushButton* cancel = make_button(tr("Cancel"), ButtonRole::plain, this);
+  copy_ = make_button(tr("Copy"), ButtonRole::primary, this);
+  copy_->setObjectName("copy_copy");
+  buttons->addWidget(cancel);
+  buttons->addWidget(copy_);
+  layout->addLayout(buttons);
+  connect(choose_, &QPushButton::clicked, this, &CopyStimuliDialog::choose_study);
+  connect(list_, &QListWidget::itemChanged, this, &CopyStimuliDialog::show_whether_chosen);
+  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+  connect(copy_, &QPushButton::clicked, this, &CopyStimuliDialog::copy);
+  show_whether_chosen();
+}
+
+void CopyStimuliDialog::choose_study() {
+  auto* chooser = new QFileDialog(this, tr("Choose the folder of a study"),
+                                  path_text(study_.folder().parent_path()));
+  chooser->setObjectName("copy_chooser");
+  chooser->setAttribute(Qt::WA_DeleteOnClose);
+  chooser->setFileMode(QFileDialog::Directory);
+  chooser->setOption(QFileDialog::ShowDirsOnly);
+  connect(chooser, &QFileDialog::fileSelected, this,
+          [this](const QString& folder) { show_study(folder.toStdString()); });
+  chooser->open();
+}
+
+void CopyStimuliDialog::show_study(const std::filesystem::path& other) {
+  other_ = other;
+  folder_->setText(text_of_path(other));
+  list_->clear();
+  state_->set_state(State::unknown, tr("Comparing the files…"));
+  task_.run<std::vector<ForeignStimulus>>(
+      [other, folder = study_.folder()](const std::stop_token&, const BackgroundTask::Progress&) {
+        return foreign_stimuli(folder, other);
+      },
+      [this](const std::vector<ForeignStimulus>& stimuli) { show_stimuli(stimuli); },
+      [this](const QString& what) { state_->set_state(State::stop, what); });
+}
+
+void CopyStimuliDialog::show_stimuli(const std::vector<ForeignStimulus>& stimuli) {
+  using Kept = ForeignStimulus::State;
+  for (const ForeignStimulus& stimulus : stimuli) {
+    const QString name = text(stimulus.path).section('/', -1);
+    auto* item = new QListWidgetItem(list_);
+    item->setData(Qt::UserRole, text(stimulus.path));
+    switch (stimulus.state) {
+      case Kept::can_be_copied:
+        item->setText(name);
+        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+        item->setCheckState(Qt::Unchecked);
+        break;
+      case Kept::is_there:
+        item->setText(tr("%1 (this study has the same file)").arg(name));
+        item->setFlags(Qt::NoItemFlags);
+        break;
+      case Kept::name_is_taken:
+        item->setText(tr("%1 (this study has another file of this name)").arg(name));
+        item->setFlags(Qt::NoItemFlags);
+        break;
+    }
+  }
+  show_whether_chosen();
+}
+
+std::vector<std::string> CopyStimuliDialog::chosen() const {
+  std::vector<std::string> paths{};
+  for (int i = 0; i < list_->count(); ++i) {
+    const QListWidgetItem& item = *list_->item(i);
+    if (item.checkState() == Qt::Checked) {
+      paths.push_back(item.data(Qt::UserRole).toString().toStdString());
+    }
+  }
+  return paths;
+}
+
+void CopyStimuliDialog::show_whether_chosen() {
+  const auto count = static_cast<int>(chosen().size());
+  copy_->setEnabled(count > 0);
+  if (count > 0) {
+    state_->set_state(State::fine,
+                      tr("%n stimuli will be copied, each with its sidecar. No file is replaced.",
+                         nullptr, count));
+  } else if (other_.empty()) {
+    state_->set_state(State::unknown, tr("Choose a study."));
+  } else {
+    state_->set_state(State::unknown, list_->count() == 0 ? tr("This study has no stimuli.")
+                                                          : tr("Tick the stimuli to copy."));
+  }
+}
+
+void CopyStimuliDialog::copy() {
+  copy_->setEnabled(false);
+  task_.run<int>(
+      [paths = chosen(), other = other_, folder = study_.folder()](
+          const std::stop_token&, const BackgroundTask::Progress&) {
+        copy_stimuli(folder, other, paths);
+        return static_cast<int>(paths.size());
+      },
+      [this](int count) {
+        emit copied(count);
+        accept();
+      },
+      [this](const QString& what) {
+        copy_->setEnabled(true);
+        state_->set_state(State::stop, what);
+      });
+}
+
+}  // namespace asperity
+
+#include "moc_copy_stimuli_dialog.cpp"

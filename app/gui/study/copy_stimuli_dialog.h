@@ -1,0 +1,50 @@
+// Declares the dialog in which stimuli of another study are chosen and copied.
+
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include <QtWidgets/QDialog>
+
+#include "app/gui/look/background_task.h"
+#include "app/tasks/stimulus_files.h"
+
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace asperity {
+
+class OpenStudy;
+class StateLabel;
+
+/// The stimuli of the other study with a tick; those whose name the study has cannot be chosen, with the reason.
+class CopyStimuliDialog final : public QDialog {
+  Q_OBJECT
+ public:
+  explicit CopyStimuliDialog(OpenStudy& study, QWidget* parent = nullptr);
+
+  void show_study(const std::filesystem::path& other);
+
+ signals:
+  void copied(int stimuli);
+
+ private:
+  void choose_study();
+  void show_stimuli(const std::vector<ForeignStimulus>& stimuli);
+  void show_whether_chosen();
+  std::vector<std::string> chosen() const;
+  void copy();
+
+  OpenStudy& study_;
+  std::filesystem::path other_{};
+  QPushButton* choose_ = nullptr;
+  QLabel* folder_ = nullptr;
+  QListWidget* list_ = nullptr;
+  StateLabel* state_ = nullptr;
+  QPushButton* copy_ = nullptr;
+  BackgroundTask task_{};
+};
+
+}  // namespace asperity

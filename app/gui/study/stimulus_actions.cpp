@@ -1,0 +1,215 @@
+// Looks for the uses of a stimulus in the background, and asks in place.
+
+#include "app/gui/study/stimulus_actions.h"
+
+#include <utility>
+
+#include <QtGui/QKeyEvent>
+#include <QtWidgets/QBoxLayout>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPushButton>
+
+#include "app/gui/base/open_study.h"
+#include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
+#include "app/gui/look/wrapped_buttons.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kNewStemWidth = 280;
+
+QString file_name(const std::string& path) { return text(path).section('/', -1); }
+
+QString names_of(const std::vector<std::filesystem::path>& files) {
+  QStringList names{};
+  for (const std::filesystem::path& file : files) names << path_text(file.filename());
+  return names.join(", ");
+}
+
+QString names_of(const std::vector<std::string>& paths) {
+  QStringList names{};
+  for (const std::string& path : paths) names << file_name(path);
+  return names.join(", ");
+}
+
+}  // namespace
+
+StimulusActions::StimulusActions(OpenStudy& study, QWidget* parent)
+    : QFrame(parent), study_(study) {
+  setObjectName("stimulus_actions");
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kGrid);
+  auto* buttons = new WrappedButtons(this);
+  const auto add = [buttons](const QString& verb, const char* name) {
+    QPushButton* button = make_button(verb, ButtonRole::plain, buttons);
+    button->setObjectName(name);
+    return button;
+  };
+  open_ = add(tr("Open in the workbench"), "stimulus_open");
+  use_ = add(tr("Use in an experiment…"), "stimulus_use");
+  rename_ = add(tr("Rename…"), "stimulus_rename");
+  delete_ = add(tr("Delete…"), "stimulus_delete");
+  buttons->set_buttons({open_, use_, rename_, delete_});
+  layout->addWidget(buttons);
+  reason_ = make_text({}, this, true);
+  reason_->setObjectName("stimulus_reason");
+  layout->addWidget(reason_);
+
+  question_ = new QWidget(this);
+  auto* row = new QHBoxLayout(question_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(kGrid);
+  text_ = make_text({}, question_);
+  text_->setObjectName("stimulus_question");
+  name_ = new QLineEdit(question_);
+  name_->setObjectName("stimulus_name");
+  name_->setAccessibleName(tr("Name"));
+  name_->setFixedWidth(kNewStemWidth);
+  act_ = make_button({}, ButtonRole::plain, question_);
+  act_->setObjectName("stimulus_act");
+  cancel_ = make_button(tr("Cancel"), ButtonRole::link, question_);
+  cancel_->setObjectName("stimulus_cancel");
+  row->addWidget(text_, 1);
+  row->addWidget(name_);
+  row->addWidget(act_);
+  row->addWidget(cancel_);
+  layout->addWidget(question_);
+  hide_question();
+  connect(open_, &QPushButton::clicked, this,
+          [this] { emit open_wanted(path_text(study_.folder() / path_)); });
+  connect(use_, &QPushButton::clicked, this,
+          [this] { emit use_wanted({path_text(study_.folder() / path_)}); });
+  connect(rename_, &QPushButton::clicked, this,
+          [this] { find_uses([this](const StimulusUses& uses) { ask_for_name(uses); }); });
+  connect(delete_, &QPushButton::clicked, this,
+          [this] { find_uses([this](const StimulusUses& uses) { ask_whether_to_delete(uses); }); });
+  connect(act_, &QPushButton::clicked, this, &StimulusActions::act);
+  connect(name_, &QLineEdit::returnPressed, this, &StimulusActions::act);
+  connect(cancel_, &QPushButton::clicked, this, &StimulusActions::hide_question);
+  set_stimulus(nullptr);
+}
+
+void StimulusActions::set_stimulus(const StimulusOverview* stimulus) {
+  using Kind = StimulusOverview::Kind;
+  const bool is_file = stimulus != nullptr && stimulus->kind != Kind::shape;
+  const std::string path = is_file ? stimulus->path : std::string();
+  if (path != path_) hide_question();
+  path_ = path;
+  is_rendering_ = is_file && stimulus->kind == Kind::rendering;
+  const bool is_usable = is_file && stimulus->problem.empty() && stimulus->remarks.problems.empty();
+  const bool is_shown = is_file && (stimulus->kind == Kind::picture ||
+                                    stimulus->kind == Kind::height_field || is_rendering_);
+  open_->setEnabled(is_usable && is_shown);
+  use_->setVisible(is_rendering_);
+  use_->setEnabled(is_usable && study_.can_be_written());
+  for (QPushButton* const button : {rename_, delete_}) {
+    button->setEnabled(is_file && study_.can_be_written());
+  }
+  QString reason{};
+  if (stimulus == nullptr) {
+    reason = tr("Choose a stimulus to open, rename or delete it.");
+  } else if (!is_file) {
+    reason = tr("This body is part of a protocol: change it there.");
+  } else if (!study_.can_be_written()) {
+    reason = tr("This study is read-only; copy it to a folder that you may write to.");
+  } else if (!is_shown) {
+    reason = tr("The workbench opens pictures, height fields and renderings.");
+  }
+  reason_->setText(reason);
+  reason_->setVisible(!reason.isEmpty());
+}
+
+void StimulusActions::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && question_->isVisible()) {
+    hide_question();
+    return;
+  }
+  QFrame::keyPressEvent(event);
+}
+
+void StimulusActions::find_uses(std::function<void(const StimulusUses&)> then) {
+  hide_question();
+  task_.run<StimulusUses>(
+      [path = path_, folder = study_.folder()](const std::stop_token&,
+                                               const BackgroundTask::Progress&) {
+        return uses_of_stimulus(Study::open(folder, Access::read_only), path);
+      },
+      [this, then = std::move(then), path = path_](const StimulusUses& uses) {
+        if (path != path_) return;
+        const auto complaint = complaint_about_renaming(uses, path);
+        if (!complaint) return then(uses);
+        emit refused(words_of(*complaint));
+      },
+      [this](const QString& what) { emit refused(what); });
+}
+
+void StimulusActions::ask_for_name(const StimulusUses& uses) {
+  QStringList sentences{tr("New name of %1 (without its ending).").arg(file_name(path_))};
+  std::vector<std::string> others = files_renamed_with(study_.folder(), path_);
+  std::erase(others, path_);
+  if (!others.empty()) sentences << tr("Renamed with it: %1.").arg(names_of(others));
+  std::vector<std::filesystem::path> changed = uses.protocols;
+  changed.insert(changed.end(), uses.renderings.begin(), uses.renderings.end());
+  sentences << (changed.empty() ? tr("No protocol refers to it.")
+                                : tr("The references are changed in: %1.").arg(names_of(changed)));
+  ask(sentences.join(' '), tr("Rename"), true);
+  name_->setText(is_rendering_ ? text(rendering_name(path_))
+                               : path_text(std::filesystem::path(path_).stem()));
+  name_->selectAll();
+  name_->setFocus();
+}
+
+void StimulusActions::ask_whether_to_delete(const StimulusUses& uses) {
+  if (const auto complaint = complaint_about_deletion(uses, path_)) {
+    emit refused(words_of(*complaint));
+    return;
+  }
+  const QString files = names_of(files_of_stimulus(study_.folder(), path_));
+  ask(is_rendering_
+          ? tr("Delete %1? Protocols with its values keep them. The file cannot be "
+               "restored.")
+                .arg(files)
+          : tr("Delete %1? Nothing refers to it. The files cannot be restored.").arg(files),
+      tr("Delete"), false);
+  cancel_->setFocus();  // Return deletes nothing
+}
+
+void StimulusActions::ask(const QString& text, const QString& verb, bool for_name) {
+  for_name_ = for_name;
+  text_->setText(text);
+  act_->setText(verb);
+  act_->setEnabled(true);
+  name_->setVisible(for_name);
+  question_->show();
+}
+
+void StimulusActions::hide_question() { question_->hide(); }
+
+void StimulusActions::act() {
+  act_->setEnabled(false);
+  task_.run<std::string>(
+      [path = path_, folder = study_.folder(), for_name = for_name_,
+       name = name_->text().trimmed().toStdString()](
+          const std::stop_token&, const BackgroundTask::Progress&) -> std::string {
+        const Study own = Study::open(folder, Access::read_only);
+        if (for_name) return rename_stimulus(own, path, name);
+        delete_stimulus(own, path);
+        return {};
+      },
+      [this](const std::string& path) {
+        hide_question();
+        emit changed(text(path));
+      },
+      [this](const QString& what) {
+        act_->setEnabled(true);
+        emit refused(what);
+      });
+}
+
+}  // namespace asperity
+
+#include "moc_stimulus_actions.cpp"

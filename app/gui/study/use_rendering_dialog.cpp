@@ -1,0 +1,304 @@
+// Computes the text of the protocol in the background whenever a choice changes, and shows what differs.
+
+#include "app/gui/study/use_rendering_dialog.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include <QtCore/QSignalBlocker>
+#include <QtWidgets/QBoxLayout>
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QGridLayout>
+
+#include "app/gui/base/open_study.h"
+#include "app/gui/base/study_table.h"
+#include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
+#include "app/gui/study/template_dialog.h"
+#include "app/study_files/protocol_languages.h"
+#include "app/tasks/protocol_files.h"
+#include "app/tasks/protocol_templates.h"
+#include "results_schema/error_text.h"
+#include "results_schema/files/atomic_file.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr QSize kUseSize{880, 600};
+
+}  // namespace
+
+struct UseRenderingDialog::Choice {
+  std::filesystem::path rendering{};
+  std::filesystem::path study{};
+  std::string protocol{};
+  RenderingPlace place{};
+};
+
+struct UseRenderingDialog::Result {
+  std::string after{};
+  std::vector<ChangedValue> changes{};
+  RenderingRemarks remarks{};
+  std::vector<Diagnostic> before{};  ///< problems that the protocol has already
+  std::vector<Diagnostic> problems{};
+};
+
+UseRenderingDialog::UseRenderingDialog(OpenStudy& study,
+                                       std::vector<std::filesystem::path> renderings,
+                                       UnsavedText unsaved, QWidget* parent)
+    : QDialog(parent),
+      study_(study),
+      renderings_(std::move(renderings)),
+      unsaved_(std::move(unsaved)) {
+  setObjectName("use_rendering_dialog");
+  setWindowTitle(tr("Use a rendering in an experiment"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  resize(parent == nullptr ? kUseSize : kUseSize.boundedTo(parent->window()->size()));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
+  layout->setSpacing(kMargin);
+  layout->addWidget(make_heading(tr("Use a rendering in an experiment"), this));
+  layout->addWidget(make_text(
+      tr("The values are copied: the protocol does not depend on the rendering."), this, true));
+  auto* choices = new QGridLayout();
+  choices->setSpacing(kGrid);
+  choices->setColumnStretch(1, 1);
+  int row = 0;
+  const auto add = [&](const QString& caption, const char* name) {
+    auto* box = new ChoiceBox(this);
+    box->setObjectName(name);
+    QLabel* label = make_text(caption, this);
+    label->setBuddy(box);
+    choices->addWidget(label, row, 0);
+    choices->addWidget(box, row++, 1);
+    return box;
+  };
+  rendering_ = add(tr("Rendering"), "use_rendering");
+  for (const std::filesystem::path& file : renderings_) {
+    rendering_->addItem(text(rendering_name(file)));
+  }
+  protocol_ = add(tr("Experiment"), "use_protocol");
+  QPushButton* from_template = make_button(tr("New from a template…"), ButtonRole::plain, this);
+  from_template->setObjectName("use_template");
+  choices->addWidget(from_template, row - 1, 2);
+  surface_ = add(tr("Surface"), "use_surface");
+  keeps_texture_ = new QCheckBox(this);
+  keeps_texture_->setObjectName("use_keeps_texture");
+  choices->addWidget(keeps_texture_, row++, 1);
+  layout->addLayout(choices);
+  remarks_ = make_text({}, this);
+  remarks_->setObjectName("use_remarks");
+  remarks_->hide();
+  layout->addWidget(remarks_);
+  changes_ = new StudyTable({{tr("Changes"), 0, StudyTable::Align::text},
+                             {tr("Before"), 184, StudyTable::Align::text},
+                             {tr("Afterwards"), 184, StudyTable::Align::text}},
+                            this);
+  changes_->setObjectName("use_changes");
+  changes_->setAccessibleName(tr("Changes"));
+  changes_->wrap_texts();
+  changes_->setSortingEnabled(false);
+  layout->addWidget(changes_, 1);
+  state_ = new StateLabel(this);
+  state_->setObjectName("use_state");
+  state_->setWordWrap(true);
+  layout->addWidget(state_);
+  auto* buttons = new QHBoxLayout();
+  buttons->setSpacing(kGrid);
+  buttons->addStretch(1);
+  QPushButton* cancel = make_button(tr("Cancel"), ButtonRole::plain, this);
+  use_ = make_button(tr("Change in the editor"), ButtonRole::primary, this);
+  use_->setObjectName("use_change");
+  use_->setToolTip(
+      tr("The editor shows the changed protocol. It is stored when you save it there."));
+  use_->setDefault(true);
+  use_->setEnabled(false);
+  buttons->addWidget(cancel);
+  buttons->addWidget(use_);
+  layout->addLayout(buttons);
+  connect(rendering_, &QComboBox::currentIndexChanged, this, &UseRenderingDialog::show_changes);
+  connect(protocol_, &QComboBox::currentIndexChanged, this, &UseRenderingDialog::fill_surfaces);
+  connect(surface_, &QComboBox::currentIndexChanged, this, &UseRenderingDialog::choose_surface);
+  connect(keeps_texture_, &QCheckBox::toggled, this, &UseRenderingDialog::show_changes);
+  connect(from_template, &QPushButton::clicked, this, &UseRenderingDialog::choose_template);
+  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+  connect(use_, &QPushButton::clicked, this, [this] {
+    emit wanted(protocol(), before_, after_, rendering_->currentText());
+    accept();
+  });
+  read_protocols({});
+}
+
+std::filesystem::path UseRenderingDialog::protocol() const {
+  const int index = protocol_->currentIndex();
+  return index < 0 ? std::filesystem::path() : protocols_[static_cast<std::size_t>(index)];
+}
+
+void UseRenderingDialog::read_protocols(const std::filesystem::path& chosen) {
+  {
+    const QSignalBlocker quiet(protocol_);
+    protocol_->clear();
+    protocols_ = protocol_files(study_.folder());
+    for (const std::filesystem::path& file : protocols_) protocol_->addItem(path_text(file.stem()));
+    const auto found = std::find(protocols_.begin(), protocols_.end(), chosen);
+    if (found != protocols_.end()) {
+      protocol_->setCurrentIndex(static_cast<int>(found - protocols_.begin()));
+    }
+  }
+  fill_surfaces();
+}
+
+void UseRenderingDialog::choose_template() {
+  auto* dialog = new TemplateDialog(study_.folder(), study_.models(), this);
+  connect(dialog, &TemplateDialog::wanted, this,
+          [this](const std::string& name, const TemplateTextures& textures) {
+            task_.run<std::filesystem::path>(
+                [name, textures, folder = study_.folder()](const std::stop_token&,
+                                                           const BackgroundTask::Progress&) {
+                  return protocol_from_template(folder, name, textures);
+                },
+                [this](const std::filesystem::path& file) {
+                  study_.announce_change();
+                  read_protocols(file);
+                },
+                [this](const QString& what) {
+                  state_->set_state(State::stop,
+                                    tr("The protocol could not be created: %1").arg(what));
+                });
+          });
+  dialog->open();
+}
+
+void UseRenderingDialog::fill_surfaces() {
+  {
+    const QSignalBlocker quiet(surface_);
+    surface_->clear();
+    usable_.clear();
+    before_.clear();
+    const std::filesystem::path file = protocol();
+    if (!file.empty()) {
+      try {
+        before_ = unsaved_(file).value_or(std::string());
+        if (before_.empty()) before_ = read_file(file, kProtocolFile);
+      } catch (const std::exception& error) {
+        state_->set_state(State::stop, text(message_of(error)));
+      }
+      usable_ = usable_surfaces(before_);
+      for (const UsableSurface& usable : usable_) {
+        surface_->addItem(tr("Replace “%1”").arg(text(usable.name)));
+      }
+      surface_->addItem(tr("Add a surface"));
+    }
+  }
+  choose_surface();
+}
+
+void UseRenderingDialog::choose_surface() {
+  const auto index = static_cast<std::size_t>(std::max(surface_->currentIndex(), 0));
+  keeps_texture_->setVisible(index < usable_.size());
+  if (index < usable_.size()) {
+    const QSignalBlocker quiet(keeps_texture_);
+    const std::optional<std::string>& factor = usable_[index].texture_factor;
+    keeps_texture_->setText(factor ? tr("Keep its textures, the levels of “%1”").arg(text(*factor))
+                                   : tr("Keep its texture"));
+    keeps_texture_->setChecked(factor.has_value());  // what the experiment compares
+  }
+  show_changes();
+}
+
+void UseRenderingDialog::show_changes() {
+  const auto index = static_cast<std::size_t>(std::max(surface_->currentIndex(), 0));
+  const bool replaces = index < usable_.size();
+  after_.clear();
+  use_->setEnabled(false);
+  changes_->fill({});
+  if (before_.empty()) {
+    remarks_->hide();
+    state_->set_state(State::look,
+                      protocols_.empty()
+                          ? tr("The study has no protocol yet. Create one from a template.")
+                          : tr("This protocol cannot be read. Choose another one."));
+    return;
+  }
+  if (!study_.can_be_written()) {
+    state_->set_state(State::stop,
+                      tr("This study is read-only; copy it to a folder that you may write to."));
+    return;
+  }
+  state_->set_state(State::unknown, tr("checking…"));
+  Choice choice{.rendering = renderings_[static_cast<std::size_t>(rendering_->currentIndex())],
+                .study = study_.folder(),
+                .protocol = before_};
+  if (replaces) choice.place.replaced = usable_[index].name;
+  choice.place.keeps_texture = replaces && keeps_texture_->isChecked();
+  work_.ask(
+      [this, choice, &models = study_.models()]() -> NewestWork::Delivery {
+        auto result = std::make_shared<Result>();
+        const Rendering rendering = load_rendering(choice.rendering);
+        result->remarks = remarks_about(rendering, models, choice.study);
+        std::string picture{};
+        for (const OwnTexture& relief : reliefs_of_study(choice.study)) {
+          if (relief.height_field == rendering.texture.height_field) picture = relief.picture;
+        }
+        const auto problems_of = [&](const std::string& protocol) {
+          return check_protocol_text(protocol, {}, models, choice.study, std::nullopt).diagnostics;
+        };
+        result->before = problems_of(choice.protocol);
+        if (result->before.empty()) {
+          result->after = with_rendering(choice.protocol, rendering,
+                                         rendering_name(choice.rendering), choice.place, picture);
+          result->changes = changed_values(choice.protocol, result->after);
+          result->problems = problems_of(result->after);
+        }
+        return [this, result] { take(*result); };
+      },
+      [this](const QString& what) {
+        remarks_->hide();
+        state_->set_state(State::stop, what);
+      });
+}
+
+void UseRenderingDialog::take(const Result& result) {
+  QStringList remarks{};
+  for (const auto* const sentences : {&result.remarks.problems, &result.remarks.warnings}) {
+    for (const Phrase& sentence : *sentences) remarks << "▲ " + words_of(sentence);
+  }
+  remarks_->setText(remarks.join('\n'));
+  remarks_->setVisible(!remarks.isEmpty());
+  std::vector<StudyTable::Row> rows{};
+  const QString none = tr("none");
+  for (const ChangedValue& change : result.changes) {
+    rows.push_back({text(change.pointer),
+                    {text_cell(text(change.pointer)),
+                     text_cell(change.before.empty() ? none : text(change.before)),
+                     text_cell(change.after.empty() ? none : text(change.after))}});
+  }
+  changes_->fill(rows);
+  if (!result.before.empty()) {
+    state_->set_state(State::stop, tr("The protocol has problems. Fix them in the editor first: %1")
+                                       .arg(text(result.before.front().message)));
+  } else if (!result.remarks.problems.empty()) {
+    state_->set_state(State::stop, tr("This rendering cannot be used."));
+  } else if (!result.problems.empty()) {
+    state_->set_state(
+        State::stop,
+        tr("The protocol would not be valid: %1").arg(text(result.problems.front().message)));
+  } else if (result.changes.empty()) {
+    state_->set_state(State::look, tr("The surface already has these values."));
+  } else {
+    after_ = result.after;
+    use_->setEnabled(true);
+    state_->set_state(
+        State::fine,
+        static_cast<std::size_t>(surface_->currentIndex()) < usable_.size()
+            ? tr("The changed protocol is valid.")
+            : tr("The changed protocol is valid. No block presents the new surface yet: "
+                 "choose it under Task in the editor."));
+  }
+}
+
+}  // namespace asperity
+
+#include "moc_use_rendering_dialog.cpp"

@@ -1,0 +1,157 @@
+// Stimuli are renamed with all references, deleted if nothing refers to them, and copied without replacing a file.
+
+#include "app/tasks/stimulus_files.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/session/session_setup.h"
+#include "app/study_files/height_field_files.h"
+#include "app/study_files/program.h"
+#include "app/study_files/rendering_files.h"
+#include "app/tasks/protocol_files.h"
+#include "app/words/phrase.h"
+#include "renderers/built_in_models.h"
+#include "results_schema/files/atomic_file.h"
+#include "tests/app/small_study.h"
+#include "tests/support/refusal.h"
+#include "tests/support/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class StimulusFiles : public testing::Test {
+ protected:
+  StimulusFiles() {
+    make_small_study(folder());
+    write_file(protocol_, small_protocol(), Overwrite::refuse);
+    save_rendering(folder(), "strong",
+                   {.model = "height_map",
+                    .version = "1",
+                    .texture = {"stimuli/grain.png", std::string(64, 'a')}});
+  }
+  std::filesystem::path folder() const { return temporary_.path() / "study"; }
+  std::filesystem::path stimulus(const std::string& name) const {
+    return folder() / "stimuli" / name;
+  }
+  Study study() const { return Study::open(folder(), Access::read_only); }
+  void run_it() {
+    Study own = Study::open(folder(), Access::read_write);
+    own.add_participant({.label = "p1", .created_utc = "2026-01-01T00:00:00.000Z"});
+    SessionConditions conditions{};
+    conditions.seed = 7;
+    conditions.pacing = "stepped";
+    conditions.started_utc = "2026-01-01T00:00:00.000Z";
+    begin_session(own, read_small_protocol(built_in_models(), read_file(protocol_)), "p1",
+                  conditions, this_program());
+  }
+  TemporaryFolder temporary_{};
+  std::filesystem::path protocol_ = folder() / "protocols" / "small.json";
+};
+
+TEST_F(StimulusFiles, KnowWhatRefersToThem) {
+  const StimulusUses uses = uses_of_stimulus(study(), "stimuli/grain.png");
+  EXPECT_THAT(uses.protocols, ElementsAre(protocol_));
+  EXPECT_THAT(uses.renderings, ElementsAre(rendering_file(folder(), "strong")));
+  EXPECT_FALSE(uses.is_stored());
+  EXPECT_TRUE(uses_of_stimulus(study(), "stimuli/strong.rendering.json").is_unused());
+}
+
+TEST_F(StimulusFiles, AreRenamedWithSidecarPhotographAndReferences) {
+  const std::string sha256 = load_height_field(stimulus("grain.png")).sha256;
+  EXPECT_THAT(
+      files_renamed_with(folder(), "stimuli/grain.png"),
+      ElementsAre("stimuli/grain_photo.png", "stimuli/grain.png.json", "stimuli/grain.png"));
+  EXPECT_EQ(rename_stimulus(study(), "stimuli/grain.png", "sand-2"), "stimuli/sand-2.png");
+  EXPECT_EQ(load_height_field(stimulus("sand-2.png")).sha256, sha256);
+  EXPECT_TRUE(std::filesystem::exists(stimulus("sand-2_photo.png")));
+  for (const char* const old : {"grain.png", "grain.png.json", "grain_photo.png"}) {
+    EXPECT_FALSE(std::filesystem::exists(stimulus(old))) << old;
+  }
+  const std::string text = read_file(protocol_);
+  EXPECT_THAT(text, HasSubstr(R"("grain": {"height_field": "stimuli/sand-2.png", "picture": )"
+                              R"("stimuli/sand-2_photo.png"})"));
+  EXPECT_TRUE(check_protocol(protocol_, built_in_models(), folder(), std::nullopt).is_valid());
+  EXPECT_EQ(load_rendering(rendering_file(folder(), "strong")).texture.height_field,
+            "stimuli/sand-2.png");
+}
+
+TEST_F(StimulusFiles, KeepTheirNameWhereAnotherHasTheNewOne) {
+  write_file(stimulus("sand_photo.png"), "somebody's", Overwrite::refuse);
+  EXPECT_THAT(
+      refusal_of<PhrasedError>([this] { rename_stimulus(study(), "stimuli/grain.png", "sand"); }),
+      HasSubstr("already has a file sand_photo.png"));
+  for (const char* const name : {"", "../sand", "sand/1", "Körner"}) {
+    EXPECT_THAT(
+        refusal_of<PhrasedError>([&] { rename_stimulus(study(), "stimuli/grain.png", name); }),
+        HasSubstr("cannot be the name"))
+        << name;
+  }
+  write_file(folder() / "protocols" / "broken.json", R"({"file": "stimuli/grain.png")",
+             Overwrite::refuse);
+  EXPECT_THAT(
+      refusal_of<PhrasedError>([this] { rename_stimulus(study(), "stimuli/grain.png", "corn"); }),
+      HasSubstr("broken.json names stimuli/grain.png"));
+  EXPECT_TRUE(std::filesystem::exists(stimulus("grain.png")));
+  EXPECT_FALSE(std::filesystem::exists(stimulus("corn.png")));
+  EXPECT_EQ(read_file(protocol_), small_protocol());
+}
+
+TEST_F(StimulusFiles, OfSessionsAreNeitherRenamedNorDeleted) {
+  run_it();
+  std::filesystem::remove(protocol_);  // the store still has its text
+  for (const char* const path : {"stimuli/grain.png", "stimuli/grain_photo.png"}) {
+    EXPECT_THAT(refusal_of<PhrasedError>([&] { rename_stimulus(study(), path, "sand"); }),
+                HasSubstr("belongs to stored sessions"))
+        << path;
+    EXPECT_THAT(refusal_of<PhrasedError>([&] { delete_stimulus(study(), path); }),
+                HasSubstr("belongs to stored sessions"))
+        << path;
+    EXPECT_TRUE(std::filesystem::exists(folder() / path));
+  }
+}
+
+TEST_F(StimulusFiles, AreDeletedOnlyIfNothingRefersToThem) {
+  EXPECT_THAT(refusal_of<PhrasedError>([this] { delete_stimulus(study(), "stimuli/grain.png"); }),
+              HasSubstr("is used by small.json, strong.rendering.json"));
+  std::filesystem::remove(protocol_);
+  delete_stimulus(study(), "stimuli/strong.rendering.json");
+  delete_stimulus(study(), "stimuli/grain.png");
+  EXPECT_FALSE(std::filesystem::exists(stimulus("grain.png")));
+  EXPECT_FALSE(std::filesystem::exists(stimulus("grain.png.json")));
+  EXPECT_TRUE(std::filesystem::exists(stimulus("grain_photo.png"))) << "is a stimulus of its own";
+}
+
+TEST_F(StimulusFiles, AreCopiedFromAnotherStudyAndReplaceNothing) {
+  const std::filesystem::path other = temporary_.path() / "other";
+  make_small_study(other);
+  const auto state_of = [&](const std::string& path) {
+    for (const ForeignStimulus& each : foreign_stimuli(folder(), other)) {
+      if (each.path == path) return each.state;
+    }
+    throw std::runtime_error("not listed: " + path);
+  };
+  using State = ForeignStimulus::State;
+  EXPECT_EQ(state_of("stimuli/grain.png"), State::is_there);
+  std::filesystem::rename(other / "stimuli" / "grain.png", other / "stimuli" / "corn.png");
+  std::filesystem::rename(other / "stimuli" / "grain.png.json",
+                          other / "stimuli" / "corn.png.json");
+  EXPECT_EQ(state_of("stimuli/corn.png"), State::can_be_copied);
+  write_file(stimulus("corn.png"), "another", Overwrite::refuse);
+  EXPECT_EQ(state_of("stimuli/corn.png"), State::name_is_taken);
+  EXPECT_ANY_THROW(copy_stimuli(folder(), other, {"stimuli/corn.png"}));
+  EXPECT_EQ(read_file(stimulus("corn.png")), "another");
+  EXPECT_FALSE(std::filesystem::exists(stimulus("corn.png.json")));
+  std::filesystem::remove(stimulus("corn.png"));
+  copy_stimuli(folder(), other, {"stimuli/corn.png"});
+  EXPECT_EQ(load_height_field(stimulus("corn.png")).sha256,
+            load_height_field(stimulus("grain.png")).sha256);
+  EXPECT_THAT(refusal_of<PhrasedError>([&] { foreign_stimuli(folder(), temporary_.path()); }),
+              HasSubstr("is not a study"));
+}
+
+}  // namespace
+}  // namespace asperity
