@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -118,7 +119,13 @@ void add_simulate(CLI::App& program, Job& job) {
         const auto show = [&progress](double fraction) { progress.show(fraction); };
         const SimulationInputs& inputs = options->inputs;
         if (inputs.shard) return simulate_shard(inputs, models, interrupt.token(), show, say_done);
-        return {folder, simulate(inputs, models, interrupt.token(), show, say_done)};
+        try {
+          return {folder, simulate(inputs, models, interrupt.token(), show, say_done)};
+        } catch (const SimulationStopped& stopped) {
+          throw std::runtime_error(
+              stopped.said().english() +
+              (inputs.resume ? "; repeat the command to resume it" : "; resume with --resume"));
+        }
       }();
       // Without sessions where an earlier command simulated this shard.
       const SimulationResult result = simulated.result.value_or(SimulationResult{});

@@ -11957,20 +11957,16 @@
         <translation>die Simulation wurde auf Wunsch gestoppt; jeder abgeschlossene Durchgang ist gespeichert; um sie fortzusetzen, starten Sie sie noch einmal mit denselben Angaben</translation>
     </message>
     <message>
-        <source>the session of %1 with &quot;%2&quot; stopped: %3; every completed trial is stored; resume with --resume</source>
-        <translation>die Sitzung von %1 mit „%2“ wurde gestoppt: %3; jeder abgeschlossene Durchgang ist gespeichert, die Sitzung kann fortgesetzt werden</translation>
-    </message>
-    <message>
-        <source>the session of %1 with &quot;%2&quot; stopped: %3; every completed trial is stored; repeat the command to resume it</source>
-        <translation>die Sitzung von %1 mit „%2“ wurde gestoppt: %3; jeder abgeschlossene Durchgang ist gespeichert; um sie fortzusetzen, wiederholen Sie den Befehl</translation>
-    </message>
-    <message>
         <source>the simulation in %3 (participants: %1, seed: %2) is not complete; to complete it, add --resume; to add further participants, use another --seed. No participant was added</source>
         <translation>die Simulation in %3 (Versuchspersonen: %1, Startwert: %2) ist nicht abgeschlossen; um sie abzuschließen, --resume angeben; um weitere Versuchspersonen hinzuzufügen, einen anderen --seed wählen. Es wurde keine Versuchsperson hinzugefügt</translation>
     </message>
     <message>
         <source>the protocols %1 and %2 differ in device.compute; state --compute, or simulate them one after the other</source>
         <translation>die Protokolle %1 und %2 unterscheiden sich in device.compute; geben Sie --compute an, oder simulieren Sie sie nacheinander</translation>
+    </message>
+    <message>
+        <source>the session of %1 with &quot;%2&quot; stopped: %3; every completed trial is stored</source>
+        <translation>die Sitzung von %1 mit „%2“ wurde gestoppt: %3; jeder abgeschlossene Durchgang ist gespeichert</translation>
     </message>
 </context>
 <context>

@@ -485,14 +485,10 @@ void Simulation::hold(Study& study, const ParticipantRow& person, const Protocol
                                text_of(*inputs_.shard) +
                                " is not stored; repeat the command to simulate it");
     }
-    throw PhrasedError((inputs_.resume
-                            ? phrase("Simulation",
-                                     "the session of %1 with \"%2\" stopped: %3; every completed "
-                                     "trial is stored; repeat the command to resume it")
-                            : phrase("Simulation",
-                                     "the session of %1 with \"%2\" stopped: %3; every completed "
-                                     "trial is stored; resume with --resume"))
-                           .with(person.label, protocol.name, end.reason));
+    throw SimulationStopped(phrase("Simulation",
+                                   "the session of %1 with \"%2\" stopped: %3; every completed "
+                                   "trial is stored")
+                                .with(person.label, protocol.name, end.reason));
   }
   const std::lock_guard result_lock(mutex_);
   ++result_.sessions;

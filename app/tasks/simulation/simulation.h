@@ -12,6 +12,7 @@
 
 #include "app/session/conductor.h"
 #include "app/shards/shard.h"
+#include "app/words/phrase.h"
 #include "protocols/file/diagnostic.h"
 #include "renderers/force/force_model.h"
 
@@ -60,6 +61,12 @@ struct SimulationResult {
   double wall_s = 0.0;
 };
 
+/// A session was stopped by a fault: every completed trial is stored, and the simulation can be resumed.
+class SimulationStopped final : public PhrasedError {
+ public:
+  using PhrasedError::PhrasedError;
+};
+
 /// Adds virtual participants to a study (created if it does not exist), each completing every
 /// protocol in the given order, once per session that the protocol declares.
 ///
@@ -69,9 +76,8 @@ struct SimulationResult {
 ///
 /// `progress` and `done` may be empty. Both are called from the jobs' threads.
 ///
-/// Errors: ProtocolError, ResultsError, std::runtime_error (a device that is not simulated; a session that was stopped by a fault;
-/// nothing to resume; an interrupted simulation of the same seed, number of participants and
-/// protocols, without `resume`).
+/// Errors: ProtocolError, ResultsError, SimulationStopped, std::runtime_error (a device that is not simulated; nothing to
+/// resume; an interrupted simulation of the same seed, number of participants and protocols, without `resume`).
 SimulationResult simulate(const SimulationInputs& inputs, const ModelRegistry& models,
                           const std::stop_token& stop, const std::function<void(double)>& progress,
                           const std::function<void(const AttemptDone&)>& done);
