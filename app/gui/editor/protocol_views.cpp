@@ -39,6 +39,8 @@ Difference difference(const QString& before, const QString& after) {
   return {{begin, before.size() - begin - end}, after.mid(begin, after.size() - begin - end)};
 }
 
+QKeySequence switch_keys() { return {Qt::CTRL | Qt::Key_T}; }
+
 }  // namespace
 
 ProtocolViews::ProtocolViews(std::vector<ModelDeclaration> models, QWidget* parent)
@@ -80,6 +82,8 @@ QWidget* ProtocolViews::make_switch() {
   const auto add = [&](const QString& name, const char* object, View view) {
     QPushButton* button = make_button(name, ButtonRole::selector, buttons);
     button->setObjectName(object);
+    button->setToolTip(
+        tr("Switches to the other view: %1").arg(switch_keys().toString(QKeySequence::NativeText)));
     group->addButton(button);
     layout->addWidget(button);
     connect(button, &QPushButton::clicked, this, [this, view] {
@@ -91,6 +95,10 @@ QWidget* ProtocolViews::make_switch() {
   to_form_ = add(tr("Form"), "editor_to_form", View::form);
   to_text_ = add(tr("Text"), "editor_to_text", View::text);
   to_form_->setChecked(true);
+  auto* shortcut = new QShortcut(switch_keys(), this);
+  shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+  connect(shortcut, &QShortcut::activated, this,
+          [this] { (view() == View::form ? to_text_ : to_form_)->click(); });
   return buttons;
 }
 

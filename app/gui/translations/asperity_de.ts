@@ -15883,6 +15883,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>Help for the key at the cursor.</source>
         <translation>Hilfe zum Schlüssel an der Schreibmarke.</translation>
     </message>
+    <message>
+        <source>Switches to the other view: %1</source>
+        <translation>Wechselt zur anderen Ansicht: %1</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ProtocolsPage</name>

@@ -246,6 +246,44 @@ TEST_F(FormOfProtocol, AddsAScaleWithANameOfItsOwn) {
   EXPECT_EQ(text(), before);
 }
 
+TEST_F(FormOfProtocol, MovesDuplicatesAndRemovesTheEntryWithTheFocusByKeys) {
+  open(library_text("semantic_differential"));
+  ASSERT_NE(part("/blocks/ratings/questions/1"), nullptr);
+  const auto names = [this] {
+    std::string all{};
+    const json file = tree();
+    for (const json& question : file["blocks"]["ratings"]["questions"]) {
+      all += question["name"].get<std::string>() + " ";
+    }
+    return all;
+  };
+  for (QToolButton* const button : form().findChildren<QToolButton*>()) {
+    if (!button->isVisible() || !button->accessibleName().startsWith("Duplicate “")) continue;
+    EXPECT_EQ(button->toolTip(), button->accessibleName() + " (Alt+Shift+D)");
+  }
+  const auto press = [](Qt::Key key) {
+    QTest::keyClick(QApplication::focusWidget(), key, Qt::AltModifier | Qt::ShiftModifier);
+    QApplication::processEvents();
+  };
+  const std::string before = text();
+  control<QLineEdit>("/blocks/ratings/questions/1/name").setFocus();
+  press(Qt::Key_Down);
+  EXPECT_EQ(names(), "rough slippery bumpy hot irregular coarse hard wet ");
+  press(Qt::Key_Down);
+  EXPECT_EQ(names(), "rough slippery hot bumpy irregular coarse hard wet ") << "the focus follows";
+  press(Qt::Key_D);
+  press(Qt::Key_Up);
+  EXPECT_EQ(names(), "rough slippery hot bumpy_2 bumpy irregular coarse hard wet ");
+  press(Qt::Key_Delete);
+  EXPECT_EQ(names(), "rough slippery hot bumpy irregular coarse hard wet ");
+  for (int step = 0; step < 5; ++step) undo();
+  EXPECT_EQ(text(), before);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_T, Qt::ControlModifier);
+  EXPECT_TRUE(views_.text().isVisible());
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_T, Qt::ControlModifier);
+  EXPECT_TRUE(form().isVisible());
+}
+
 TEST_F(FormOfProtocol, MovesDuplicatesAndRemovesSeveralAtOnce) {
   open(library_text("semantic_differential"));
   ASSERT_NE(part("/blocks/ratings/questions"), nullptr);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include <QtCore/QTimer>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QMenu>
@@ -38,6 +39,21 @@ std::string_view first_deciding(const KeyTable& table, const nlohmann::json& obj
 }
 
 }  // namespace
+
+QKeySequence keys_of(EntryAction action) {
+  constexpr auto kModifiers = Qt::AltModifier | Qt::ShiftModifier;
+  switch (action) {
+    case EntryAction::move_up:
+      return {kModifiers | Qt::Key_Up};
+    case EntryAction::move_down:
+      return {kModifiers | Qt::Key_Down};
+    case EntryAction::duplicate:
+      return {kModifiers | Qt::Key_D};
+    case EntryAction::remove:
+      break;
+  }
+  return {kModifiers | Qt::Key_Delete};
+}
 
 EntryList::EntryList(FormContext& context, const ValueShape& shape, const std::string& pointer,
                      const PagePart* part, QWidget* parent)
@@ -103,9 +119,11 @@ void EntryList::refresh() {
 
 void EntryList::show_entry(const Entry& entry, std::size_t index) const {
   const QString title = title_of(entry, index);
-  for (const auto& [tool, sentence] : entry.tools) {
-    tool->setToolTip(sentence.arg(title));
-    tool->setAccessibleName(sentence.arg(title));
+  for (const Tool& tool : entry.tools) {
+    const QString sentence = tool.sentence.arg(title);
+    tool.button->setToolTip(tool.keys.isEmpty() ? sentence
+                                                : QString("%1 (%2)").arg(sentence, tool.keys));
+    tool.button->setAccessibleName(sentence);
   }
   if (entry.chosen != nullptr) {
     entry.chosen->setAccessibleName(tr("Choose “%1”").arg(title));
@@ -190,7 +208,7 @@ void EntryList::add_card(Entry& entry, std::size_t index) {
   fold->setObjectName("open:" + text(entry.pointer));
   fold->setArrowType(is_open ? Qt::DownArrow : Qt::RightArrow);
   fold->setAutoRaise(true);
-  entry.tools.emplace_back(fold, is_open ? tr("Fold “%1”") : tr("Unfold “%1”"));
+  entry.tools.push_back({fold, is_open ? tr("Fold “%1”") : tr("Unfold “%1”"), {}});
   connect(fold, &QToolButton::clicked, this, [this, pointer = entry.pointer] { toggle(pointer); });
   head->addWidget(fold);
   entry.summary = make_text({}, card);
@@ -233,19 +251,22 @@ void EntryList::add_tools(QHBoxLayout& row, Entry& entry, std::size_t index) {
     }
   });
   row.addWidget(entry.chosen);
-  const auto add = [&](const QString& sign, const QString& sentence, auto act) {
+  using Action = EntryAction;
+  const auto add = [&](const QString& sign, const QString& sentence, Action action, auto act) {
     QToolButton* tool = make_tool(sign, {}, this);
     row.addWidget(tool);
-    entry.tools.emplace_back(tool, sentence);
+    entry.tools.push_back({tool, sentence, keys_of(action).toString(QKeySequence::NativeText)});
     connect(tool, &QToolButton::clicked, this, act);
     return tool;
   };
-  add("↑", tr("Move “%1” up"), [this, index] { move(index, -1); })->setEnabled(index > 0);
-  add("↓", tr("Move “%1” down"), [this, index] {
+  add("↑", tr("Move “%1” up"), Action::move_up, [this, index] {
+    move(index, -1);
+  })->setEnabled(index > 0);
+  add("↓", tr("Move “%1” down"), Action::move_down, [this, index] {
     move(index, 1);
   })->setEnabled(index + 1 < entries_.size());
-  add("+", tr("Duplicate “%1”"), [this, index] { duplicate(index); });
-  add("×", tr("Remove “%1”"), [this, index] { remove(index); });
+  add("+", tr("Duplicate “%1”"), Action::duplicate, [this, index] { duplicate(index); });
+  add("×", tr("Remove “%1”"), Action::remove, [this, index] { remove(index); });
 }
 
 QStringList EntryList::keys_to_add(QStringList& labels) const {
@@ -303,6 +324,46 @@ void EntryList::add_adding() {
 void EntryList::toggle(const std::string& pointer) {
   if (context().opened.erase(pointer) == 0) context().opened.insert(pointer);
   context().refresh();
+}
+
+std::optional<std::size_t> EntryList::entry_with(const QWidget& widget) const {
+  const auto has = [&widget](const QWidget* part) {
+    return part != nullptr && (part == &widget || part->isAncestorOf(&widget));
+  };
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const Entry& entry = entries_[i];
+    const bool has_tool = std::any_of(entry.tools.begin(), entry.tools.end(),
+                                      [&has](const Tool& tool) { return has(tool.button); });
+    if (has(entry.content) || has(entry.key) || has(entry.chosen) || has_tool) return i;
+  }
+  return {};
+}
+
+bool EntryList::act(const QWidget& focus, EntryAction action) {
+  const auto index = entry_with(focus);
+  if (!index || is_excerpt()) return false;
+  std::size_t after = *index;
+  switch (action) {
+    case EntryAction::move_up:
+      if (after == 0) return true;
+      move(after--, -1);
+      break;
+    case EntryAction::move_down:
+      if (after + 1 == entries_.size()) return true;
+      move(after++, 1);
+      break;
+    case EntryAction::duplicate:
+      duplicate(after++);
+      break;
+    case EntryAction::remove:
+      remove(after);
+      break;
+  }
+  // After the layout has shown what was made.
+  QTimer::singleShot(0, this, [this, after] {
+    if (!entries_.empty()) entries_[std::min(after, entries_.size() - 1)].chosen->setFocus();
+  });
+  return true;
 }
 
 std::vector<std::size_t> EntryList::together(std::size_t index) const {

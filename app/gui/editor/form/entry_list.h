@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include <QtGui/QKeySequence>
+
 #include "app/gui/editor/form/form_part.h"
 #include "protocols/form/form_pages.h"
 #include "protocols/shapes/shape.h"
@@ -21,6 +23,11 @@ class QVBoxLayout;
 
 namespace asperity {
 
+/// What a button of an entry does.
+enum class EntryAction { move_up, move_down, duplicate, remove };
+/// With the keyboard, for the entry with the focus.
+QKeySequence keys_of(EntryAction action);
+
 /// Entries that are moved, duplicated, removed and added. One that fits in a line is a field; another is a card with its
 /// name and a summary, which is unfolded. Entries whose boxes are ticked are moved, duplicated and removed together.
 class EntryList final : public FormPart {
@@ -31,8 +38,15 @@ class EntryList final : public FormPart {
   EntryList(FormContext& context, const ValueShape& shape, const std::string& pointer,
             const PagePart* part, QWidget* parent);
   void refresh() override;
+  /// As the button of the entry that contains the widget, which keeps the focus; false if no entry contains it.
+  bool act(const QWidget& focus, EntryAction action);
 
  private:
+  struct Tool {
+    QToolButton* button = nullptr;
+    QString sentence{};  ///< what it does to "%1"
+    QString keys{};      ///< of its shortcut; can be empty
+  };
   struct Entry {
     std::string pointer{};
     std::string name{};  ///< of a member of a map, or what a list entry is called; can be empty
@@ -41,8 +55,7 @@ class EntryList final : public FormPart {
     QLabel* summary = nullptr;
     QLabel* problem = nullptr;
     QCheckBox* chosen = nullptr;
-    /// The buttons, each with the sentence of what it does to "%1".
-    std::vector<std::pair<QToolButton*, QString>> tools{};
+    std::vector<Tool> tools{};
   };
 
   const ValueShape& entry_shape() const;
@@ -62,6 +75,7 @@ class EntryList final : public FormPart {
   /// Of the parameters of a stimulus.
   std::string stimulus() const { return pointer().substr(0, pointer().rfind('/')); }
   QString title_of(const Entry& entry, std::size_t index) const;
+  std::optional<std::size_t> entry_with(const QWidget& widget) const;
   void toggle(const std::string& pointer);
   void move(std::size_t index, int by);
   void duplicate(std::size_t index);

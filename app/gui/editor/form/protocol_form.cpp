@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <QtCore/QTimer>
+#include <QtGui/QShortcut>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QLineEdit>
@@ -83,6 +84,13 @@ ProtocolForm::ProtocolForm(const std::vector<ModelDeclaration>& models, QWidget*
   };
   context_.refresh = [this] { refresh(); };
   context_.show_in_text = [this](const std::string& pointer) { emit text_wanted(pointer); };
+  // One shortcut for all lists: a list can be in an entry of another.
+  for (const EntryAction action : {EntryAction::move_up, EntryAction::move_down,
+                                   EntryAction::duplicate, EntryAction::remove}) {
+    auto* shortcut = new QShortcut(keys_of(action), this);
+    shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+    connect(shortcut, &QShortcut::activated, this, [this, action] { act_on_entry(action); });
+  }
   setFocusProxy(pages_);
   connect(pages_, &QListWidget::currentRowChanged, this, [this](int row) {
     if (row < 0) return;
@@ -92,6 +100,17 @@ ProtocolForm::ProtocolForm(const std::vector<ModelDeclaration>& models, QWidget*
   });
   connect(qApp, &QApplication::focusChanged, this,
           [this](QWidget*, QWidget* now) { show_help(now); });
+}
+
+void ProtocolForm::act_on_entry(EntryAction action) {
+  const QWidget* const focus = QApplication::focusWidget();
+  if (focus == nullptr || !can_be_edited_ || read_only_) return;
+  commit();
+  for (QWidget* widget = focus->parentWidget(); widget != nullptr && widget != this;
+       widget = widget->parentWidget()) {
+    auto* const list = qobject_cast<EntryList*>(widget);
+    if (list != nullptr && list->act(*focus, action)) return;
+  }
 }
 
 void ProtocolForm::commit() {

@@ -8,6 +8,7 @@
 
 #include <QtWidgets/QWidget>
 
+#include "app/gui/editor/form/entry_list.h"
 #include "app/gui/editor/form/form_part.h"
 #include "protocols/file/diagnostic.h"
 #include "protocols/form/form_pages.h"
@@ -52,6 +53,7 @@ class ProtocolForm final : public QWidget {
  private:
   void make_page();
   void edit(const FormContext::Edit& edit, const std::string& step);
+  void act_on_entry(EntryAction action);
   void show_unreadable(const QString& why);
   void refresh();
   void show_help(QWidget* focused);
