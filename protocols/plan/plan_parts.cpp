@@ -52,10 +52,10 @@ std::vector<PlanPart> parts_of(const Protocol& protocol, const Plan& plan) {
   return parts;
 }
 
-std::vector<PlannedRun> runs_in(const Protocol& protocol, const Plan& plan) {
+std::vector<PlannedRun> runs_in(const Protocol& protocol, const std::vector<PlanPart>& parts) {
   std::vector<PlannedRun> runs{};
   int ordinal = 0;  // of the last run; the first has 1
-  for (const PlanPart& part : parts_of(protocol, plan)) {
+  for (const PlanPart& part : parts) {
     if (part.what != PlanPart::What::trials) continue;
     if (part.block_ordinal != ordinal) runs.push_back({.block = part.block});
     ordinal = part.block_ordinal;

@@ -35,8 +35,8 @@ struct PlannedRun {
   /// The trials of the longest run with other responses; nothing where the responses do not matter.
   std::optional<int> most_trials{};
 };
-/// In their order. The protocol must outlive them.
-std::vector<PlannedRun> runs_in(const Protocol& protocol, const Plan& plan);
+/// Those that the parts of a plan consist of, in their order. The protocol must outlive them.
+std::vector<PlannedRun> runs_in(const Protocol& protocol, const std::vector<PlanPart>& parts);
 
 /// Whether the responses determine how many trials a run of the block has.
 bool has_variable_length(const Protocol::Block& block);

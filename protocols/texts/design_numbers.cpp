@@ -131,7 +131,7 @@ DesignValues values_of_session(const Protocol& protocol, const Plan& example) {
   DesignValue blocks{};
   DesignValue trials{};
   DesignValue practised{};
-  for (const PlannedRun& run : runs_in(protocol, example)) {
+  for (const PlannedRun& run : runs_in(protocol, parts_of(protocol, example))) {
     const std::optional<int> most = run.most_trials;
     const bool is_main = run.block->phase == Phase::main;
     DesignValue& sum = is_main ? trials : practised;

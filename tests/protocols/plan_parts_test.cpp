@@ -37,7 +37,7 @@ TEST(PlanParts, AddUpToTheDurationAndTheTrialsOfTheSession) {
     EXPECT_NEAR(total_s + cost.breaks_after_contact_s, cost.total_s, 1e-6) << each.name;
     EXPECT_EQ(trials, cost.trials) << each.name;
     int of_runs = 0;
-    for (const PlannedRun& run : runs_in(protocol, plan)) of_runs += run.trials;
+    for (const PlannedRun& run : runs_in(protocol, parts_of(protocol, plan))) of_runs += run.trials;
     EXPECT_EQ(of_runs, cost.trials) << each.name;
   }
 }
@@ -56,7 +56,7 @@ TEST(PlanParts, AreDividedByBreaksAndJoinedToRuns) {
   kinds.resize(4);
   EXPECT_THAT(kinds, ElementsAre(PlanPart::What::reading, PlanPart::What::trials,
                                  PlanPart::What::pause, PlanPart::What::trials));
-  const std::vector<PlannedRun> runs = runs_in(protocol, plan);
+  const std::vector<PlannedRun> runs = runs_in(protocol, parts_of(protocol, plan));
   ASSERT_EQ(runs.size(), 1U);
   EXPECT_EQ(runs.front().trials, static_cast<int>(plan.trials.size()));
   EXPECT_FALSE(runs.front().most_trials);

@@ -23,17 +23,14 @@ namespace {
 constexpr int kBarHeight = 2 * kGrid;
 constexpr double kNarrowest = 2.0;  // pixels, so that no part is invisible
 
-QString trials_text(int trials, int most_trials, bool is_variable) {
-  if (is_variable) return PlanBars::tr("at most %1 trials").arg(most_trials);
-  return trials == 1 ? PlanBars::tr("1 trial") : PlanBars::tr("%1 trials").arg(trials);
-}
-
 QString words_of_part(const PlanPart& part) {
   const QString duration = text_of_duration(part.duration_s);
   switch (part.what) {
-    case PlanPart::What::trials:
+    case PlanPart::What::trials: {
+      const PlannedRun shown{.block = part.block, .trials = part.trials};
       return PlanBars::tr("%1: %2, about %3")
-          .arg(text(part.block->name), trials_text(part.trials, 0, false), duration);
+          .arg(text(part.block->name), text_of_trials({&shown, 1}), duration);
+    }
     case PlanPart::What::pause:
       return PlanBars::tr("break: at least %1").arg(duration);
     case PlanPart::What::reading:
@@ -43,6 +40,17 @@ QString words_of_part(const PlanPart& part) {
 }
 
 }  // namespace
+
+QString text_of_trials(std::span<const PlannedRun> runs) {
+  int most_trials = 0;
+  bool is_variable = false;
+  for (const PlannedRun& run : runs) {
+    most_trials += run.most_trials.value_or(run.trials);
+    is_variable = is_variable || run.most_trials.has_value();
+  }
+  if (is_variable) return PlanBars::tr("at most %1 trials").arg(most_trials);
+  return most_trials == 1 ? PlanBars::tr("1 trial") : PlanBars::tr("%1 trials").arg(most_trials);
+}
 
 PlanBars::PlanBars(QWidget* parent) : QWidget(parent) {
   setObjectName("plan_bars");
@@ -56,9 +64,8 @@ PlanBars::PlanBars(QWidget* parent) : QWidget(parent) {
   layout->addWidget(legend_);
 }
 
-void PlanBars::show_plan(const Protocol& protocol, const Plan& plan) {
-  add_entries(protocol, plan);
-  const std::vector<PlanPart> parts = parts_of(protocol, plan);
+void PlanBars::show_parts(std::span<const PlanPart> parts, std::span<const PlannedRun> runs) {
+  add_entries(runs);
   double total_s = 0.0;
   for (const PlanPart& part : parts) total_s += part.duration_s;
   bars_.clear();
@@ -80,17 +87,23 @@ void PlanBars::show_plan(const Protocol& protocol, const Plan& plan) {
   update();
 }
 
-void PlanBars::add_entries(const Protocol& protocol, const Plan& plan) {
+void PlanBars::add_entries(std::span<const PlannedRun> runs) {
   entries_.clear();
-  for (const PlannedRun& run : runs_in(protocol, plan)) {
+  std::vector<std::vector<PlannedRun>> of_blocks{};
+  for (const PlannedRun& run : runs) {
     const QString block = text(run.block->name);
-    auto entry = std::ranges::find(entries_, block, &Entry::block);
-    if (entry == entries_.end()) entry = entries_.insert(entry, Entry{.block = block});
-    ++entry->runs;
-    entry->trials += run.trials;
-    entry->most_trials += run.most_trials.value_or(run.trials);
-    entry->is_variable = entry->is_variable || run.most_trials.has_value();
-    entry->duration_s += run.duration_s;
+    const auto found = std::ranges::find(entries_, block, &Entry::block);
+    const auto place = static_cast<std::size_t>(found - entries_.begin());
+    if (found == entries_.end()) {
+      entries_.push_back({.block = block});
+      of_blocks.emplace_back();
+    }
+    of_blocks[place].push_back(run);
+  }
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    entries_[i].runs = static_cast<int>(of_blocks[i].size());
+    entries_[i].trials = text_of_trials(of_blocks[i]);
+    for (const PlannedRun& run : of_blocks[i]) entries_[i].duration_s += run.duration_s;
   }
 }
 
@@ -100,7 +113,7 @@ void PlanBars::write_legend() {
     const Entry& entry = entries_[i];
     QStringList facts{};
     if (entry.runs > 1) facts.append(tr("%1 runs").arg(entry.runs));
-    facts.append(trials_text(entry.trials, entry.most_trials, entry.is_variable));
+    facts.append(entry.trials);
     facts.append(tr("about %1").arg(text_of_duration(entry.duration_s)));
     // Spaces that do not break keep an entry on one line.
     const QString line = tr("%1: %2").arg(entry.block, facts.join(", "));

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <QtWidgets/QWidget>
@@ -12,6 +13,9 @@ class QLabel;
 
 namespace asperity {
 
+/// "48 trials", "at most 60 trials" where the responses determine their number.
+QString text_of_trials(std::span<const PlannedRun> runs);
+
 /// Blocks have the colours of a legend below, with their trials and minutes; breaks are gaps between them, and what is read
 /// is a thin line. The legend and the accessible description state the same in words; each bar has its words as a tooltip.
 class PlanBars final : public QWidget {
@@ -19,7 +23,8 @@ class PlanBars final : public QWidget {
  public:
   explicit PlanBars(QWidget* parent = nullptr);
 
-  void show_plan(const Protocol& protocol, const Plan& plan);
+  /// Of one plan.
+  void show_parts(std::span<const PlanPart> parts, std::span<const PlannedRun> runs);
 
  signals:
   /// A bar was pressed: its first step.
@@ -43,13 +48,11 @@ class PlanBars final : public QWidget {
   struct Entry {
     QString block{};
     int runs = 0;
-    int trials = 0;
-    int most_trials = 0;
-    bool is_variable = false;  ///< the responses determine how many trials there are
+    QString trials{};
     double duration_s = 0.0;
   };
 
-  void add_entries(const Protocol& protocol, const Plan& plan);
+  void add_entries(std::span<const PlannedRun> runs);
   void write_legend();
   QRectF rect_of(std::size_t bar) const;
   const Bar* bar_at(QPointF place) const;

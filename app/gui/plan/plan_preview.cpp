@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include <QtCore/QSignalBlocker>
 #include <QtWidgets/QBoxLayout>
@@ -170,16 +171,8 @@ QString in_full(const PlanStep& step, const Plan& plan, const Protocol& protocol
 }
 
 /// "48 trials · 48 contacts · about 42 min · at most 12 min without a break"
-QString cost_in_words(const PlanCost& cost, const Protocol& protocol, const Plan& plan) {
-  int most_trials = 0;
-  bool is_variable = false;
-  for (const PlannedRun& run : runs_in(protocol, plan)) {
-    most_trials += run.most_trials.value_or(run.trials);
-    is_variable = is_variable || run.most_trials.has_value();
-  }
-  QStringList facts{is_variable        ? PlanPreview::tr("at most %1 trials").arg(most_trials)
-                    : cost.trials == 1 ? PlanPreview::tr("1 trial")
-                                       : PlanPreview::tr("%1 trials").arg(cost.trials),
+QString cost_in_words(const PlanCost& cost, std::span<const PlannedRun> runs, const Plan& plan) {
+  QStringList facts{text_of_trials(runs),
                     cost.contacts == 1 ? PlanPreview::tr("1 contact")
                                        : PlanPreview::tr("%1 contacts").arg(cost.contacts),
                     PlanPreview::tr("about %1").arg(text_of_duration(cost.total_s)),
@@ -330,16 +323,18 @@ void PlanPreview::make_plan_anew() {
       [this, protocol = protocol_, allocation = allocation()]() -> NewestWork::Delivery {
         auto plan = std::make_shared<Plan>(example_plan(*protocol, allocation));
         const PlanCost cost = cost_of(*protocol, *plan);
+        const std::vector<PlanPart> parts = parts_of(*protocol, *plan);
+        const std::vector<PlannedRun> runs = runs_in(*protocol, parts);
         const DesignValues values = values_of_session(*protocol, *plan);
         for (PlanStep& step : plan->steps) {
           step = as_read(std::move(step), values, protocol->language);
         }
-        return [this, protocol, plan, cost] {
+        return [this, protocol, plan, cost, parts, runs] {
           if (protocol != protocol_) return;
           planned_ = protocol;
           plan_ = plan;
-          words_->setText(cost_in_words(cost, *protocol, *plan));
-          if (bars_ != nullptr) bars_->show_plan(*protocol, *plan);
+          words_->setText(cost_in_words(cost, runs, *plan));
+          if (bars_ != nullptr) bars_->show_parts(parts, runs);
           show_plan();
         };
       },

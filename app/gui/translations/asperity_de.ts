@@ -15295,14 +15295,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Antwortmöglichkeiten, wie gezeigt</translation>
     </message>
     <message>
-        <source>1 trial</source>
-        <translation>1 Durchgang</translation>
-    </message>
-    <message>
-        <source>%1 trials</source>
-        <translation>%1 Durchgänge</translation>
-    </message>
-    <message>
         <source>1 contact</source>
         <translation>1 Kontakt</translation>
     </message>
@@ -15413,10 +15405,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>anchor at the end</source>
         <translation>Anker am Ende</translation>
-    </message>
-    <message>
-        <source>at most %1 trials</source>
-        <translation>höchstens %1 Durchgänge</translation>
     </message>
 </context>
 <context>

@@ -23,7 +23,8 @@ class BarsOfAPlan : public testing::Test {
       : protocol(read_protocol(test::library_text(name), name, test::models_of_library())),
         plan(example_plan(protocol, {1, 0})) {
     bars.resize(600, 80);
-    bars.show_plan(protocol, plan);
+    const std::vector<PlanPart> parts = parts_of(protocol, plan);
+    bars.show_parts(parts, runs_in(protocol, parts));
     bars.show();
   }
   QString legend() const {
@@ -37,7 +38,7 @@ class BarsOfAPlan : public testing::Test {
 };
 
 TEST_F(BarsOfAPlan, NameEveryBlockWithItsTrials) {
-  for (const PlannedRun& run : runs_in(protocol, plan)) {
+  for (const PlannedRun& run : runs_in(protocol, parts_of(protocol, plan))) {
     EXPECT_TRUE(legend().contains(QString::fromStdString(run.block->name)))
         << legend().toStdString();
     EXPECT_TRUE(legend().contains(QString("%1 trial").arg(run.trials))) << legend().toStdString();
@@ -78,7 +79,7 @@ class BarsOfAStaircase : public BarsOfAPlan {
 };
 
 TEST_F(BarsOfAStaircase, StateTheLargestNumberOfTrials) {
-  const std::vector<PlannedRun> runs = runs_in(protocol, plan);
+  const std::vector<PlannedRun> runs = runs_in(protocol, parts_of(protocol, plan));
   const bool varies =
       std::ranges::any_of(runs, [](const PlannedRun& run) { return run.most_trials.has_value(); });
   EXPECT_EQ(legend().contains("at most"), varies) << legend().toStdString();
