@@ -257,10 +257,13 @@ TEST_F(FormOfProtocol, MovesDuplicatesAndRemovesTheEntryWithTheFocusByKeys) {
     }
     return all;
   };
+  int duplicating = 0;
   for (QToolButton* const button : form().findChildren<QToolButton*>()) {
     if (!button->isVisible() || !button->accessibleName().startsWith("Duplicate “")) continue;
     EXPECT_EQ(button->toolTip(), button->accessibleName() + " (Alt+Shift+D)");
+    ++duplicating;
   }
+  EXPECT_GT(duplicating, 0);
   const auto press = [](Qt::Key key) {
     QTest::keyClick(QApplication::focusWidget(), key, Qt::AltModifier | Qt::ShiftModifier);
     QApplication::processEvents();

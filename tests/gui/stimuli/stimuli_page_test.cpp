@@ -43,7 +43,7 @@ TEST_F(StimuliPageTest, RenamesAStimulusWithItsReferences) {
 
 TEST_F(StimuliPageTest, DeletesOnlyWhatNothingRefersTo) {
   save_height_field(stimulus("spare.png"),
-                    make_surface("noise", {}, {.width_m = 0.02, .pixels = 64}), {.kind = "noise"},
+                    make_surface("noise", {}, {.width_m = 0.02, .pixels = 128}), {.kind = "noise"},
                     Overwrite::refuse);
   StudyTable& table = stimuli(4);
   table.select("stimuli/noise.png");
@@ -82,7 +82,7 @@ TEST_F(StimuliPageTest, CopiesFromAnotherStudyWhatIsNotThere) {
     save_height_field(
         other / "stimuli" / name,
         make_surface("noise", {},
-                     {.width_m = 0.02, .pixels = 64, .seed = static_cast<std::uint64_t>(seed)}),
+                     {.width_m = 0.02, .pixels = 128, .seed = static_cast<std::uint64_t>(seed)}),
         {.kind = "noise"}, Overwrite::refuse);
   }
   const std::string before = read_file(stimulus("brick.png"));

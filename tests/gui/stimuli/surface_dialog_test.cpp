@@ -82,7 +82,7 @@ TEST_F(SurfaceDialogTest, ShowsTheCommandThatGivesTheSameFiles) {
   SurfaceDialog& dialog = open();
   child<QComboBox>(dialog, "surface_kind").setCurrentText("Noise");
   type(child<ParameterForm>(dialog, "surface_noise"), "rms_m", "37.5");
-  type(child<ParameterForm>(dialog, "surface_canvas"), "pixels", "256");
+  type(child<ParameterForm>(dialog, "surface_canvas"), "pixels", "512");
   type(child<ParameterForm>(dialog, "surface_canvas"), "seed", "12");
   child<QLineEdit>(dialog, "surface_name").setText("made");
   settle(dialog);
