@@ -28,21 +28,35 @@ namespace {
 
 constexpr QSize kUseSize{880, 600};
 
+/// Lines differ: others come before them.
+std::vector<Diagnostic> without_those(std::vector<Diagnostic> warnings,
+                                      const std::vector<Diagnostic>& known) {
+  std::erase_if(warnings, [&known](const Diagnostic& warning) {
+    return std::any_of(known.begin(), known.end(), [&warning](const Diagnostic& each) {
+      return each.pointer == warning.pointer && each.message == warning.message;
+    });
+  });
+  return warnings;
+}
+
 }  // namespace
 
 struct UseRenderingDialog::Choice {
   std::filesystem::path rendering{};
   std::filesystem::path study{};
-  std::string protocol{};
+  std::filesystem::path protocol{};
+  std::string before{};  ///< the text of the protocol
   RenderingPlace place{};
 };
 
 struct UseRenderingDialog::Result {
-  std::string after{};
+  Choice choice{};
+  std::string after{};  ///< the text of the protocol
   std::vector<ChangedValue> changes{};
   RenderingRemarks remarks{};
-  std::vector<Diagnostic> before{};  ///< problems that the protocol has already
+  std::vector<Diagnostic> problems_before{};
   std::vector<Diagnostic> problems{};
+  std::vector<Diagnostic> warnings{};  ///< that the protocol did not have before
 };
 
 UseRenderingDialog::UseRenderingDialog(OpenStudy& study,
@@ -94,7 +108,7 @@ UseRenderingDialog::UseRenderingDialog(OpenStudy& study,
   layout->addWidget(remarks_);
   changes_ = new StudyTable({{tr("Changes"), 0, StudyTable::Align::text},
                              {tr("Before"), 184, StudyTable::Align::text},
-                             {tr("Afterwards"), 184, StudyTable::Align::text}},
+                             {tr("After"), 184, StudyTable::Align::text}},
                             this);
   changes_->setObjectName("use_changes");
   changes_->setAccessibleName(tr("Changes"));
@@ -125,7 +139,9 @@ UseRenderingDialog::UseRenderingDialog(OpenStudy& study,
   connect(from_template, &QPushButton::clicked, this, &UseRenderingDialog::choose_template);
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   connect(use_, &QPushButton::clicked, this, [this] {
-    emit wanted(protocol(), before_, after_, rendering_->currentText());
+    const std::shared_ptr<const Result> result = result_;
+    emit wanted(result->choice.protocol, result->choice.before, result->after,
+                text(rendering_name(result->choice.rendering)));
     accept();
   });
   read_protocols({});
@@ -211,11 +227,12 @@ void UseRenderingDialog::choose_surface() {
 void UseRenderingDialog::show_changes() {
   const auto index = static_cast<std::size_t>(std::max(surface_->currentIndex(), 0));
   const bool replaces = index < usable_.size();
-  after_.clear();
+  const std::uint64_t number = ++shown_;
+  result_.reset();
   use_->setEnabled(false);
+  remarks_->hide();
   changes_->fill({});
   if (before_.empty()) {
-    remarks_->hide();
     state_->set_state(State::look,
                       protocols_.empty()
                           ? tr("The study has no protocol yet. Create one from a template.")
@@ -227,75 +244,86 @@ void UseRenderingDialog::show_changes() {
                       tr("This study is read-only; copy it to a folder that you may write to."));
     return;
   }
-  state_->set_state(State::unknown, tr("checking…"));
+  state_->set_state(State::unknown, tr("Checking…"));
   Choice choice{.rendering = renderings_[static_cast<std::size_t>(rendering_->currentIndex())],
                 .study = study_.folder(),
-                .protocol = before_};
+                .protocol = protocol(),
+                .before = before_};
   if (replaces) choice.place.replaced = usable_[index].name;
   choice.place.keeps_texture = replaces && keeps_texture_->isChecked();
   work_.ask(
-      [this, choice, &models = study_.models()]() -> NewestWork::Delivery {
+      [this, number, choice, &models = study_.models()]() -> NewestWork::Delivery {
         auto result = std::make_shared<Result>();
+        result->choice = choice;
         const Rendering rendering = load_rendering(choice.rendering);
         result->remarks = remarks_about(rendering, models, choice.study);
         std::string picture{};
         for (const OwnTexture& relief : reliefs_of_study(choice.study)) {
           if (relief.height_field == rendering.texture.height_field) picture = relief.picture;
         }
-        const auto problems_of = [&](const std::string& protocol) {
-          return check_protocol_text(protocol, {}, models, choice.study, std::nullopt).diagnostics;
+        const auto checked = [&](const std::string& protocol) {
+          return check_protocol_text(protocol, {}, models, choice.study, std::nullopt);
         };
-        result->before = problems_of(choice.protocol);
-        if (result->before.empty()) {
-          result->after = with_rendering(choice.protocol, rendering,
-                                         rendering_name(choice.rendering), choice.place, picture);
-          result->changes = changed_values(choice.protocol, result->after);
-          result->problems = problems_of(result->after);
+        const ProtocolCheck before = checked(choice.before);
+        result->problems_before = before.diagnostics;
+        if (before.diagnostics.empty()) {
+          result->after = with_rendering(choice.before, rendering, rendering_name(choice.rendering),
+                                         choice.place, picture);
+          result->changes = changed_values(choice.before, result->after);
+          const ProtocolCheck after = checked(result->after);
+          result->problems = after.diagnostics;
+          result->warnings = without_those(after.warnings, before.warnings);
         }
-        return [this, result] { take(*result); };
+        return [this, number, result] {
+          if (number == shown_) take(result);  // otherwise another choice is being computed
+        };
       },
-      [this](const QString& what) {
-        remarks_->hide();
-        state_->set_state(State::stop, what);
+      [this, number](const QString& what) {
+        if (number == shown_) state_->set_state(State::stop, what);
       });
 }
 
-void UseRenderingDialog::take(const Result& result) {
+void UseRenderingDialog::take(const std::shared_ptr<const Result>& result) {
   QStringList remarks{};
-  for (const auto* const sentences : {&result.remarks.problems, &result.remarks.warnings}) {
+  for (const auto* const sentences : {&result->remarks.problems, &result->remarks.warnings}) {
     for (const Phrase& sentence : *sentences) remarks << "▲ " + words_of(sentence);
+  }
+  for (const Diagnostic& warning : result->warnings) {
+    remarks << "▲ " + text(warning.pointer) + ": " + text(warning.message);
   }
   remarks_->setText(remarks.join('\n'));
   remarks_->setVisible(!remarks.isEmpty());
   std::vector<StudyTable::Row> rows{};
   const QString none = tr("none");
-  for (const ChangedValue& change : result.changes) {
+  for (const ChangedValue& change : result->changes) {
     rows.push_back({text(change.pointer),
                     {text_cell(text(change.pointer)),
                      text_cell(change.before.empty() ? none : text(change.before)),
                      text_cell(change.after.empty() ? none : text(change.after))}});
   }
   changes_->fill(rows);
-  if (!result.before.empty()) {
+  if (!result->problems_before.empty()) {
     state_->set_state(State::stop, tr("The protocol has problems. Fix them in the editor first: %1")
-                                       .arg(text(result.before.front().message)));
-  } else if (!result.remarks.problems.empty()) {
-    state_->set_state(State::stop, tr("This rendering cannot be used."));
-  } else if (!result.problems.empty()) {
+                                       .arg(text(result->problems_before.front().message)));
+  } else if (!result->remarks.problems.empty()) {
+    state_->set_state(State::stop, tr("This rendering cannot be used here."));
+  } else if (!result->problems.empty()) {
     state_->set_state(
         State::stop,
-        tr("The protocol would not be valid: %1").arg(text(result.problems.front().message)));
-  } else if (result.changes.empty()) {
+        tr("The protocol would not be valid: %1").arg(text(result->problems.front().message)));
+  } else if (result->changes.empty()) {
     state_->set_state(State::look, tr("The surface already has these values."));
   } else {
-    after_ = result.after;
+    QString sentence = result->warnings.empty()
+                           ? tr("The changed protocol is valid.")
+                           : tr("The changed protocol is valid, with warnings.");
+    if (!result->choice.place.replaced) {
+      sentence += ' ' + tr("No block presents the new surface yet: choose it under Task in the "
+                           "editor.");
+    }
+    state_->set_state(result->warnings.empty() ? State::fine : State::look, sentence);
+    result_ = result;
     use_->setEnabled(true);
-    state_->set_state(
-        State::fine,
-        static_cast<std::size_t>(surface_->currentIndex()) < usable_.size()
-            ? tr("The changed protocol is valid.")
-            : tr("The changed protocol is valid. No block presents the new surface yet: "
-                 "choose it under Task in the editor."));
   }
 }
 

@@ -2,8 +2,10 @@
 
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,7 +54,7 @@ class UseRenderingDialog final : public QDialog {
   void fill_surfaces();
   void choose_surface();
   void show_changes();
-  void take(const Result& result);
+  void take(const std::shared_ptr<const Result>& result);
   std::filesystem::path protocol() const;
 
   OpenStudy& study_;
@@ -61,7 +63,8 @@ class UseRenderingDialog final : public QDialog {
   std::vector<std::filesystem::path> protocols_{};
   std::vector<UsableSurface> usable_{};
   std::string before_{};
-  std::string after_{};  ///< empty while there is nothing to do
+  std::uint64_t shown_ = 0;                 ///< number of the choice that is shown
+  std::shared_ptr<const Result> result_{};  ///< of this choice; null while nothing can be done
   QComboBox* rendering_ = nullptr;
   QComboBox* protocol_ = nullptr;
   QComboBox* surface_ = nullptr;

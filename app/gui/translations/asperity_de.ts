@@ -18583,10 +18583,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Vorher</translation>
     </message>
     <message>
-        <source>Afterwards</source>
-        <translation>Nachher</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
@@ -18631,20 +18627,12 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Diese Studie ist schreibgeschützt; die Studie in einen beschreibbaren Ordner kopieren.</translation>
     </message>
     <message>
-        <source>checking…</source>
-        <translation>wird geprüft…</translation>
-    </message>
-    <message>
         <source>none</source>
         <translation>kein Wert</translation>
     </message>
     <message>
         <source>The protocol has problems. Fix them in the editor first: %1</source>
         <translation>Das Protokoll hat Probleme. Zuerst im Editor beheben: %1</translation>
-    </message>
-    <message>
-        <source>This rendering cannot be used.</source>
-        <translation>Diese Wiedergabe ist nicht verwendbar.</translation>
     </message>
     <message>
         <source>The protocol would not be valid: %1</source>
@@ -18659,8 +18647,24 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Das geänderte Protokoll ist gültig.</translation>
     </message>
     <message>
-        <source>The changed protocol is valid. No block presents the new surface yet: choose it under Task in the editor.</source>
-        <translation>Das geänderte Protokoll ist gültig. Noch bietet kein Block die neue Oberfläche dar: im Editor unter Aufgabe wählen.</translation>
+        <source>After</source>
+        <translation>Nachher</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>Wird geprüft…</translation>
+    </message>
+    <message>
+        <source>This rendering cannot be used here.</source>
+        <translation>Diese Wiedergabe ist hier nicht verwendbar.</translation>
+    </message>
+    <message>
+        <source>The changed protocol is valid, with warnings.</source>
+        <translation>Das geänderte Protokoll ist gültig, mit Warnungen.</translation>
+    </message>
+    <message>
+        <source>No block presents the new surface yet: choose it under Task in the editor.</source>
+        <translation>Noch zeigt kein Block die neue Oberfläche: Sie im Editor unter Aufgabe wählen.</translation>
     </message>
 </context>
 <context>

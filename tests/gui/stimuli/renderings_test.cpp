@@ -10,6 +10,7 @@
 #include "app/gui/workbench/parameter_form.h"
 #include "app/gui/workbench/workbench_page.h"
 #include "app/study_files/rendering_files.h"
+#include "app/study_files/study_protocols.h"
 #include "tests/gui/stimuli/window_with_reliefs.h"
 
 namespace asperity {
@@ -104,7 +105,7 @@ TEST_F(RenderingsTest, AreUsedInAProtocolAsOneStepOfTheEditor) {
   choose_only(page, "lateral_gradient");
   click("rendering_use");
   UseRenderingDialog& use = dialog();
-  EXPECT_EQ(child<QComboBox>(use, "use_protocol").currentText(), "attributes_of_textures");
+  EXPECT_EQ(child<QComboBox>(use, "use_protocol").currentText(), "semantic_differential");
   EXPECT_EQ(child<QComboBox>(use, "use_surface").currentText(), "Replace “rendered”");
   EXPECT_TRUE(child<QCheckBox>(use, "use_keeps_texture").isChecked());
   EXPECT_EQ(child<QCheckBox>(use, "use_keeps_texture").text(),
@@ -134,6 +135,42 @@ TEST_F(RenderingsTest, AreUsedInAProtocolAsOneStepOfTheEditor) {
   EXPECT_TRUE(editor().result()->is_valid());
   child<ProtocolTextEdit>(window_, "editor_text").undo();
   EXPECT_EQ(editor().content(), before) << "one step";
+}
+
+TEST_F(RenderingsTest, AreUsedInTheProtocolThatWasChosenLast) {
+  const std::filesystem::path second = protocol_.parent_path() / "a_second.json";
+  write_file(second, with_protocol_name(read_file(protocol_), "a_second"), Overwrite::refuse);
+  choose_only(compare("brick.png"), "lateral_gradient");
+  click("rendering_use");
+  UseRenderingDialog& use = dialog();
+  auto& protocol = child<QComboBox>(use, "use_protocol");
+  auto& change = child<QPushButton>(use, "use_change");
+  protocol.setCurrentText("semantic_differential");
+  QTest::qSleep(100);  // its check has begun, and is delivered after the next choice
+  protocol.setCurrentText("a_second");
+  EXPECT_FALSE(change.isEnabled());
+  ASSERT_TRUE(eventually([&] { return change.isEnabled(); }));
+  QTest::mouseClick(&change, Qt::LeftButton);
+  ASSERT_TRUE(eventually([&] { return window_.shown_page() == "editor"; }));
+  EXPECT_EQ(editor().file(), second);
+  EXPECT_EQ(protocol_name(editor().content()), "a_second");
+  EXPECT_THAT(editor().content(), HasSubstr("\"x-rendering\""));
+}
+
+TEST_F(RenderingsTest, StateTheWarningsThatTheirUseCauses) {
+  choose_only(compare("brick.png"), "lateral_gradient");
+  click("rendering_use");
+  UseRenderingDialog& use = dialog();
+  EXPECT_EQ(state(use), "✓ The changed protocol is valid.");
+  child<QCheckBox>(use, "use_keeps_texture").setChecked(false);
+  EXPECT_TRUE(eventually([&] {
+    return state(use) == "▲ The changed protocol is valid, with warnings.";
+  })) << state(use).toStdString();
+  const QString remarks = child<QLabel>(use, "use_remarks").text();
+  EXPECT_TRUE(remarks.contains("▲ /blocks/ratings: every trial presents the same surface"))
+      << remarks.toStdString();
+  EXPECT_FALSE(remarks.contains("break")) << "a warning that the protocol had before";
+  EXPECT_TRUE(child<QPushButton>(use, "use_change").isEnabled());
 }
 
 TEST_F(RenderingsTest, AreAddedToTheTextThatIsBeingEdited) {

@@ -23,7 +23,7 @@ TEST_F(StimuliPageTest, RenamesAStimulusWithItsReferences) {
   ASSERT_TRUE(eventually([&] { return name.isVisible(); }));
   EXPECT_EQ(words("stimulus_question"),
             "New name of brick.png (without its ending). Renamed with it: brick.png.json. The "
-            "references are changed in: attributes_of_textures.json.");
+            "references are changed in: semantic_differential.json.");
   EXPECT_EQ(name.text(), "brick");
   EXPECT_TRUE(name.hasFocus());
   take_screenshots(window_, "stimuli-rename");
@@ -51,7 +51,7 @@ TEST_F(StimuliPageTest, DeletesOnlyWhatNothingRefersTo) {
   ASSERT_TRUE(eventually([&] { return !news().isEmpty(); }));
   EXPECT_EQ(
       news().trimmed(),
-      "noise.png is used by attributes_of_textures.json. Remove it there before you delete it.");
+      "noise.png is used by semantic_differential.json. Remove it there before you delete it.");
   EXPECT_FALSE(child<QLabel>(window_, "stimulus_question").isVisible());
   table.select("stimuli/spare.png");
   click("stimulus_delete");

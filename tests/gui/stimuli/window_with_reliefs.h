@@ -40,7 +40,7 @@ class WindowWithReliefs : public QuietHome {
                         {.kind = kind}, Overwrite::refuse);
     }
     protocol_ = protocol_from_template(
-        folder(), "attributes_of_textures",
+        folder(), "semantic_differential",
         {.from = TemplateTextures::From::study, .own = reliefs_of_study(folder())});
     window_.resize(1280, 720);
     window_.show();
