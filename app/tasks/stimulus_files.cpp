@@ -13,6 +13,7 @@
 #include "app/study_files/protocol_languages.h"
 #include "app/study_files/rendering_files.h"
 #include "app/study_files/study_protocols.h"
+#include "app/tasks/study_overview.h"
 #include "app/words/phrase.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/editing/edits.h"
@@ -96,8 +97,45 @@ std::string photograph_of(const std::string& path) {
 }
 
 bool has_photograph(const std::filesystem::path& study, const std::string& path) {
-  return path.ends_with(".png") && is_there(sidecar_of(study / path)) &&
-         is_there(study / photograph_of(path));
+  return has_sidecar(study / path) && is_there(study / photograph_of(path));
+}
+
+/// The text of a file, and the one that replaces it.
+struct ChangedText {
+  std::filesystem::path file{};
+  std::string before{};
+  std::string after{};
+};
+
+/// Writes all of them; if one cannot be written or has been edited meanwhile, none.
+void replace_texts(const std::vector<ChangedText>& texts) {
+  std::vector<const ChangedText*> written{};
+  try {
+    for (const ChangedText& text : texts) {
+      if (!holds({text.file, text.before})) {
+        throw PhrasedError(phrase("StimulusFiles",
+                                  "%1 has been changed meanwhile, and nothing was renamed. Rename "
+                                  "the stimulus again.")
+                               .with(text.file.filename().string()));
+      }
+      write_file(text.file, text.after, Overwrite::allow);
+      written.push_back(&text);
+    }
+  } catch (...) {
+    for (const ChangedText* const text : written) {
+      write_file(text->file, text->before, Overwrite::allow);
+    }
+    throw;
+  }
+}
+
+/// Errors: ResultsError naming the file.
+void remove_file(const std::filesystem::path& file) {
+  std::error_code error{};
+  std::filesystem::remove(file, error);
+  if (!error) return;
+  throw ResultsError("the file " + file.string() + " cannot be deleted: " + error.message(), file,
+                     error.value());
 }
 
 std::string file_names(const std::vector<std::filesystem::path>& files) {
@@ -150,9 +188,8 @@ StimulusUses uses_of_stimulus(const Study& study, const std::string& path) {
 std::vector<std::string> files_of_stimulus(const std::filesystem::path& study,
                                            const std::string& path) {
   std::vector<std::string> files{};
-  const std::string sidecar = path + ".json";
-  if (path.ends_with(".png") && is_there(study / sidecar)) files.push_back(sidecar);
-  files.push_back(path);  // last: with all others or not at all
+  if (has_sidecar(study / path)) files.push_back(sidecar_of(path).string());
+  files.push_back(path);  // last: it is there with all the others or not at all
   return files;
 }
 
@@ -203,15 +240,21 @@ std::string rename_stimulus(const Study& study, const std::string& path, const s
   }
   std::sort(referring.begin(), referring.end());
   referring.erase(std::unique(referring.begin(), referring.end()), referring.end());
-  std::vector<NewFile> texts{};
+  std::vector<ChangedText> texts{};
   for (const std::filesystem::path& file : referring) {
-    std::string text = read_file(file, kProtocolFile);
-    for (const auto& [from, to] : moved) text = with_path(std::move(text), file, from, to);
-    texts.push_back({file, std::move(text)});
+    const std::string before = read_file(file, kProtocolFile);
+    std::string after = before;
+    for (const auto& [from, to] : moved) after = with_path(std::move(after), file, from, to);
+    texts.push_back({file, before, std::move(after)});
   }
   write_files_together(written, Overwrite::refuse);
-  for (const NewFile& text : texts) write_file(text.path, text.content, Overwrite::allow);
-  for (const std::filesystem::path& file : removed) std::filesystem::remove(file);
+  try {
+    replace_texts(texts);
+  } catch (...) {
+    for (const NewFile& file : written) remove_file(file.path);
+    throw;
+  }
+  for (const std::filesystem::path& file : removed) remove_file(file);
   return renamed;
 }
 
@@ -219,8 +262,8 @@ void delete_stimulus(const Study& study, const std::string& path) {
   const StimulusUses uses = uses_of_stimulus(study, path);
   if (const auto complaint = complaint_about_deletion(uses, path)) throw PhrasedError(*complaint);
   std::vector<std::string> files = files_of_stimulus(study.folder(), path);
-  std::reverse(files.begin(), files.end());  // without the picture a sidecar is nothing
-  for (const std::string& file : files) std::filesystem::remove(study.folder() / file);
+  std::reverse(files.begin(), files.end());  // a sidecar without its picture is not a stimulus
+  for (const std::string& file : files) remove_file(study.folder() / file);
 }
 
 std::vector<ForeignStimulus> foreign_stimuli(const std::filesystem::path& study,
@@ -233,7 +276,8 @@ std::vector<ForeignStimulus> foreign_stimuli(const std::filesystem::path& study,
   for (const auto& entry : entries_in(other / "stimuli")) {
     const std::filesystem::path& file = entry.path();
     std::error_code unknown{};
-    const bool is_sidecar = file.extension() == ".json" && file.stem().extension() == ".png";
+    const bool is_sidecar =
+        file.extension() == ".json" && has_sidecar(file.parent_path() / file.stem());
     if (!entry.is_regular_file(unknown) || is_sidecar) continue;
     ForeignStimulus stimulus{.path = kFolder + file.filename().string()};
     for (const std::string& part : files_of_stimulus(other, stimulus.path)) {
@@ -250,16 +294,20 @@ std::vector<ForeignStimulus> foreign_stimuli(const std::filesystem::path& study,
   return stimuli;
 }
 
-void copy_stimuli(const std::filesystem::path& study, const std::filesystem::path& other,
-                  const std::vector<std::string>& paths) {
+int copy_stimuli(const std::filesystem::path& study, const std::filesystem::path& other,
+                 const std::vector<std::string>& paths, const std::stop_token& stop) {
   std::filesystem::create_directories(study / kFolder);
+  int copied = 0;
   for (const std::string& path : paths) {
+    if (stop.stop_requested()) break;
     std::vector<NewFile> files{};
     for (const std::string& part : files_of_stimulus(other, path)) {
       files.push_back({study / part, read_file(other / part, kPictureFile)});
     }
     write_files_together(files, Overwrite::refuse);
+    ++copied;
   }
+  return copied;
 }
 
 }  // namespace asperity

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -41,14 +42,16 @@ std::vector<std::string> files_renamed_with(const std::filesystem::path& study,
 std::vector<std::string> files_of_stimulus(const std::filesystem::path& study,
                                            const std::string& path);
 
-/// Gives the stimulus another stem, in all protocols and renderings of the study as well, and returns its path. New files
-/// are complete before the old ones are removed.
+/// Gives the stimulus another stem, in all protocols and renderings of the study as well, and returns its path. The old
+/// files are removed last.
 ///
-/// Errors: PhrasedError for a name that is not valid or that another file has, for a stimulus of a stored session, and
-/// for a protocol that names it and is not JSON; ResultsError for a file that cannot be read or written.
+/// Errors: PhrasedError for a name that is not valid or that another file has, for a stimulus of a stored session, for a
+/// protocol that names it and is not JSON, and for a text that is edited meanwhile; ResultsError for a file that cannot be
+/// read, written or removed. Everything is as before then, except if an old file cannot be removed.
 std::string rename_stimulus(const Study& study, const std::string& path, const std::string& stem);
 
-/// Errors: PhrasedError for a stimulus that something refers to; ResultsError as for Study.
+/// Errors: PhrasedError for a stimulus that something refers to; ResultsError as for Study, and for a file that cannot be
+/// removed.
 void delete_stimulus(const Study& study, const std::string& path);
 
 /// A stimulus of another study, for the choice of those to copy.
@@ -65,9 +68,10 @@ struct ForeignStimulus {
 std::vector<ForeignStimulus> foreign_stimuli(const std::filesystem::path& study,
                                              const std::filesystem::path& other);
 
-/// Writes the files of these stimuli into the study; no file is replaced. Errors: ResultsError naming the first file that
-/// exists with another content or cannot be written; stimuli before it have been copied.
-void copy_stimuli(const std::filesystem::path& study, const std::filesystem::path& other,
-                  const std::vector<std::string>& paths);
+/// Writes the files of these stimuli into the study, and returns their number; no file is replaced. When a stop is requested,
+/// the remaining stimuli are left out. Errors: ResultsError naming the first file that exists with another content or
+/// cannot be written; stimuli before it have been copied.
+int copy_stimuli(const std::filesystem::path& study, const std::filesystem::path& other,
+                 const std::vector<std::string>& paths, const std::stop_token& stop = {});
 
 }  // namespace asperity

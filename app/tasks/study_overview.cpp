@@ -247,13 +247,12 @@ void look_into(StimulusOverview& stimulus, const std::filesystem::path& file,
   stimulus.relief = side_by_side(std::span(&relief, 1), relief_rows);
 }
 
-/// Distinguishes a height field from a picture of a surface.
+}  // namespace
+
 bool has_sidecar(const std::filesystem::path& picture) {
   std::error_code ignored{};
-  return std::filesystem::exists(sidecar_of(picture), ignored);
+  return is_picture_name(picture) && std::filesystem::exists(sidecar_of(picture), ignored);
 }
-
-}  // namespace
 
 bool is_running(const Study& study, const SessionRow& row) {
   return row.state == SessionState::open &&
@@ -390,7 +389,7 @@ SessionDetail session_detail(const Study& study, std::int64_t session_id) {
 int count_stimuli(const std::filesystem::path& study, const ModelRegistry& models) {
   const std::vector<std::filesystem::path> files = files_in(study / "stimuli");
   const auto listed = std::count_if(files.begin(), files.end(), [](const auto& file) {
-    return is_textured_mesh(file) || (is_picture_name(file) && has_sidecar(file));
+    return is_textured_mesh(file) || has_sidecar(file);
   });
   return static_cast<int>(listed) +
          static_cast<int>(shapes_of(sound_protocols(study, models)).size());

@@ -121,6 +121,9 @@ struct SessionDetail {
 };
 SessionDetail session_detail(const Study& study, std::int64_t session_id);
 
+/// Whether it is the picture of a height field, which has a sidecar: FILE.png.json, with an ending in any case.
+bool has_sidecar(const std::filesystem::path& picture);
+
 /// A file of the study's `stimuli/`, or a body that a protocol makes from a shape.
 struct StimulusOverview {
   enum class Kind {

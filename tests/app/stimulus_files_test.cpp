@@ -2,6 +2,10 @@
 
 #include "app/tasks/stimulus_files.h"
 
+#include <csignal>
+#include <cstddef>
+#include <sys/resource.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -80,7 +84,7 @@ TEST_F(StimulusFiles, AreRenamedWithSidecarPhotographAndReferences) {
 }
 
 TEST_F(StimulusFiles, KeepTheirNameWhereAnotherHasTheNewOne) {
-  write_file(stimulus("sand_photo.png"), "somebody's", Overwrite::refuse);
+  write_file(stimulus("sand_photo.png"), "another", Overwrite::refuse);
   EXPECT_THAT(
       refusal_of<PhrasedError>([this] { rename_stimulus(study(), "stimuli/grain.png", "sand"); }),
       HasSubstr("already has a file sand_photo.png"));
@@ -98,6 +102,45 @@ TEST_F(StimulusFiles, KeepTheirNameWhereAnotherHasTheNewOne) {
   EXPECT_TRUE(std::filesystem::exists(stimulus("grain.png")));
   EXPECT_FALSE(std::filesystem::exists(stimulus("corn.png")));
   EXPECT_EQ(read_file(protocol_), small_protocol());
+}
+
+TEST_F(StimulusFiles, KeepTheirSidecarWhereTheEndingIsInCapitals) {
+  for (const char* const end : {"", ".json"}) {
+    std::filesystem::rename(stimulus(std::string("grain.png") + end),
+                            stimulus(std::string("GRAIN.PNG") + end));
+  }
+  EXPECT_THAT(files_of_stimulus(folder(), "stimuli/GRAIN.PNG"),
+              ElementsAre("stimuli/GRAIN.PNG.json", "stimuli/GRAIN.PNG"));
+  EXPECT_EQ(rename_stimulus(study(), "stimuli/GRAIN.PNG", "sand"), "stimuli/sand.PNG");
+  EXPECT_TRUE(std::filesystem::exists(stimulus("sand.PNG.json")));
+  EXPECT_FALSE(std::filesystem::exists(stimulus("GRAIN.PNG.json")));
+}
+
+// A limit on the size of files fails the second of two protocols, as a full disk does.
+TEST_F(StimulusFiles, KeepTheirNameWhereAReferenceCannotBeWritten) {
+  constexpr std::size_t kPadding = 1 << 20;
+  const std::string large = small_protocol() + std::string(kPadding, '\n');
+  write_file(folder() / "protocols" / "small_2.json", large, Overwrite::refuse);
+  const Study own = study();
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto old_handler = ::signal(SIGXFSZ, SIG_IGN);
+  rlimit small = before;
+  small.rlim_cur = kPadding;
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  const std::string message =
+      refusal_of([&] { rename_stimulus(own, "stimuli/grain.png", "sand"); });
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  ::signal(SIGXFSZ, old_handler);
+  EXPECT_THAT(message, HasSubstr("small_2.json"));
+  EXPECT_EQ(read_file(protocol_), small_protocol());
+  EXPECT_EQ(read_file(folder() / "protocols" / "small_2.json"), large);
+  for (const char* const name : {"sand.png", "sand.png.json", "sand_photo.png"}) {
+    EXPECT_FALSE(std::filesystem::exists(stimulus(name))) << name;
+  }
+  EXPECT_TRUE(std::filesystem::exists(stimulus("grain.png")));
+  EXPECT_EQ(rename_stimulus(study(), "stimuli/grain.png", "sand"), "stimuli/sand.png")
+      << "it can be repeated";
 }
 
 TEST_F(StimulusFiles, OfSessionsAreNeitherRenamedNorDeleted) {
@@ -122,7 +165,7 @@ TEST_F(StimulusFiles, AreDeletedOnlyIfNothingRefersToThem) {
   delete_stimulus(study(), "stimuli/grain.png");
   EXPECT_FALSE(std::filesystem::exists(stimulus("grain.png")));
   EXPECT_FALSE(std::filesystem::exists(stimulus("grain.png.json")));
-  EXPECT_TRUE(std::filesystem::exists(stimulus("grain_photo.png"))) << "is a stimulus of its own";
+  EXPECT_TRUE(std::filesystem::exists(stimulus("grain_photo.png"))) << "is a separate stimulus";
 }
 
 TEST_F(StimulusFiles, AreCopiedFromAnotherStudyAndReplaceNothing) {

@@ -2,6 +2,8 @@
 
 #include "app/gui/study/copy_stimuli_dialog.h"
 
+#include <initializer_list>
+
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QLabel>
@@ -79,6 +81,7 @@ void CopyStimuliDialog::show_study(const std::filesystem::path& other) {
   other_ = other;
   folder_->setText(text_of_path(other));
   list_->clear();
+  copy_->setEnabled(false);
   state_->set_state(State::unknown, tr("Comparing the files…"));
   task_.run<std::vector<ForeignStimulus>>(
       [other, folder = study_.folder()](const std::stop_token&, const BackgroundTask::Progress&) {
@@ -139,20 +142,32 @@ void CopyStimuliDialog::show_whether_chosen() {
   }
 }
 
+void CopyStimuliDialog::reject() {
+  if (is_copying_) return task_.cancel();
+  QDialog::reject();
+}
+
+void CopyStimuliDialog::set_copying(bool is_copying) {
+  is_copying_ = is_copying;
+  for (QWidget* const part : std::initializer_list<QWidget*>{choose_, list_, copy_}) {
+    part->setEnabled(!is_copying);
+  }
+}
+
 void CopyStimuliDialog::copy() {
-  copy_->setEnabled(false);
+  set_copying(true);
   task_.run<int>(
       [paths = chosen(), other = other_, folder = study_.folder()](
-          const std::stop_token&, const BackgroundTask::Progress&) {
-        copy_stimuli(folder, other, paths);
-        return static_cast<int>(paths.size());
+          const std::stop_token& stop, const BackgroundTask::Progress&) {
+        return copy_stimuli(folder, other, paths, stop);
       },
       [this](int count) {
+        set_copying(false);
         emit copied(count);
         accept();
       },
       [this](const QString& what) {
-        copy_->setEnabled(true);
+        set_copying(false);
         state_->set_state(State::stop, what);
       });
 }

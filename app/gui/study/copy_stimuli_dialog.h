@@ -26,9 +26,11 @@ class CopyStimuliDialog final : public QDialog {
   explicit CopyStimuliDialog(OpenStudy& study, QWidget* parent = nullptr);
 
   void show_study(const std::filesystem::path& other);
+  /// While stimuli are copied, no further one is begun, and the dialog stays until the present one is complete.
+  void reject() override;
 
  signals:
-  void copied(int stimuli);
+  void copied(int stimuli);  ///< so many; can be fewer than chosen, and none
 
  private:
   void choose_study();
@@ -36,9 +38,11 @@ class CopyStimuliDialog final : public QDialog {
   void show_whether_chosen();
   std::vector<std::string> chosen() const;
   void copy();
+  void set_copying(bool is_copying);
 
   OpenStudy& study_;
   std::filesystem::path other_{};
+  bool is_copying_ = false;
   QPushButton* choose_ = nullptr;
   QLabel* folder_ = nullptr;
   QListWidget* list_ = nullptr;

@@ -2,6 +2,7 @@
 
 #include "app/gui/study/stimulus_actions.h"
 
+#include <initializer_list>
 #include <utility>
 
 #include <QtGui/QKeyEvent>
@@ -97,7 +98,7 @@ void StimulusActions::set_stimulus(const StimulusOverview* stimulus) {
   using Kind = StimulusOverview::Kind;
   const bool is_file = stimulus != nullptr && stimulus->kind != Kind::shape;
   const std::string path = is_file ? stimulus->path : std::string();
-  if (path != path_) hide_question();
+  if (path != path_ && !is_writing_) hide_question();
   path_ = path;
   is_rendering_ = is_file && stimulus->kind == Kind::rendering;
   const bool is_usable = is_file && stimulus->problem.empty() && stimulus->remarks.problems.empty();
@@ -106,9 +107,7 @@ void StimulusActions::set_stimulus(const StimulusOverview* stimulus) {
   open_->setEnabled(is_usable && is_shown);
   use_->setVisible(is_rendering_);
   use_->setEnabled(is_usable && study_.can_be_written());
-  for (QPushButton* const button : {rename_, delete_}) {
-    button->setEnabled(is_file && study_.can_be_written());
-  }
+  set_writing(is_writing_);
   QString reason{};
   if (stimulus == nullptr) {
     reason = tr("Choose a stimulus to open, rename or delete it.");
@@ -125,7 +124,7 @@ void StimulusActions::set_stimulus(const StimulusOverview* stimulus) {
 
 void StimulusActions::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape && question_->isVisible()) {
-    hide_question();
+    if (!is_writing_) hide_question();
     return;
   }
   QFrame::keyPressEvent(event);
@@ -182,15 +181,25 @@ void StimulusActions::ask(const QString& text, const QString& verb, bool for_nam
   for_name_ = for_name;
   text_->setText(text);
   act_->setText(verb);
-  act_->setEnabled(true);
   name_->setVisible(for_name);
   question_->show();
 }
 
 void StimulusActions::hide_question() { question_->hide(); }
 
+void StimulusActions::set_writing(bool is_writing) {
+  is_writing_ = is_writing;
+  for (QPushButton* const button : {rename_, delete_}) {
+    button->setEnabled(!path_.empty() && study_.can_be_written() && !is_writing);
+  }
+  for (QWidget* const part : std::initializer_list<QWidget*>{name_, act_, cancel_}) {
+    part->setEnabled(!is_writing);
+  }
+}
+
 void StimulusActions::act() {
-  act_->setEnabled(false);
+  if (is_writing_) return;
+  set_writing(true);
   task_.run<std::string>(
       [path = path_, folder = study_.folder(), for_name = for_name_,
        name = name_->text().trimmed().toStdString()](
@@ -201,11 +210,13 @@ void StimulusActions::act() {
         return {};
       },
       [this](const std::string& path) {
+        set_writing(false);
         hide_question();
         emit changed(text(path));
       },
       [this](const QString& what) {
-        act_->setEnabled(true);
+        set_writing(false);
+        if (for_name_) name_->setFocus();
         emit refused(what);
       });
 }

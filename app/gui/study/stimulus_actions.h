@@ -34,7 +34,7 @@ class StimulusActions final : public QFrame {
   void use_wanted(const QStringList& renderings);
   /// The files of the study have changed. `path`: of the renamed stimulus; empty after a deletion.
   void changed(const QString& path);
-  /// It was not done, a sentence.
+  /// Nothing was done. `why` is a sentence.
   void refused(const QString& why);
 
  protected:
@@ -47,11 +47,14 @@ class StimulusActions final : public QFrame {
   void ask(const QString& text, const QString& verb, bool for_name);
   void hide_question();
   void act();
+  /// Renames or deletes now: nothing else is begun, and the question stays.
+  void set_writing(bool is_writing);
 
   OpenStudy& study_;
   std::string path_{};  ///< relative to the study; empty: nothing, or no file
   bool is_rendering_ = false;
   bool for_name_ = false;
+  bool is_writing_ = false;
   QPushButton* open_ = nullptr;
   QPushButton* use_ = nullptr;
   QPushButton* rename_ = nullptr;

@@ -12046,6 +12046,10 @@
         <source>%1 is not a study. Choose the folder of a study.</source>
         <translation>%1 ist keine Studie. Den Ordner einer Studie wählen.</translation>
     </message>
+    <message>
+        <source>%1 has been changed meanwhile, and nothing was renamed. Rename the stimulus again.</source>
+        <translation>%1 wurde inzwischen geändert, und nichts wurde umbenannt. Den Reiz noch einmal umbenennen.</translation>
+    </message>
 </context>
 <context>
     <name>StimulusTable</name>
@@ -18664,7 +18668,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>No block presents the new surface yet: choose it under Task in the editor.</source>
-        <translation>Noch zeigt kein Block die neue Oberfläche: Sie im Editor unter Aufgabe wählen.</translation>
+        <translation>Noch bietet kein Block die neue Oberfläche dar: im Editor unter Aufgabe wählen.</translation>
     </message>
 </context>
 <context>

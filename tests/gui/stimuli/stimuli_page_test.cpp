@@ -34,8 +34,14 @@ TEST_F(StimuliPageTest, RenamesAStimulusWithItsReferences) {
   name.selectAll();
   QTest::keyClicks(&name, "wall");
   QTest::keyClick(&name, Qt::Key_Return);
+  for (const char* const button : {"stimulus_rename", "stimulus_delete", "stimulus_act"}) {
+    EXPECT_FALSE(child<QPushButton>(window_, button).isEnabled()) << button;
+  }
+  emit name.returnPressed();  // a second Return renames nothing
   ASSERT_TRUE(eventually([&] { return table.selected_key() == "stimuli/wall.png"; }));
   EXPECT_FALSE(name.isVisible());
+  EXPECT_FALSE(news().contains("brick")) << news().toStdString();
+  EXPECT_TRUE(child<QPushButton>(window_, "stimulus_rename").isEnabled());
   EXPECT_FALSE(std::filesystem::exists(stimulus("brick.png")));
   EXPECT_THAT(read_file(protocol_), HasSubstr("\"stimuli/wall.png\""));
   EXPECT_THAT(read_file(protocol_), testing::Not(HasSubstr("\"stimuli/brick.png\"")));
@@ -98,6 +104,15 @@ TEST_F(StimuliPageTest, CopiesFromAnotherStudyWhatIsNotThere) {
   list.item(1)->setCheckState(Qt::Checked);
   EXPECT_EQ(nameless_controls(dialog), QStringList{});
   take_screenshots(dialog, "copy-stimuli");
+  EXPECT_TRUE(child<QPushButton>(dialog, "copy_copy").isEnabled());
+  dialog.show_study(home());
+  EXPECT_FALSE(child<QPushButton>(dialog, "copy_copy").isEnabled());
+  auto& state = child<StateLabel>(dialog, "copy_state");
+  ASSERT_TRUE(eventually([&] { return state.state() == State::stop; }));
+  EXPECT_FALSE(child<QPushButton>(dialog, "copy_copy").isEnabled()) << "not a study";
+  dialog.show_study(other);
+  ASSERT_TRUE(eventually([&] { return list.count() == 2; }));
+  list.item(1)->setCheckState(Qt::Checked);
   click("copy_copy", dialog);
   ASSERT_TRUE(eventually([&] { return table.shown_rows() == 4; }));
   EXPECT_TRUE(news().contains("1 stimulus was copied.")) << news().toStdString();
