@@ -20,6 +20,7 @@
 #include "protocols/form/new_values.h"
 #include "protocols/keys/names_in.h"
 #include "protocols/shapes/key.h"
+#include "protocols/warnings/text_warnings.h"
 #include "results_schema/error_text.h"
 
 namespace asperity {
@@ -55,7 +56,13 @@ std::optional<std::string> texture_with(const json& root, const std::string& hei
 std::string texture_of(std::string& text, const Rendering& rendering, const std::string& picture) {
   const JsonDocument protocol(text, kProtocol);
   const std::string& height_field = rendering.texture.height_field;
-  if (const auto found = texture_with(protocol.root(), height_field)) return *found;
+  if (const auto found = texture_with(protocol.root(), height_field)) {
+    const std::string pointer = pointer_to("/textures", *found);
+    if (!picture.empty() && !protocol.root().at(json::json_pointer(pointer)).contains("picture")) {
+      text = with(text, pointer_to(pointer, "picture"), json_string(picture));
+    }
+    return *found;
+  }
   const std::vector<std::string> taken = declared_names(names_in(protocol.root()), "textures");
   const std::string name =
       free_name(taken, name_in_protocol(std::filesystem::path(height_field).stem().string()));
@@ -198,6 +205,20 @@ std::vector<std::string> renderings_in(const std::string& protocol) {
     if (note.is_string()) names.push_back(note.get<std::string>());
   }
   return names;
+}
+
+std::optional<Phrase> complaint_about_picture(const Protocol& protocol, const Rendering& rendering,
+                                              const std::string& picture) {
+  if (!picture.empty() || !has_pictures(protocol)) return {};
+  const std::string& height_field = rendering.texture.height_field;
+  const auto found =
+      std::find_if(protocol.textures.begin(), protocol.textures.end(),
+                   [&](const auto& named) { return named.second.height_field == height_field; });
+  if (found != protocol.textures.end() && found->second.picture) return {};
+  return phrase("Renderings",
+                "This protocol shows pictures, and %1 has no photograph. Save the photograph as "
+                "stimuli/%2_photo.png, or replace a surface and keep its texture.")
+      .with(height_field, std::filesystem::path(height_field).stem().string());
 }
 
 std::string with_rendering(const std::string& protocol, const Rendering& rendering,

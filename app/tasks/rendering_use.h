@@ -9,6 +9,7 @@
 
 #include "app/study_files/rendering_files.h"
 #include "app/words/phrase.h"
+#include "protocols/design/protocol.h"
 #include "renderers/force/force_model.h"
 
 namespace asperity {
@@ -40,11 +41,16 @@ struct RenderingPlace {
   bool keeps_texture = false;  ///< a replaced surface keeps its texture, or its factor
 };
 
+/// Why a surface cannot get the texture of a rendering: the protocol shows pictures, and the texture has none. Empty: it can.
+/// `picture`: the photograph of the texture in the study; empty: none.
+std::optional<Phrase> complaint_about_picture(const Protocol& protocol, const Rendering& rendering,
+                                              const std::string& picture);
+
 /// The protocol's text with the values of a rendering as a surface.
 ///
 /// Values are edited, everything else stays as it is written. The surface has the key `x-rendering` with the name of the
 /// rendering, which nothing reads. A texture of the protocol with the height field of the rendering is used, otherwise one
-/// is added, with `picture` if that is not empty. A replaced surface loses what would change the values: its equal force
+/// is added; it has `picture` if that is not empty and it has none. A replaced surface loses what would change the values: its equal force
 /// and its bodies.
 ///
 /// Errors: ProtocolError for a text that is not JSON, and for a place that does not exist.

@@ -69,14 +69,6 @@ bool is_prepared(const Protocol& protocol) {
   return any_block(protocol, [](const auto& block) { return block.phase != Phase::main; });
 }
 
-bool has_pictures(const Protocol& protocol) {
-  return protocol.realism_standard == RealismStandard::photograph ||
-         any_block(protocol, [](const auto& block) {
-           return std::any_of(block.questions.begin(), block.questions.end(),
-                              [](const auto& each) { return !each.pictures.empty(); });
-         });
-}
-
 bool has_breaks(const Protocol& protocol) {
   return std::any_of(protocol.flow.begin(), protocol.flow.end(), [](const Protocol::Step& step) {
     const auto* const run = std::get_if<Protocol::Run>(&step);
@@ -319,6 +311,14 @@ class TextWarnings final {
 };
 
 }  // namespace
+
+bool has_pictures(const Protocol& protocol) {
+  return protocol.realism_standard == RealismStandard::photograph ||
+         any_block(protocol, [](const auto& block) {
+           return std::any_of(block.questions.begin(), block.questions.end(),
+                              [](const auto& each) { return !each.pictures.empty(); });
+         });
+}
 
 std::vector<Diagnostic> warnings_about_texts(const Protocol& protocol, const std::string& file_name,
                                              const Plan& example) {

@@ -11,6 +11,9 @@
 
 namespace asperity {
 
+/// Whether a question shows pictures of textures, or a photograph is the standard of realism.
+bool has_pictures(const Protocol& protocol);
+
 /// Names the texts, in English and German, that state another number than the design ("eight scales" above four), or mention
 /// what the protocol does not have (a scale, a line, a familiarisation, practice, pictures, breaks, an eye mask, “I cannot tell”).
 /// A number is accepted where it is one of the design: of surfaces in a trial or in the study, of trials in a run, in the main

@@ -175,6 +175,31 @@ TEST(Renderings, AreAddedAsASurfaceWithTheirTexture) {
   }
 }
 
+TEST(Renderings, NeedAPhotographWhereTheProtocolShowsPictures) {
+  const std::string before = library_text("attributes_of_textures");
+  const auto complaint = [](const std::string& text, const std::string& height_field,
+                            const std::string& picture) {
+    Rendering rendering = strong_grain();
+    rendering.texture.height_field = height_field;
+    const auto check = check_protocol_text(text, {}, built_in_models(), std::nullopt, std::nullopt);
+    return complaint_about_picture(check.protocol.value(), rendering, picture)
+        .value_or(Phrase())
+        .english();
+  };
+  EXPECT_THAT(complaint(before, "stimuli/grain.png", ""),
+              HasSubstr("Save the photograph as stimuli/grain_photo.png"));
+  EXPECT_EQ(complaint(before, "stimuli/grain.png", "stimuli/grain_photo.png"), "");
+  EXPECT_EQ(complaint(before, "stimuli/metal.png", ""), "") << "the protocol has its picture";
+  EXPECT_EQ(complaint(library_text("semantic_differential"), "stimuli/grain.png", ""), "")
+      << "no picture is shown";
+
+  const std::string without = with_rendering(before, strong_grain(), "strong", {});
+  EXPECT_THAT(without, testing::Not(HasSubstr("grain_photo.png")));
+  EXPECT_THAT(with_rendering(without, strong_grain(), "strong", {}, "stimuli/grain_photo.png"),
+              HasSubstr("grain_photo.png"))
+      << "a texture without a picture gets that of the study";
+}
+
 TEST(Renderings, TakeTheEqualForceFromTheSurfaceThatTheyReplace) {
   const std::string before = library_text("realism_of_models");
   const std::string after =

@@ -266,7 +266,13 @@ void UseRenderingDialog::show_changes() {
         };
         const ProtocolCheck before = checked(choice.before);
         result->problems_before = before.diagnostics;
-        if (before.diagnostics.empty()) {
+        if (before.is_valid()) {
+          if (const auto complaint =
+                  choice.place.keeps_texture
+                      ? std::nullopt
+                      : complaint_about_picture(*before.protocol, rendering, picture)) {
+            result->remarks.problems.push_back(*complaint);
+          }
           result->after = with_rendering(choice.before, rendering, rendering_name(choice.rendering),
                                          choice.place, picture);
           result->changes = changed_values(choice.before, result->after);

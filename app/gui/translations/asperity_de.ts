@@ -11187,6 +11187,10 @@
         <source>The texture %1 cannot be read: %2. Restore the file, or save the rendering of another texture.</source>
         <translation>Die Textur %1 ist nicht lesbar: %2. Die Datei wiederherstellen, oder die Wiedergabe einer anderen Textur speichern.</translation>
     </message>
+    <message>
+        <source>This protocol shows pictures, and %1 has no photograph. Save the photograph as stimuli/%2_photo.png, or replace a surface and keep its texture.</source>
+        <translation>Dieses Protokoll zeigt Bilder, und %1 hat kein Foto. Das Foto als stimuli/%2_photo.png speichern oder eine Oberfläche ersetzen und ihre Textur behalten.</translation>
+    </message>
 </context>
 <context>
     <name>RunSession</name>
