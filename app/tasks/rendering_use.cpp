@@ -207,6 +207,18 @@ std::vector<std::string> renderings_in(const std::string& protocol) {
   return names;
 }
 
+std::vector<std::string> notes_of(const std::string& protocol, const std::string& rendering) {
+  const json root = json::parse(protocol, nullptr, false);
+  if (!root.is_object()) return {};
+  std::vector<std::string> pointers{};
+  const json stimuli = root.value("stimuli", json::object());
+  for (const auto& [name, surface] : stimuli.items()) {
+    if (!surface.is_object() || surface.value(kNote, json{}) != rendering) continue;
+    pointers.push_back(pointer_to(pointer_to("/stimuli", name), kNote));
+  }
+  return pointers;
+}
+
 std::optional<Phrase> complaint_about_picture(const Protocol& protocol, const Rendering& rendering,
                                               const std::string& picture) {
   if (!picture.empty() || !has_pictures(protocol)) return {};

@@ -34,6 +34,9 @@ std::vector<UsableSurface> usable_surfaces(const std::string& protocol);
 /// The names of the renderings that the surfaces of a valid protocol note.
 std::vector<std::string> renderings_in(const std::string& protocol);
 
+/// The pointers of the notes of surfaces that name this rendering; none in a text that is not JSON.
+std::vector<std::string> notes_of(const std::string& protocol, const std::string& rendering);
+
 /// Where the values of a rendering are copied to.
 struct RenderingPlace {
   std::optional<std::string>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -12,8 +13,11 @@
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/protocol_languages.h"
 #include "app/study_files/rendering_files.h"
+#include "app/study_files/stimulus_names.h"
 #include "app/study_files/study_protocols.h"
+#include "app/tasks/rendering_use.h"
 #include "app/tasks/study_overview.h"
+#include "app/tasks/template_overviews.h"
 #include "app/words/phrase.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/editing/edits.h"
@@ -28,9 +32,6 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kFolder = "stimuli/";
-constexpr const char* kPhotoEnding = "_photo.png";
-constexpr std::size_t kLongestStem = 60;
-
 /// The pointers of all texts that are this path.
 void find_places(const json& value, const std::string& pointer, const std::string& path,
                  std::vector<std::string>& places) {
@@ -56,14 +57,19 @@ bool names_it(const std::string& text, const std::string& path) {
   return !places.empty();
 }
 
-std::string with_path(std::string text, const std::filesystem::path& file, const std::string& path,
+/// With another name of the stimulus, and of a rendering in the notes of the surfaces that have its values.
+std::string with_name(std::string text, const std::filesystem::path& file, const std::string& path,
                       const std::string& renamed) {
+  const auto replace = [&text](const std::vector<std::string>& places, const std::string& value) {
+    for (const std::string& place : places) {
+      text = changed(text, set_value(JsonDocument(text, {}), place, json_string(value)));
+    }
+  };
   try {
     std::vector<std::string> places{};
     find_places(JsonDocument(text, {}).root(), "", path, places);
-    for (const std::string& place : places) {
-      text = changed(text, set_value(JsonDocument(text, {}), place, json_string(renamed)));
-    }
+    replace(places, renamed);
+    if (is_rendering(path)) replace(notes_of(text, rendering_name(path)), rendering_name(renamed));
   } catch (const ProtocolError&) {
     throw PhrasedError(phrase("StimulusFiles",
                               "%1 names %2 and cannot be changed, because it is not valid JSON. "
@@ -78,26 +84,13 @@ bool is_there(const std::filesystem::path& file) {
   return std::filesystem::exists(std::filesystem::symlink_status(file, unknown));
 }
 
-bool is_stem(const std::string& stem) {
-  return !stem.empty() && stem.size() <= kLongestStem &&
-         std::all_of(stem.begin(), stem.end(), [](char c) {
-           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                  c == '_' || c == '-';
-         });
-}
-
 /// What follows the stem: ".rendering.json", ".png".
 std::string ending_of(const std::string& path) {
   return is_rendering(path) ? kRenderingEnding : std::filesystem::path(path).extension().string();
 }
 
-/// "stimuli/brick_photo.png" of "stimuli/brick.png".
-std::string photograph_of(const std::string& path) {
-  return path.substr(0, path.size() - ending_of(path).size()) + kPhotoEnding;
-}
-
 bool has_photograph(const std::filesystem::path& study, const std::string& path) {
-  return has_sidecar(study / path) && is_there(study / photograph_of(path));
+  return has_sidecar(study / path) && is_there(photograph_of(study / path));
 }
 
 /// The text of a file, and the one that replaces it.
@@ -150,18 +143,64 @@ std::string file_name(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
 
-}  // namespace
-
-std::optional<Phrase> complaint_about_renaming(const StimulusUses& uses, const std::string& path) {
-  if (!uses.is_stored()) return {};
+/// Why a stimulus with these uses keeps its name and its content.
+std::optional<Phrase> complaint_about_sessions(const StimulusUses& uses, const std::string& path) {
+  if (uses.in_sessions) {
+    return phrase("StimulusFiles",
+                  "%1 belongs to stored sessions, which refer to its name and its content. It can "
+                  "be neither renamed nor deleted.")
+        .with(file_name(path));
+  }
+  if (uses.protocols_run.empty()) return {};
   return phrase("StimulusFiles",
-                "%1 belongs to stored sessions, which refer to its name and its content. It can be "
-                "neither renamed nor deleted.")
-      .with(file_name(path));
+                "%1 is used by protocols with stored sessions: %2. Remove it there first.")
+      .with(file_name(path), file_names(uses.protocols_run));
 }
 
+void sort_once(std::vector<std::filesystem::path>& files) {
+  std::sort(files.begin(), files.end());
+  files.erase(std::unique(files.begin(), files.end()), files.end());
+}
+
+/// All texts in the protocols of a study that can be a file in `stimuli/`.
+std::set<std::string> paths_in_protocols(const std::filesystem::path& study) {
+  std::set<std::string> paths{};
+  const std::function<void(const json&)> collect = [&](const json& value) {
+    if (value.is_string() && value.get_ref<const std::string&>().starts_with(kFolder)) {
+      paths.insert(value.get<std::string>());
+    }
+    if (!value.is_structured()) return;
+    for (const json& part : value) collect(part);
+  };
+  for (const std::filesystem::path& file : protocol_files(study)) {
+    collect(json::parse(read_file(file, kProtocolFile), nullptr, false));
+  }
+  return paths;
+}
+
+/// Those of the texture before those of the rendering: the last file is of use with all the others only.
+std::vector<std::string> files_to_copy(const std::filesystem::path& study,
+                                       const std::string& path) {
+  std::vector<std::string> files{};
+  if (is_rendering(path)) {
+    try {
+      const std::string texture = load_rendering(study / path).texture.height_field;
+      const bool is_stimulus = std::filesystem::path(texture).parent_path() == "stimuli";
+      if (is_stimulus && has_sidecar(study / texture)) {
+        files = files_to_copy(study, texture);
+      }
+    } catch (const std::exception&) {  // its problem is shown on the page of the stimuli
+    }
+  }
+  if (has_photograph(study, path)) files.push_back(photograph_of(path).string());
+  for (const std::string& file : files_of_stimulus(study, path)) files.push_back(file);
+  return files;
+}
+
+}  // namespace
+
 std::optional<Phrase> complaint_about_deletion(const StimulusUses& uses, const std::string& path) {
-  if (uses.is_stored()) return complaint_about_renaming(uses, path);
+  if (uses.is_stored()) return complaint_about_sessions(uses, path);
   if (uses.is_unused()) return {};
   std::vector<std::filesystem::path> users = uses.protocols;
   users.insert(users.end(), uses.renderings.begin(), uses.renderings.end());
@@ -178,6 +217,9 @@ StimulusUses uses_of_stimulus(const Study& study, const std::string& path) {
   for (const std::filesystem::path& file : rendering_files(study.folder())) {
     if (names_it(read_file(file, kProtocolFile), path)) uses.renderings.push_back(file);
   }
+  for (const OwnTexture& relief : reliefs_of_study(study.folder())) {
+    if (relief.picture == path) uses.reliefs.push_back(relief.height_field);
+  }
   const std::vector<ProtocolRow> stored = study.protocols();
   uses.in_sessions = std::any_of(stored.begin(), stored.end(), [&path](const ProtocolRow& row) {
     return names_it(row.source, path);
@@ -193,38 +235,49 @@ std::vector<std::string> files_of_stimulus(const std::filesystem::path& study,
   return files;
 }
 
-std::vector<std::string> files_renamed_with(const std::filesystem::path& study,
-                                            const std::string& path) {
-  std::vector<std::string> files = files_of_stimulus(study, path);
-  if (has_photograph(study, path)) files.insert(files.begin(), photograph_of(path));
-  return files;
+RenamePlan plan_of_renaming(const Study& study, const std::string& path) {
+  const std::filesystem::path& folder = study.folder();
+  RenamePlan plan{.stimuli = {path}};
+  if (has_photograph(folder, path)) plan.stimuli.push_back(photograph_of(path).string());
+  for (const std::string& stimulus : plan.stimuli) {
+    const StimulusUses uses = uses_of_stimulus(study, stimulus);
+    if (!plan.complaint) plan.complaint = complaint_about_sessions(uses, stimulus);
+    for (const auto* const files : {&uses.protocols, &uses.renderings}) {
+      plan.changed.insert(plan.changed.end(), files->begin(), files->end());
+    }
+    if (stimulus == path) plan.reliefs = uses.reliefs;
+    for (std::string& file : files_of_stimulus(folder, stimulus)) {
+      plan.files.push_back(std::move(file));
+    }
+  }
+  if (is_rendering(path)) {
+    for (const std::filesystem::path& file : protocol_files(folder)) {
+      if (notes_of(read_file(file, kProtocolFile), rendering_name(path)).empty()) continue;
+      (sessions_of_protocol(study, file) > 0 ? plan.unchanged : plan.changed).push_back(file);
+    }
+  }
+  sort_once(plan.changed);
+  return plan;
 }
 
 std::string rename_stimulus(const Study& study, const std::string& path, const std::string& stem) {
-  if (!is_stem(stem)) {
+  if (!is_stimulus_name(stem)) {
     throw PhrasedError(phrase("StimulusFiles",
-                              "“%1” cannot be the name of a stimulus. Use unaccented letters, "
-                              "digits, _ and -.")
-                           .with(stem));
+                              "“%1” cannot be the name of a stimulus. Use at most %2 unaccented "
+                              "letters, digits, _ and -.")
+                           .with(stem, std::to_string(kLongestStimulusName)));
   }
   const std::filesystem::path& folder = study.folder();
   const std::string renamed = kFolder + stem + ending_of(path);
   if (renamed == path) return path;
-  std::vector<std::pair<std::string, std::string>> moved{{path, renamed}};
-  if (has_photograph(folder, path)) {
-    moved.emplace_back(photograph_of(path), photograph_of(renamed));
-  }
+  const RenamePlan plan = plan_of_renaming(study, path);
+  if (plan.complaint) throw PhrasedError(*plan.complaint);
   std::vector<NewFile> written{};
   std::vector<std::filesystem::path> removed{};
-  std::vector<std::filesystem::path> referring{};
-  for (const auto& [from, to] : moved) {
-    const StimulusUses uses = uses_of_stimulus(study, from);
-    if (const auto complaint = complaint_about_renaming(uses, from)) {
-      throw PhrasedError(*complaint);
-    }
-    for (const auto* const files : {&uses.protocols, &uses.renderings}) {
-      referring.insert(referring.end(), files->begin(), files->end());
-    }
+  std::vector<std::pair<std::string, std::string>> names{};
+  for (const std::string& from : plan.stimuli) {
+    const std::string to = from == path ? renamed : photograph_of(renamed).string();
+    names.emplace_back(from, to);
     std::vector<NewFile> together{};
     for (const std::string& file : files_of_stimulus(folder, from)) {
       const std::filesystem::path wanted = folder / (to + file.substr(from.size()));
@@ -238,13 +291,11 @@ std::string rename_stimulus(const Study& study, const std::string& path, const s
     }
     written.insert(written.begin(), together.begin(), together.end());  // the stimulus itself last
   }
-  std::sort(referring.begin(), referring.end());
-  referring.erase(std::unique(referring.begin(), referring.end()), referring.end());
   std::vector<ChangedText> texts{};
-  for (const std::filesystem::path& file : referring) {
+  for (const std::filesystem::path& file : plan.changed) {
     const std::string before = read_file(file, kProtocolFile);
     std::string after = before;
-    for (const auto& [from, to] : moved) after = with_path(std::move(after), file, from, to);
+    for (const auto& [from, to] : names) after = with_name(std::move(after), file, from, to);
     texts.push_back({file, before, std::move(after)});
   }
   write_files_together(written, Overwrite::refuse);
@@ -272,22 +323,26 @@ std::vector<ForeignStimulus> foreign_stimuli(const std::filesystem::path& study,
     throw PhrasedError(phrase("StimulusFiles", "%1 is not a study. Choose the folder of a study.")
                            .with(other.string()));
   }
+  const std::set<std::string> named = paths_in_protocols(other);
   std::vector<ForeignStimulus> stimuli{};
   for (const auto& entry : entries_in(other / "stimuli")) {
-    const std::filesystem::path& file = entry.path();
+    ForeignStimulus stimulus{.path = kFolder + entry.path().filename().string()};
     std::error_code unknown{};
-    const bool is_sidecar =
-        file.extension() == ".json" && has_sidecar(file.parent_path() / file.stem());
-    if (!entry.is_regular_file(unknown) || is_sidecar) continue;
-    ForeignStimulus stimulus{.path = kFolder + file.filename().string()};
-    for (const std::string& part : files_of_stimulus(other, stimulus.path)) {
-      if (!is_there(study / part)) continue;
-      const bool is_same = holds({study / part, read_file(other / part, kPictureFile)});
-      if (!is_same) stimulus.state = ForeignStimulus::State::name_is_taken;
-      if (is_same && stimulus.state == ForeignStimulus::State::can_be_copied &&
-          part == stimulus.path) {
-        stimulus.state = ForeignStimulus::State::is_there;
-      }
+    if (!entry.is_regular_file(unknown)) continue;
+    if (!is_stimulus_file(entry.path()) && !named.contains(stimulus.path)) continue;
+    stimulus.files = files_to_copy(other, stimulus.path);
+    std::size_t same = 0;
+    bool is_taken = false;
+    for (const std::string& file : stimulus.files) {
+      if (!is_there(study / file)) continue;
+      const bool is_same = holds({study / file, read_file(other / file, kPictureFile)});
+      same += is_same ? 1 : 0;
+      is_taken = is_taken || !is_same;
+    }
+    if (is_taken) {
+      stimulus.state = ForeignStimulus::State::name_is_taken;
+    } else if (same == stimulus.files.size()) {
+      stimulus.state = ForeignStimulus::State::is_there;
     }
     stimuli.push_back(std::move(stimulus));
   }
@@ -301,10 +356,11 @@ int copy_stimuli(const std::filesystem::path& study, const std::filesystem::path
   for (const std::string& path : paths) {
     if (stop.stop_requested()) break;
     std::vector<NewFile> files{};
-    for (const std::string& part : files_of_stimulus(other, path)) {
-      files.push_back({study / part, read_file(other / part, kPictureFile)});
+    for (const std::string& part : files_to_copy(other, path)) {
+      NewFile file{study / part, read_file(other / part, kPictureFile)};
+      if (!holds(file)) files.push_back(std::move(file));  // otherwise it has been copied before
     }
-    write_files_together(files, Overwrite::refuse);
+    if (!files.empty()) write_files_together(files, Overwrite::refuse);
     ++copied;
   }
   return copied;

@@ -20,8 +20,10 @@ struct StimulusUses {
   std::vector<std::filesystem::path> protocols{};      ///< files of the study, never run
   std::vector<std::filesystem::path> protocols_run{};  ///< files of the study with sessions
   std::vector<std::filesystem::path> renderings{};
-  bool in_sessions = false;  ///< a stored session was begun with a protocol that names it
+  std::vector<std::string> reliefs{};  ///< paths of the height fields whose photograph it is
+  bool in_sessions = false;            ///< a stored session was begun with a protocol that names it
 
+  /// Neither protocols nor renderings name it.
   bool is_unused() const noexcept {
     return protocols.empty() && protocols_run.empty() && renderings.empty() && !in_sessions;
   }
@@ -30,19 +32,29 @@ struct StimulusUses {
 };
 /// Errors: ResultsError as for Study, and for a file that cannot be read.
 StimulusUses uses_of_stimulus(const Study& study, const std::string& path);
-/// Why a stimulus with these uses cannot be renamed, or deleted; nothing where it can.
-std::optional<Phrase> complaint_about_renaming(const StimulusUses& uses, const std::string& path);
+/// Why a stimulus with these uses cannot be deleted; nothing where it can.
 std::optional<Phrase> complaint_about_deletion(const StimulusUses& uses, const std::string& path);
 
-/// The files that are renamed with a stimulus, relative to the study: itself, its sidecar, and of NAME.png the photograph
-/// NAME_photo.png if there is one.
-std::vector<std::string> files_renamed_with(const std::filesystem::path& study,
-                                            const std::string& path);
-/// The files that are deleted and copied with it: itself and its sidecar.
+/// What the renaming of a stimulus changes.
+struct RenamePlan {
+  /// Itself, and of a height field its photograph NAME_photo.png if there is one.
+  std::vector<std::string> stimuli{};
+  std::vector<std::string> files{};  ///< those of the stimuli, with sidecars
+  /// Protocols and renderings of which the references, and the notes of a rendering's name, are changed.
+  std::vector<std::filesystem::path> changed{};
+  /// Protocols with sessions that note the name of a rendering: they keep it.
+  std::vector<std::filesystem::path> unchanged{};
+  std::vector<std::string> reliefs{};  ///< those that lose their photograph
+  std::optional<Phrase> complaint{};   ///< why it cannot be renamed
+};
+/// Errors: as for `uses_of_stimulus`.
+RenamePlan plan_of_renaming(const Study& study, const std::string& path);
+
+/// The files that are deleted with it, itself last, and its sidecar.
 std::vector<std::string> files_of_stimulus(const std::filesystem::path& study,
                                            const std::string& path);
 
-/// Gives the stimulus another stem, in all protocols and renderings of the study as well, and returns its path. The old
+/// Gives the stimulus another stem, as its plan states, and returns its path. The old
 /// files are removed last.
 ///
 /// Errors: PhrasedError for a name that is not valid or that another file has, for a stimulus of a stored session, for a
@@ -58,13 +70,15 @@ void delete_stimulus(const Study& study, const std::string& path);
 struct ForeignStimulus {
   enum class State {
     can_be_copied,
-    is_there,      ///< with the same content
-    name_is_taken  ///< by another file
+    is_there,      ///< with the same content, as all its files
+    name_is_taken  ///< one of its names, by another file
   };
   std::string path{};
+  /// The files that are copied, itself last: also its sidecar, its photograph NAME_photo.png, and the texture of a rendering.
+  std::vector<std::string> files{};
   State state = State::can_be_copied;
 };
-/// By path. Errors: PhrasedError for a folder without a study.
+/// By path: what `is_stimulus_file` recognises, and what a protocol of the other study names. Errors: PhrasedError for a folder without a study.
 std::vector<ForeignStimulus> foreign_stimuli(const std::filesystem::path& study,
                                              const std::filesystem::path& other);
 

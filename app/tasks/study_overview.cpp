@@ -254,6 +254,10 @@ bool has_sidecar(const std::filesystem::path& picture) {
   return is_picture_name(picture) && std::filesystem::exists(sidecar_of(picture), ignored);
 }
 
+bool is_stimulus_file(const std::filesystem::path& file) {
+  return is_picture_name(file) || is_textured_mesh(file) || is_rendering(file);
+}
+
 bool is_running(const Study& study, const SessionRow& row) {
   return row.state == SessionState::open &&
          StudyLock::holder(study.folder(), Study::session_lock_name(row.participant)).has_value();

@@ -124,6 +124,10 @@ SessionDetail session_detail(const Study& study, std::int64_t session_id);
 /// Whether it is the picture of a height field, which has a sidecar: FILE.png.json, with an ending in any case.
 bool has_sidecar(const std::filesystem::path& picture);
 
+/// Whether a file of `stimuli/` is a picture, a textured mesh or a rendering. Data files of force models are known by the
+/// protocols that name them alone.
+bool is_stimulus_file(const std::filesystem::path& file);
+
 /// A file of the study's `stimuli/`, or a body that a protocol makes from a shape.
 struct StimulusOverview {
   enum class Kind {

@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "app/study_files/height_field_files.h"
+#include "app/study_files/stimulus_names.h"
 #include "app/tasks/protocol_files.h"
 #include "protocols/file/translation.h"
 #include "protocols/form/new_values.h"
@@ -29,8 +30,8 @@ std::string text_in(const LibraryProtocol& protocol, const std::string& language
 }
 
 /// The study-relative file of the photograph that the relief was made from; empty if the study has none.
-std::string photograph_of(const std::filesystem::path& stimuli, const std::filesystem::path& png) {
-  std::vector<std::string> names{png.stem().string() + "_photo.png"};
+std::string photograph_in(const std::filesystem::path& stimuli, const std::filesystem::path& png) {
+  std::vector<std::string> names{photograph_of(png).filename().string()};
   try {
     names.insert(names.begin(), provenance_of(png).source_name);
   } catch (const std::exception&) {  // the check of the protocol states what is wrong with the file
@@ -93,7 +94,7 @@ std::vector<OwnTexture> reliefs_of_study(const std::filesystem::path& study) {
   for (const std::filesystem::path& file : files) {
     names.push_back(free_name(names, name_in_protocol(file.stem().string())));
     reliefs.push_back(
-        {names.back(), "stimuli/" + file.filename().string(), photograph_of(stimuli, file)});
+        {names.back(), "stimuli/" + file.filename().string(), photograph_in(stimuli, file)});
   }
   return reliefs;
 }

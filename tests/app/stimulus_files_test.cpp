@@ -19,6 +19,7 @@
 #include "results_schema/files/atomic_file.h"
 #include "tests/app/small_study.h"
 #include "tests/support/refusal.h"
+#include "tests/support/replaced.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -66,9 +67,12 @@ TEST_F(StimulusFiles, KnowWhatRefersToThem) {
 
 TEST_F(StimulusFiles, AreRenamedWithSidecarPhotographAndReferences) {
   const std::string sha256 = load_height_field(stimulus("grain.png")).sha256;
-  EXPECT_THAT(
-      files_renamed_with(folder(), "stimuli/grain.png"),
-      ElementsAre("stimuli/grain_photo.png", "stimuli/grain.png.json", "stimuli/grain.png"));
+  const RenamePlan plan = plan_of_renaming(study(), "stimuli/grain.png");
+  EXPECT_THAT(plan.files,
+              testing::UnorderedElementsAre("stimuli/grain_photo.png", "stimuli/grain.png.json",
+                                            "stimuli/grain.png"));
+  EXPECT_THAT(plan.changed, ElementsAre(protocol_, rendering_file(folder(), "strong")));
+  EXPECT_TRUE(plan.reliefs.empty()) << "its photograph is renamed with it";
   EXPECT_EQ(rename_stimulus(study(), "stimuli/grain.png", "sand-2"), "stimuli/sand-2.png");
   EXPECT_EQ(load_height_field(stimulus("sand-2.png")).sha256, sha256);
   EXPECT_TRUE(std::filesystem::exists(stimulus("sand-2_photo.png")));
@@ -81,6 +85,43 @@ TEST_F(StimulusFiles, AreRenamedWithSidecarPhotographAndReferences) {
   EXPECT_TRUE(check_protocol(protocol_, built_in_models(), folder(), std::nullopt).is_valid());
   EXPECT_EQ(load_rendering(rendering_file(folder(), "strong")).texture.height_field,
             "stimuli/sand-2.png");
+}
+
+TEST_F(StimulusFiles, AreRenamedWithTheProtocolsOfTheirPhotographAndTheNotesOfTheirName) {
+  const std::string only_photo =
+      replaced(small_protocol(), "\"height_field\": \"stimuli/grain.png\", ", "");
+  const std::filesystem::path other = folder() / "protocols" / "photo.json";
+  write_file(other, only_photo, Overwrite::refuse);
+  EXPECT_THAT(plan_of_renaming(study(), "stimuli/grain.png").changed,
+              ElementsAre(other, protocol_, rendering_file(folder(), "strong")));
+  EXPECT_THAT(plan_of_renaming(study(), "stimuli/grain_photo.png").reliefs,
+              ElementsAre("stimuli/grain.png"));
+
+  const std::string noting =
+      replaced(small_protocol(), "\"rendered\": {", "\"rendered\": {\"x-rendering\": \"strong\", ");
+  write_file(other, noting, Overwrite::allow);
+  EXPECT_THAT(plan_of_renaming(study(), "stimuli/strong.rendering.json").changed,
+              ElementsAre(other));
+  EXPECT_EQ(rename_stimulus(study(), "stimuli/strong.rendering.json", "weak"),
+            "stimuli/weak.rendering.json");
+  EXPECT_EQ(read_file(other), replaced(noting, "\"strong\"", "\"weak\""));
+  run_it();
+  write_file(protocol_, read_file(other), Overwrite::allow);
+  const RenamePlan plan = plan_of_renaming(study(), "stimuli/weak.rendering.json");
+  EXPECT_THAT(plan.unchanged, ElementsAre(other, protocol_)) << "their protocol has sessions";
+  EXPECT_FALSE(plan.complaint.has_value());
+}
+
+TEST_F(StimulusFiles, OfProtocolsThatWereRunAreRemovedThereFirst) {
+  run_it();
+  for (const char* const end : {".png", ".png.json"}) {
+    std::filesystem::copy_file(stimulus(std::string("grain") + end),
+                               stimulus(std::string("sand") + end));
+  }
+  write_file(protocol_, replaced(small_protocol(), "stimuli/grain.png", "stimuli/sand.png"),
+             Overwrite::allow);
+  EXPECT_THAT(refusal_of<PhrasedError>([&] { delete_stimulus(study(), "stimuli/sand.png"); }),
+              HasSubstr("is used by protocols with stored sessions: small.json"));
 }
 
 TEST_F(StimulusFiles, KeepTheirNameWhereAnotherHasTheNewOne) {
@@ -192,6 +233,24 @@ TEST_F(StimulusFiles, AreCopiedFromAnotherStudyAndReplaceNothing) {
   copy_stimuli(folder(), other, {"stimuli/corn.png"});
   EXPECT_EQ(load_height_field(stimulus("corn.png")).sha256,
             load_height_field(stimulus("grain.png")).sha256);
+  write_file(other / "stimuli" / "notes.txt", "", Overwrite::refuse);
+  EXPECT_THROW(state_of("stimuli/notes.txt"), std::runtime_error);
+  std::filesystem::copy_file(other / "stimuli" / "grain_photo.png",
+                             other / "stimuli" / "rice_photo.png");
+  for (const char* const end : {".png", ".png.json"}) {
+    std::filesystem::rename(other / "stimuli" / (std::string("corn") + end),
+                            other / "stimuli" / (std::string("rice") + end));
+  }
+  save_rendering(other, "weak",
+                 {.model = "height_map",
+                  .version = "1",
+                  .texture = {"stimuli/rice.png", std::string(64, 'a')}});
+  EXPECT_EQ(copy_stimuli(folder(), other, {"stimuli/weak.rendering.json", "stimuli/rice.png"}), 2);
+  for (const char* const name :
+       {"weak.rendering.json", "rice.png", "rice.png.json", "rice_photo.png"}) {
+    EXPECT_TRUE(std::filesystem::exists(stimulus(name))) << name;
+  }
+  EXPECT_EQ(state_of("stimuli/weak.rendering.json"), State::is_there);
   EXPECT_THAT(refusal_of<PhrasedError>([&] { foreign_stimuli(folder(), temporary_.path()); }),
               HasSubstr("is not a study"));
 }

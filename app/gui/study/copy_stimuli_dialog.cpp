@@ -19,6 +19,7 @@ namespace asperity {
 namespace {
 
 constexpr QSize kCopySize{640, 520};
+constexpr int kFiles = Qt::UserRole + 1;
 
 }  // namespace
 
@@ -97,6 +98,9 @@ void CopyStimuliDialog::show_stimuli(const std::vector<ForeignStimulus>& stimuli
     const QString name = text(stimulus.path).section('/', -1);
     auto* item = new QListWidgetItem(list_);
     item->setData(Qt::UserRole, text(stimulus.path));
+    QStringList files{};
+    for (const std::string& file : stimulus.files) files << text(file).section('/', -1);
+    item->setData(kFiles, files);
     switch (stimulus.state) {
       case Kept::can_be_copied:
         item->setText(name);
@@ -128,12 +132,16 @@ std::vector<std::string> CopyStimuliDialog::chosen() const {
 }
 
 void CopyStimuliDialog::show_whether_chosen() {
-  const auto count = static_cast<int>(chosen().size());
-  copy_->setEnabled(count > 0);
-  if (count > 0) {
+  QStringList files{};
+  for (int i = 0; i < list_->count(); ++i) {
+    const QListWidgetItem& item = *list_->item(i);
+    if (item.checkState() == Qt::Checked) files << item.data(kFiles).toStringList();
+  }
+  files.removeDuplicates();
+  copy_->setEnabled(!files.isEmpty());
+  if (!files.isEmpty()) {
     state_->set_state(State::fine,
-                      tr("%n stimuli will be copied, each with its sidecar. No file is replaced.",
-                         nullptr, count));
+                      tr("Files to copy: %1. No file is replaced.").arg(files.join(", ")));
   } else if (other_.empty()) {
     state_->set_state(State::unknown, tr("Choose a study."));
   } else {

@@ -195,6 +195,7 @@ StimuliPage::StimuliPage(OpenStudy& study, QWidget* parent)
     select_next_ = path;
     this->study().announce_change();
   });
+  connect(actions_, &StimulusActions::asked, &banner(), &Banner::hide);
   connect(actions_, &StimulusActions::refused, this,
           [this](const QString& why) { banner().show_news(State::look, why); });
   connect(filter_, &QLineEdit::textChanged, table_, &StudyTable::set_filter);

@@ -38,6 +38,21 @@ QString names_of(const std::vector<std::string>& paths) {
 
 }  // namespace
 
+template <class Found>
+void StimulusActions::find(Found (*look)(const Study&, const std::string&),
+                           void (StimulusActions::*then)(const Found&)) {
+  hide_question();
+  task_.run<Found>(
+      [look, path = path_, folder = study_.folder()](const std::stop_token&,
+                                                     const BackgroundTask::Progress&) {
+        return look(Study::open(folder, Access::read_only), path);
+      },
+      [this, then, path = path_](const Found& found) {
+        if (path == path_) (this->*then)(found);
+      },
+      [this](const QString& what) { emit refused(what); });
+}
+
 StimulusActions::StimulusActions(OpenStudy& study, QWidget* parent)
     : QFrame(parent), study_(study) {
   setObjectName("stimulus_actions");
@@ -61,9 +76,9 @@ StimulusActions::StimulusActions(OpenStudy& study, QWidget* parent)
   layout->addWidget(reason_);
 
   question_ = new QWidget(this);
-  auto* row = new QHBoxLayout(question_);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(kGrid);
+  auto* rows = new QVBoxLayout(question_);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(kGrid);
   text_ = make_text({}, question_);
   text_->setObjectName("stimulus_question");
   name_ = new QLineEdit(question_);
@@ -74,10 +89,14 @@ StimulusActions::StimulusActions(OpenStudy& study, QWidget* parent)
   act_->setObjectName("stimulus_act");
   cancel_ = make_button(tr("Cancel"), ButtonRole::link, question_);
   cancel_->setObjectName("stimulus_cancel");
-  row->addWidget(text_, 1);
+  auto* row = new QHBoxLayout();
+  row->setSpacing(kGrid);
   row->addWidget(name_);
   row->addWidget(act_);
   row->addWidget(cancel_);
+  row->addStretch();
+  rows->addWidget(text_);
+  rows->addLayout(row);
   layout->addWidget(question_);
   hide_question();
   connect(open_, &QPushButton::clicked, this,
@@ -85,9 +104,9 @@ StimulusActions::StimulusActions(OpenStudy& study, QWidget* parent)
   connect(use_, &QPushButton::clicked, this,
           [this] { emit use_wanted({path_text(study_.folder() / path_)}); });
   connect(rename_, &QPushButton::clicked, this,
-          [this] { find_uses([this](const StimulusUses& uses) { ask_for_name(uses); }); });
+          [this] { find(&plan_of_renaming, &StimulusActions::ask_for_name); });
   connect(delete_, &QPushButton::clicked, this,
-          [this] { find_uses([this](const StimulusUses& uses) { ask_whether_to_delete(uses); }); });
+          [this] { find(&uses_of_stimulus, &StimulusActions::ask_whether_to_delete); });
   connect(act_, &QPushButton::clicked, this, &StimulusActions::act);
   connect(name_, &QLineEdit::returnPressed, this, &StimulusActions::act);
   connect(cancel_, &QPushButton::clicked, this, &StimulusActions::hide_question);
@@ -130,31 +149,26 @@ void StimulusActions::keyPressEvent(QKeyEvent* event) {
   QFrame::keyPressEvent(event);
 }
 
-void StimulusActions::find_uses(std::function<void(const StimulusUses&)> then) {
-  hide_question();
-  task_.run<StimulusUses>(
-      [path = path_, folder = study_.folder()](const std::stop_token&,
-                                               const BackgroundTask::Progress&) {
-        return uses_of_stimulus(Study::open(folder, Access::read_only), path);
-      },
-      [this, then = std::move(then), path = path_](const StimulusUses& uses) {
-        if (path != path_) return;
-        const auto complaint = complaint_about_renaming(uses, path);
-        if (!complaint) return then(uses);
-        emit refused(words_of(*complaint));
-      },
-      [this](const QString& what) { emit refused(what); });
-}
-
-void StimulusActions::ask_for_name(const StimulusUses& uses) {
+void StimulusActions::ask_for_name(const RenamePlan& plan) {
+  if (plan.complaint) {
+    emit refused(words_of(*plan.complaint));
+    return;
+  }
   QStringList sentences{tr("New name of %1 (without its ending).").arg(file_name(path_))};
-  std::vector<std::string> others = files_renamed_with(study_.folder(), path_);
+  std::vector<std::string> others = plan.files;
   std::erase(others, path_);
   if (!others.empty()) sentences << tr("Renamed with it: %1.").arg(names_of(others));
-  std::vector<std::filesystem::path> changed = uses.protocols;
-  changed.insert(changed.end(), uses.renderings.begin(), uses.renderings.end());
-  sentences << (changed.empty() ? tr("No protocol refers to it.")
-                                : tr("The references are changed in: %1.").arg(names_of(changed)));
+  sentences << (plan.changed.empty()
+                    ? tr("No reference is changed.")
+                    : tr("The references are changed in: %1.").arg(names_of(plan.changed)));
+  if (!plan.unchanged.empty()) {
+    sentences
+        << tr("Protocols with sessions keep the present name: %1.").arg(names_of(plan.unchanged));
+  }
+  if (!plan.reliefs.empty()) {
+    sentences << tr("It is the photograph of %1, which has none under another name.")
+                     .arg(names_of(plan.reliefs));
+  }
   ask(sentences.join(' '), tr("Rename"), true);
   name_->setText(is_rendering_ ? text(rendering_name(path_))
                                : path_text(std::filesystem::path(path_).stem()));
@@ -168,12 +182,14 @@ void StimulusActions::ask_whether_to_delete(const StimulusUses& uses) {
     return;
   }
   const QString files = names_of(files_of_stimulus(study_.folder(), path_));
-  ask(is_rendering_
-          ? tr("Delete %1? Protocols with its values keep them. The file cannot be "
-               "restored.")
-                .arg(files)
-          : tr("Delete %1? Nothing refers to it. The files cannot be restored.").arg(files),
-      tr("Delete"), false);
+  QString question = tr("Delete %1? Nothing refers to it. The files cannot be restored.");
+  if (is_rendering_) {
+    question = tr("Delete %1? Protocols with its values keep them. The file cannot be restored.");
+  } else if (!uses.reliefs.empty()) {
+    question = tr("Delete %1? It is the photograph of %2. The file cannot be restored.");
+  }
+  question = question.arg(files);
+  ask(uses.reliefs.empty() ? question : question.arg(names_of(uses.reliefs)), tr("Delete"), false);
   cancel_->setFocus();  // Return deletes nothing
 }
 
@@ -183,6 +199,7 @@ void StimulusActions::ask(const QString& text, const QString& verb, bool for_nam
   act_->setText(verb);
   name_->setVisible(for_name);
   question_->show();
+  emit asked();
 }
 
 void StimulusActions::hide_question() { question_->hide(); }

@@ -2,7 +2,6 @@
 
 #pragma once
 
-#include <functional>
 #include <string>
 
 #include <QtWidgets/QFrame>
@@ -32,6 +31,8 @@ class StimulusActions final : public QFrame {
  signals:
   void open_wanted(const QString& file);
   void use_wanted(const QStringList& renderings);
+  /// A question is shown: what was refused before is over.
+  void asked();
   /// The files of the study have changed. `path`: of the renamed stimulus; empty after a deletion.
   void changed(const QString& path);
   /// Nothing was done. `why` is a sentence.
@@ -41,8 +42,11 @@ class StimulusActions final : public QFrame {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  void find_uses(std::function<void(const StimulusUses&)> then);
-  void ask_for_name(const StimulusUses& uses);
+  /// Reads in the background; `then` gets the result unless another stimulus is chosen meanwhile.
+  template <class Found>
+  void find(Found (*look)(const Study&, const std::string&),
+            void (StimulusActions::*then)(const Found&));
+  void ask_for_name(const RenamePlan& plan);
   void ask_whether_to_delete(const StimulusUses& uses);
   void ask(const QString& text, const QString& verb, bool for_name);
   void hide_question();

@@ -12039,10 +12039,6 @@
         <translation>%1 wird von %2 verwendet. Vor dem Löschen dort entfernen.</translation>
     </message>
     <message>
-        <source>“%1” cannot be the name of a stimulus. Use unaccented letters, digits, _ and -.</source>
-        <translation>„%1“ kann nicht der Name eines Reizes sein. Erlaubt sind Buchstaben ohne Akzente, Ziffern, _ und -.</translation>
-    </message>
-    <message>
         <source>The study already has a file %1. Choose another name.</source>
         <translation>Die Studie hat bereits eine Datei %1. Einen anderen Namen wählen.</translation>
     </message>
@@ -12053,6 +12049,14 @@
     <message>
         <source>%1 has been changed meanwhile, and nothing was renamed. Rename the stimulus again.</source>
         <translation>%1 wurde inzwischen geändert, und nichts wurde umbenannt. Den Reiz noch einmal umbenennen.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be the name of a stimulus. Use at most %2 unaccented letters, digits, _ and -.</source>
+        <translation>„%1“ kann nicht der Name eines Reizes sein. Erlaubt sind höchstens %2 Buchstaben ohne Akzente, Ziffern, _ und -.</translation>
+    </message>
+    <message>
+        <source>%1 is used by protocols with stored sessions: %2. Remove it there first.</source>
+        <translation>%1 wird von Protokollen mit gespeicherten Sitzungen verwendet: %2. Zuerst dort entfernen.</translation>
     </message>
 </context>
 <context>
@@ -12996,13 +13000,6 @@
         <source>%1 (this study has another file of this name)</source>
         <translation>%1 (diese Studie hat eine andere Datei dieses Namens)</translation>
     </message>
-    <message numerus="yes">
-        <source>%n stimuli will be copied, each with its sidecar. No file is replaced.</source>
-        <translation>
-            <numerusform>%n Reiz wird mit seiner Begleitdatei kopiert. Keine Datei wird ersetzt.</numerusform>
-            <numerusform>%n Reize werden mit ihren Begleitdateien kopiert. Keine Datei wird ersetzt.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Choose a study.</source>
         <translation>Eine Studie wählen.</translation>
@@ -13014,6 +13011,10 @@
     <message>
         <source>Tick the stimuli to copy.</source>
         <translation>Die Reize ankreuzen, die kopiert werden sollen.</translation>
+    </message>
+    <message>
+        <source>Files to copy: %1. No file is replaced.</source>
+        <translation>Zu kopierende Dateien: %1. Keine Datei wird ersetzt.</translation>
     </message>
 </context>
 <context>
@@ -16300,10 +16301,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Einen Namen für die Wiedergaben eingeben.</translation>
     </message>
     <message>
-        <source>Use only unaccented letters, digits, _ and -.</source>
-        <translation>Nur Buchstaben ohne Akzente, Ziffern, _ und - verwenden.</translation>
-    </message>
-    <message>
         <source>Saving …</source>
         <translation>Wird gespeichert…</translation>
     </message>
@@ -16318,6 +16315,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>The renderings were not saved: %1</source>
         <translation>Die Wiedergaben wurden nicht gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Use at most %1 unaccented letters, digits, _ and -.</source>
+        <translation>Höchstens %1 Buchstaben ohne Akzente, Ziffern, _ und - verwenden.</translation>
     </message>
 </context>
 <context>
@@ -16467,10 +16468,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Einen Namen für das Relief eingeben.</translation>
     </message>
     <message>
-        <source>Use only unaccented letters, digits, _ and -.</source>
-        <translation>Nur Buchstaben ohne Akzente, Ziffern, _ und - verwenden.</translation>
-    </message>
-    <message>
         <source>Saving …</source>
         <translation>Wird gespeichert…</translation>
     </message>
@@ -16505,6 +16502,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Names ending in _photo are reserved for the photographs stored with the reliefs; choose another name.</source>
         <translation>Namen, die auf _photo enden, sind den Fotos vorbehalten, die mit den Reliefs gespeichert werden; einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>Use at most %1 unaccented letters, digits, _ and -.</source>
+        <translation>Höchstens %1 Buchstaben ohne Akzente, Ziffern, _ und - verwenden.</translation>
     </message>
 </context>
 <context>
@@ -17800,10 +17801,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Mit umbenannt wird: %1.</translation>
     </message>
     <message>
-        <source>No protocol refers to it.</source>
-        <translation>Kein Protokoll bezieht sich darauf.</translation>
-    </message>
-    <message>
         <source>The references are changed in: %1.</source>
         <translation>Die Verweise werden geändert in: %1.</translation>
     </message>
@@ -17822,6 +17819,22 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Delete</source>
         <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>No reference is changed.</source>
+        <translation>Kein Verweis wird geändert.</translation>
+    </message>
+    <message>
+        <source>Protocols with sessions keep the present name: %1.</source>
+        <translation>Protokolle mit Sitzungen behalten den jetzigen Namen: %1.</translation>
+    </message>
+    <message>
+        <source>It is the photograph of %1, which has none under another name.</source>
+        <translation>Das Bild ist das Foto von %1; unter einem anderen Namen fehlt es dort.</translation>
+    </message>
+    <message>
+        <source>Delete %1? It is the photograph of %2. The file cannot be restored.</source>
+        <translation>%1 löschen? Das Bild ist das Foto von %2. Die Datei ist nicht wiederherstellbar.</translation>
     </message>
 </context>
 <context>
@@ -18092,10 +18105,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Einen Namen für die Textur eingeben.</translation>
     </message>
     <message>
-        <source>Use only unaccented letters, digits, _ and -.</source>
-        <translation>Nur Buchstaben ohne Akzente, Ziffern, _ und - verwenden.</translation>
-    </message>
-    <message>
         <source>The study already has a stimulus “%1”. Choose another name.</source>
         <translation>Die Studie hat bereits einen Reiz „%1“. Einen anderen Namen wählen.</translation>
     </message>
@@ -18114,6 +18123,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Compute the texture</source>
         <translation>Die Textur berechnen</translation>
+    </message>
+    <message>
+        <source>Use at most %1 unaccented letters, digits, _ and -.</source>
+        <translation>Höchstens %1 Buchstaben ohne Akzente, Ziffern, _ und - verwenden.</translation>
     </message>
 </context>
 <context>

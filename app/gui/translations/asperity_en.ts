@@ -77,16 +77,6 @@
     </message>
 </context>
 <context>
-    <name>asperity::CopyStimuliDialog</name>
-    <message numerus="yes">
-        <source>%n stimuli will be copied, each with its sidecar. No file is replaced.</source>
-        <translation>
-            <numerusform>%n stimulus will be copied with its sidecar. No file is replaced.</numerusform>
-            <numerusform>%n stimuli will be copied, each with its sidecar. No file is replaced.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>asperity::ProtocolFileActions</name>
     <message numerus="yes">
         <source>%1 has been run (%n sessions). Sessions refer to its name and its text: it can be neither renamed nor deleted. Duplicate it to create a further protocol from it.</source>

@@ -2,7 +2,6 @@
 
 #include "app/gui/workbench/rendering_panel.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <QtWidgets/QBoxLayout>
@@ -12,6 +11,7 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
 #include "app/study_files/height_field_files.h"
+#include "app/study_files/stimulus_names.h"
 #include "results_schema/files/atomic_file.h"
 
 namespace asperity {
@@ -65,17 +65,14 @@ void RenderingPanel::check() {
   const Compared compared = compared_();
   QString problem = compared.problem;
   const QString name = name_->text();
-  const bool is_plain = std::all_of(name.begin(), name.end(), [](QChar letter) {
-    return letter.unicode() < 128 && (letter.isLetterOrNumber() || letter == '_' || letter == '-');
-  });
   if (!study_.can_be_written()) {
     problem = tr("This study is read-only; copy it to a folder that you may write to.");
   } else if (problem.isEmpty() && compared.renderings.empty()) {
     problem = compared.left_out.isEmpty() ? tr("Choose a force model.") : compared.left_out;
   } else if (problem.isEmpty() && name.isEmpty()) {
     problem = tr("Enter a name for the renderings.");
-  } else if (problem.isEmpty() && !is_plain) {
-    problem = tr("Use only unaccented letters, digits, _ and -.");
+  } else if (problem.isEmpty() && !is_stimulus_name(name.toStdString())) {
+    problem = tr("Use at most %1 unaccented letters, digits, _ and -.").arg(kLongestStimulusName);
   } else if (problem.isEmpty() && saving_.is_running()) {
     problem = tr("Saving …");
   }

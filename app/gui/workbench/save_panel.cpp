@@ -15,6 +15,7 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
 #include "app/gui/look/words.h"
+#include "app/study_files/stimulus_names.h"
 
 namespace asperity {
 
@@ -23,14 +24,9 @@ namespace {
 constexpr int kLongestName = 40;
 constexpr const char* kPhotoEnding = "_photo";
 
-/// Letters, digits, _ and −: a name that every system and every protocol can write.
-bool is_plain(QChar letter) {
-  return letter.unicode() < 128 && (letter.isLetterOrNumber() || letter == '_' || letter == '-');
-}
-
 struct StimulusFiles {
   StimulusFiles(const std::filesystem::path& folder, const std::string& name)
-      : png(folder / (name + ".png")), photo(folder / (name + kPhotoEnding + ".png")) {}
+      : png(folder / (name + ".png")), photo(photograph_of(png)) {}
 
   std::vector<std::filesystem::path> all() const { return {png, sidecar_of(png), photo}; }
   bool any_exists() const {
@@ -73,7 +69,7 @@ QString proposed_name(const std::filesystem::path& file, const std::filesystem::
   QString name{};
   for (const QChar letter : own) {
     if (letter.isMark()) continue;
-    if (is_plain(letter) && letter != '_') {
+    if (letter != '_' && is_stimulus_name(QString(letter).toStdString())) {
       name += letter;
     } else if (!name.isEmpty() && !name.endsWith('_')) {
       name += '_';
@@ -161,8 +157,8 @@ void SavePanel::check() {
     problem = reason;
   } else if (name.isEmpty()) {
     problem = tr("Enter a name for the relief.");
-  } else if (!std::all_of(name.begin(), name.end(), is_plain)) {
-    problem = tr("Use only unaccented letters, digits, _ and -.");
+  } else if (!is_stimulus_name(name.toStdString())) {
+    problem = tr("Use at most %1 unaccented letters, digits, _ and -.").arg(kLongestStimulusName);
   } else if (name.endsWith(kPhotoEnding)) {
     problem =
         tr("Names ending in _photo are reserved for the photographs stored with the reliefs; "

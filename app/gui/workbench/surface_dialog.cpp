@@ -2,7 +2,6 @@
 
 #include "app/gui/workbench/surface_dialog.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <QtGui/QPixmap>
@@ -20,6 +19,7 @@
 #include "app/gui/workbench/relief_picture.h"
 #include "app/gui/workbench/save_panel.h"
 #include "app/study_files/height_field_files.h"
+#include "app/study_files/stimulus_names.h"
 #include "stimuli/heights/synthetic_surface.h"
 
 namespace asperity {
@@ -29,12 +29,6 @@ namespace {
 constexpr QSize kSurfaceSize{960, 640};
 constexpr QSize kSurfacePicture{400, 300};
 constexpr std::size_t kSurfaceMeshSide = 256;
-
-bool is_plain_name(const QString& name) {
-  return std::all_of(name.begin(), name.end(), [](QChar letter) {
-    return letter.unicode() < 128 && (letter.isLetterOrNumber() || letter == '_' || letter == '-');
-  });
-}
 
 }  // namespace
 
@@ -230,8 +224,8 @@ void SurfaceDialog::check() {
   if (!problem.isEmpty()) {
   } else if (name.isEmpty()) {
     problem = tr("Enter a name for the texture.");
-  } else if (!is_plain_name(name)) {
-    problem = tr("Use only unaccented letters, digits, _ and -.");
+  } else if (!is_stimulus_name(name.toStdString())) {
+    problem = tr("Use at most %1 unaccented letters, digits, _ and -.").arg(kLongestStimulusName);
   } else if (is_taken(path()) || is_taken(path() + ".json")) {
     problem = tr("The study already has a stimulus “%1”. Choose another name.").arg(name);
   } else if (saving_.is_running() || field_ == nullptr) {

@@ -48,9 +48,7 @@ class RenderingsTest : public WindowWithReliefs {
             "checked protocol");
     return found;
   }
-  static QString state(const QWidget& dialog) {
-    return child<StateLabel>(dialog, "use_state").text();
-  }
+  static QString state(const QWidget& dialog) { return state_in(dialog, "use_state"); }
   ProtocolEditorPage& editor() { return child<ProtocolEditorPage>(window_, "editor_page"); }
 };
 
@@ -93,7 +91,9 @@ TEST_F(RenderingsTest, AreNotThoseOfModelsThatNeedMore) {
             "A rendering contains neither bodies nor recordings; left out: Recorded.");
   choose_only(page, "height_map");
   EXPECT_TRUE(child<QPushButton>(page, "rendering_save").isEnabled());
-  child<QComboBox>(child<ParameterForm>(page, "surface"), "body").setCurrentIndex(1);
+  auto& body = child<QComboBox>(child<ParameterForm>(page, "surface"), "body");
+  body.setCurrentIndex(1);
+  emit body.activated(1);
   settle(page);
   EXPECT_FALSE(child<QPushButton>(page, "rendering_save").isEnabled());
   EXPECT_TRUE(words("rendering_note").startsWith("A rendering lies on the plane."))
@@ -242,7 +242,8 @@ TEST_F(RenderingsTest, AreUsedInAProtocolFromATemplate) {
   templates.select("semantic_differential");
   click("template_create", choice);
   ASSERT_TRUE(eventually([&] { return state(use).startsWith("✓"); })) << state(use).toStdString();
-  EXPECT_EQ(child<QComboBox>(use, "use_protocol").currentText(), "semantic_differential");
+  EXPECT_EQ(child<QComboBox>(use, "use_protocol").currentText(), "semantic_differential_2")
+      << "the translation of the first one is still there";
   EXPECT_TRUE(child<QPushButton>(use, "use_change").isEnabled());
 }
 

@@ -104,6 +104,8 @@ TEST_F(StimuliPageTest, CopiesFromAnotherStudyWhatIsNotThere) {
   list.item(1)->setCheckState(Qt::Checked);
   EXPECT_EQ(nameless_controls(dialog), QStringList{});
   take_screenshots(dialog, "copy-stimuli");
+  EXPECT_EQ(state_in(dialog, "copy_state"),
+            "✓ Files to copy: sand.png.json, sand.png. No file is replaced.");
   EXPECT_TRUE(child<QPushButton>(dialog, "copy_copy").isEnabled());
   dialog.show_study(home());
   EXPECT_FALSE(child<QPushButton>(dialog, "copy_copy").isEnabled());

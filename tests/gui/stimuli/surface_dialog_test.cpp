@@ -67,7 +67,7 @@ TEST_F(SurfaceDialogTest, ShowsAndSavesTheNewestValues) {
   EXPECT_EQ(name.text(), "grating");
   name.setText("brick");
   EXPECT_FALSE(child<QPushButton>(dialog, "surface_save").isEnabled());
-  EXPECT_EQ(child<StateLabel>(dialog, "surface_state").text(),
+  EXPECT_EQ(state_in(dialog, "surface_state"),
             "✕ The study already has a stimulus “brick”. Choose another name.");
   name.setText("ridges");
   click("surface_save", dialog);

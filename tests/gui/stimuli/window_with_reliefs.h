@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include <QtGui/QTextDocumentFragment>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QComboBox>
@@ -66,6 +67,11 @@ class WindowWithReliefs : public QuietHome {
     QTest::mouseClick(&found, Qt::LeftButton);
   }
   QString words(const char* label) const { return child<QLabel>(window_, label).text(); }
+  /// "✓ The text of the label."
+  static QString state_in(const QWidget& in, const char* label) {
+    const QString html = child<StateLabel>(in, label).text();
+    return QTextDocumentFragment::fromHtml(html).toPlainText().simplified();
+  }
   /// The banners that are shown.
   QString news() const {
     QString all{};
