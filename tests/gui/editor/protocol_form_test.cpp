@@ -287,6 +287,43 @@ TEST_F(FormOfProtocol, MovesDuplicatesAndRemovesTheEntryWithTheFocusByKeys) {
   EXPECT_TRUE(form().isVisible());
 }
 
+TEST_F(FormOfProtocol, KeepsTheFocusWhereTickedEntriesAreChangedByKeys) {
+  open(library_text("semantic_differential"));
+  ASSERT_NE(part("/blocks/ratings/questions/1"), nullptr);
+  const auto names = [this] {
+    std::string all{};
+    const json file = tree();
+    for (const json& question : file["blocks"]["ratings"]["questions"]) {
+      all += question["name"].get<std::string>() + " ";
+    }
+    return all;
+  };
+  const auto box = [this](const QString& name) -> QCheckBox* {
+    for (QCheckBox* const each : form().findChildren<QCheckBox*>()) {
+      if (each->isVisible() && each->accessibleName() == "Choose “" + name + "”") return each;
+    }
+    throw std::runtime_error("no box of " + name.toStdString());
+  };
+  const auto press = [](Qt::Key key) {
+    QTest::keyClick(QApplication::focusWidget(), key, Qt::AltModifier | Qt::ShiftModifier);
+    QApplication::processEvents();
+  };
+  box("rough")->click();
+  box("slippery")->click();
+  box("slippery")->setFocus();
+  press(Qt::Key_D);
+  EXPECT_EQ(names(), "rough rough_2 bumpy slippery slippery_2 hot irregular coarse hard wet ");
+  press(Qt::Key_Up);
+  EXPECT_EQ(names(), "rough rough_2 bumpy slippery_2 slippery hot irregular coarse hard wet ")
+      << "the focus is on the copy, which is not ticked";
+  box("slippery")->setFocus();
+  press(Qt::Key_Delete);
+  EXPECT_EQ(names(), "rough_2 bumpy slippery_2 hot irregular coarse hard wet ");
+  press(Qt::Key_Delete);
+  EXPECT_EQ(names(), "rough_2 bumpy slippery_2 irregular coarse hard wet ")
+      << "the focus is on the entry after the one that is gone";
+}
+
 TEST_F(FormOfProtocol, MovesDuplicatesAndRemovesSeveralAtOnce) {
   open(library_text("semantic_differential"));
   ASSERT_NE(part("/blocks/ratings/questions"), nullptr);

@@ -345,18 +345,16 @@ bool EntryList::act(const QWidget& focus, EntryAction action) {
   std::size_t after = *index;
   switch (action) {
     case EntryAction::move_up:
-      if (after == 0) return true;
-      move(after--, -1);
+      after = move(*index, -1);
       break;
     case EntryAction::move_down:
-      if (after + 1 == entries_.size()) return true;
-      move(after++, 1);
+      after = move(*index, 1);
       break;
     case EntryAction::duplicate:
-      duplicate(after++);
+      after = duplicate(*index);
       break;
     case EntryAction::remove:
-      remove(after);
+      after = remove(*index);
       break;
   }
   // After the layout has shown what was made.
@@ -398,10 +396,10 @@ void EntryList::rearrange(const FormContext::Edit& edit,
   context().edit(edit, {});
 }
 
-void EntryList::move(std::size_t index, int by) {
+std::size_t EntryList::move(std::size_t index, int by) {
   std::vector<std::size_t> moved = together(index);
   if (by > 0) std::reverse(moved.begin(), moved.end());
-  if (moved.front() == (by > 0 ? entries_.size() - 1 : 0)) return;
+  if (moved.front() == (by > 0 ? entries_.size() - 1 : 0)) return index;
   std::vector<std::size_t> order(entries_.size());  // the entries before, by their position
   std::iota(order.begin(), order.end(), 0);
   // An entry, and the one whose place it takes: positions in the text also count comments.
@@ -411,6 +409,9 @@ void EntryList::move(std::size_t index, int by) {
     steps.emplace_back(entries_[i].pointer, entries_[other].pointer);
     std::swap(order[i], order[other]);
   }
+  const auto position = [&order](std::size_t before) {
+    return static_cast<std::size_t>(std::find(order.begin(), order.end(), before) - order.begin());
+  };
   rearrange(
       [&](const JsonDocument& document) {
         FormEdit edit{std::string(document.text()), {}};
@@ -420,14 +421,16 @@ void EntryList::move(std::size_t index, int by) {
         }
         return edit;
       },
-      [&](std::size_t before) {
-        return static_cast<std::size_t>(std::find(order.begin(), order.end(), before) -
-                                        order.begin());
-      });
+      position);
+  return position(index);
 }
 
-void EntryList::duplicate(std::size_t index) {
+std::size_t EntryList::duplicate(std::size_t index) {
   std::vector<std::size_t> copied = together(index);
+  const auto position = [&copied](std::size_t before) {
+    const auto before_it = std::lower_bound(copied.begin(), copied.end(), before);
+    return before + static_cast<std::size_t>(before_it - copied.begin());
+  };
   rearrange(
       [&](const JsonDocument& document) {
         FormEdit edit{std::string(document.text()), {}};
@@ -436,13 +439,11 @@ void EntryList::duplicate(std::size_t index) {
         }
         return edit;
       },
-      [&](std::size_t before) {
-        const auto before_it = std::lower_bound(copied.begin(), copied.end(), before);
-        return before + static_cast<std::size_t>(before_it - copied.begin());
-      });
+      position);
+  return position(index) + 1;
 }
 
-void EntryList::remove(std::size_t index) {
+std::size_t EntryList::remove(std::size_t index) {
   const std::vector<std::size_t> gone = together(index);
   std::vector<std::string> pointers{};
   for (const std::size_t i : gone) {
@@ -455,6 +456,8 @@ void EntryList::remove(std::size_t index) {
               if (after != gone.end() && *after == before) return {};
               return before - static_cast<std::size_t>(after - gone.begin());
             });
+  const auto gone_before = std::lower_bound(gone.begin(), gone.end(), index) - gone.begin();
+  return index - static_cast<std::size_t>(gone_before);
 }
 
 void EntryList::add(const std::string& key) {

@@ -77,9 +77,10 @@ class EntryList final : public FormPart {
   QString title_of(const Entry& entry, std::size_t index) const;
   std::optional<std::size_t> entry_with(const QWidget& widget) const;
   void toggle(const std::string& pointer);
-  void move(std::size_t index, int by);
-  void duplicate(std::size_t index);
-  void remove(std::size_t index);
+  // These return the position afterwards: of the entry, of its copy, of the entry after the one that is gone.
+  std::size_t move(std::size_t index, int by);
+  std::size_t duplicate(std::size_t index);
+  std::size_t remove(std::size_t index);
   void add(const std::string& key);
   /// The entry, or all that are ticked if it is one of them, in their order.
   std::vector<std::size_t> together(std::size_t index) const;
