@@ -10,6 +10,7 @@
 #include "app/study_files/parameter_json.h"
 #include "protocols/file/form_check.h"
 #include "protocols/file/json_document.h"
+#include "protocols/file/meaning_checks.h"
 #include "protocols/keys/form_sentences.h"
 #include "protocols/keys/reading.h"
 #include "protocols/keys/tables.h"
@@ -100,6 +101,9 @@ Rendering rendering_in(const std::string& text, const std::string& file) {
   }
   Rendering rendering{};
   read_keys(kRenderingTable, root, "", rendering);
+  if (const auto complaint = complaint_about_path(rendering.texture.height_field)) {
+    throw ProtocolError({document.at("/texture/height_field", *complaint)});
+  }
   return rendering;
 }
 

@@ -83,6 +83,8 @@ void check_applicability(CheckedDocument& checked);
 void check_device_limits(CheckedDocument& checked);
 void check_instability(CheckedDocument& checked);
 void check_textures(CheckedDocument& checked);
+/// Why this is not the path of a file in the study, and what to state; nothing where it is.
+std::optional<std::string> complaint_about_path(const std::string& path);
 void check_path(CheckedDocument& checked, const std::optional<std::string>& path,
                 const std::string& pointer);
 void check_factors(CheckedDocument& checked);

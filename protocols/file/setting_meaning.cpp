@@ -173,13 +173,10 @@ void check_device_limits(CheckedDocument& checked) {
   }
 }
 
-void check_path(CheckedDocument& checked, const std::optional<std::string>& path,
-                const std::string& pointer) {
-  if (!path) return;
-  const std::string& text = *path;
+std::optional<std::string> complaint_about_path(const std::string& text) {
   const auto refuse = [&](const std::string& why) {
-    checked.report(pointer, in_quotes(text) + " " + why +
-                                "; name a file inside the study, such as \"stimuli/metal.png\"");
+    return in_quotes(text) + " " + why +
+           "; name a file inside the study, such as \"stimuli/metal.png\"";
   };
   if (text.starts_with('/') || text.starts_with('~') || (text.size() > 1 && text[1] == ':')) {
     return refuse("is not a path relative to the study");
@@ -197,6 +194,13 @@ void check_path(CheckedDocument& checked, const std::optional<std::string>& path
     if (part.empty() || part == ".") return refuse("has an empty part");
     from = end + 1;
   }
+  return {};
+}
+
+void check_path(CheckedDocument& checked, const std::optional<std::string>& path,
+                const std::string& pointer) {
+  if (!path) return;
+  if (const auto complaint = complaint_about_path(*path)) checked.report(pointer, *complaint);
 }
 
 void check_textures(CheckedDocument& checked) {

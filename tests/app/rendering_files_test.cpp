@@ -91,6 +91,15 @@ TEST(Renderings, HaveProblemsWithPlacesAndSuggestions) {
   EXPECT_GT(problems[1].line, 10);
 }
 
+TEST(Renderings, HaveATextureInsideTheStudy) {
+  for (const char* const path : {"../grain.png", "/tmp/grain.png", "stimuli//grain.png"}) {
+    const auto problems = problems_of(replaced(text_of(strong_grain()), "stimuli/grain.png", path));
+    ASSERT_EQ(problems.size(), 1U) << path;
+    EXPECT_EQ(problems[0].pointer, "/texture/height_field");
+    EXPECT_THAT(problems[0].message, HasSubstr("name a file inside the study"));
+  }
+}
+
 TEST(Renderings, HaveTheKeysOfTheirPageAndASchema) {
   const std::string page =
       read_file(std::filesystem::path(ASPERITY_SOURCE_DIR) / "docs/formats/rendering.md");

@@ -11191,6 +11191,10 @@
         <source>This protocol shows pictures, and %1 has no photograph. Save the photograph as stimuli/%2_photo.png, or replace a surface and keep its texture.</source>
         <translation>Dieses Protokoll zeigt Bilder, und %1 hat kein Foto. Das Foto als stimuli/%2_photo.png speichern oder eine Oberfläche ersetzen und ihre Textur behalten.</translation>
     </message>
+    <message>
+        <source>%1 has changed since it was opened. Open it again, then save the renderings.</source>
+        <translation>%1 hat sich seit dem Öffnen geändert. Die Datei erneut öffnen, dann die Wiedergaben speichern.</translation>
+    </message>
 </context>
 <context>
     <name>RunSession</name>

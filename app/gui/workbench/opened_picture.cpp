@@ -150,7 +150,9 @@ std::shared_ptr<const OpenedPicture> open_picture(const std::filesystem::path& f
   opened->recipe = recipe;
   try {
     if (is_height_field(file)) {
-      opened->preview = preview_of(load_height_field(file).field);
+      const LoadedHeightField stored = load_height_field(file);
+      opened->sha256 = stored.sha256;
+      opened->preview = preview_of(stored.field);
       return opened;
     }
     if (auto measured = measured_field(file)) {

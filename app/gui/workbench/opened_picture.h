@@ -32,6 +32,7 @@ struct OpenedPicture {
   std::vector<PhotographResemblance> resemblances{};
   QStringList remarks{};  ///< sentences: what of the file counts in another way than one may think
 
+  std::string sha256{};      ///< of a height field (LoadedHeightField); empty for others
   bool is_measured = false;  ///< the file of an instrument, levelled and without gaps
 
   bool is_photograph() const noexcept { return resting != nullptr; }

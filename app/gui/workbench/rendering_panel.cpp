@@ -12,6 +12,7 @@
 #include "app/gui/look/words.h"
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/stimulus_names.h"
+#include "app/words/phrase.h"
 #include "results_schema/files/atomic_file.h"
 
 namespace asperity {
@@ -102,17 +103,21 @@ void RenderingPanel::save(bool then_use) {
         const std::string sha256 =
             load_height_field(folder / named.front().second.texture.height_field).sha256;
         QStringList files{};
-        std::vector<std::pair<std::string, Rendering>> fresh{};
+        std::vector<NewFile> fresh{};
         for (auto& [name, rendering] : named) {
-          rendering.texture.sha256 = sha256;
-          const std::filesystem::path file = rendering_file(folder, name);
-          if (!holds({file, text_of(rendering)})) fresh.emplace_back(name, rendering);
-          files << path_text(file);
+          std::string& felt = rendering.texture.sha256;
+          if (!felt.empty() && felt != sha256) {
+            throw PhrasedError(phrase("Renderings",
+                                      "%1 has changed since it was opened. Open it again, then "
+                                      "save the renderings.")
+                                   .with(rendering.texture.height_field));
+          }
+          felt = sha256;
+          NewFile file{rendering_file(folder, name), text_of(rendering)};
+          files << path_text(file.path);
+          if (!holds(file)) fresh.push_back(std::move(file));
         }
-        std::vector<std::filesystem::path> wanted{};
-        for (const auto& [name, rendering] : fresh) wanted.push_back(rendering_file(folder, name));
-        refuse_existing(wanted, Overwrite::refuse);  // all of them or none
-        for (const auto& [name, rendering] : fresh) save_rendering(folder, name, rendering);
+        if (!fresh.empty()) write_files_together(fresh, Overwrite::refuse);
         return files;
       },
       [this, then_use](const QStringList& files) {

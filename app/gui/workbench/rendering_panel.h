@@ -30,7 +30,7 @@ class RenderingPanel final : public QFrame {
  public:
   /// What is compared now.
   struct Compared {
-    std::vector<Rendering> renderings{};  ///< without the SHA-256 of the texture
+    std::vector<Rendering> renderings{};  ///< with the SHA-256 of a texture that was opened
     QString problem{};                    ///< why none can be saved
     QString left_out{};                   ///< why some models are left out, a sentence
   };

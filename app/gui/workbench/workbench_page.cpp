@@ -586,7 +586,9 @@ RenderingPanel::Compared WorkbenchPage::compared() const {
   ForceComparison::Saveable saveable = comparison_->saveable();
   RenderingPanel::Compared compared{.renderings = std::move(saveable.renderings)};
   const std::string relief = relief_of_study();
-  for (Rendering& rendering : compared.renderings) rendering.texture.height_field = relief;
+  for (Rendering& rendering : compared.renderings) {
+    rendering.texture = {relief, opened_ == nullptr ? std::string() : opened_->sha256};
+  }
   if (relief.empty()) {
     compared.problem = opened_ != nullptr && opened_->is_photograph()
                            ? tr("Save the relief to the study first, under “Make a relief”.")

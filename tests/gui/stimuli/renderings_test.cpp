@@ -83,6 +83,17 @@ TEST_F(RenderingsTest, AreSavedFromTheWorkbenchWithTheirValues) {
       << "nothing is replaced";
 }
 
+TEST_F(RenderingsTest, AreNotSavedForAReliefThatHasChanged) {
+  choose_only(compare("brick.png"), "height_map");
+  save_height_field(stimulus("brick.png"),
+                    make_surface("noise", {}, {.width_m = 0.02, .pixels = 128, .seed = 9}),
+                    {.kind = "noise"}, Overwrite::allow);
+  click("rendering_save");
+  ASSERT_TRUE(eventually([&] { return news().contains("has changed since it was opened"); }))
+      << news().toStdString();
+  EXPECT_TRUE(rendering_files(folder()).empty());
+}
+
 TEST_F(RenderingsTest, AreNotThoseOfModelsThatNeedMore) {
   WorkbenchPage& page = compare("brick.png");
   choose_only(page, "recorded");
