@@ -26,6 +26,7 @@ RenderingRemarks remarks_about(const Rendering& rendering, const ModelRegistry& 
 /// A surface of a protocol, an entry of "stimuli", that a rendering can replace.
 struct UsableSurface {
   std::string name{};
+  bool has_texture = false;
   std::optional<std::string> texture_factor{};  ///< the factor whose level its texture is
 };
 /// Those of a text, by name; none of a text that is not JSON.
@@ -52,7 +53,7 @@ std::optional<Phrase> complaint_about_picture(const Protocol& protocol, const Re
 /// The protocol's text with the values of a rendering as a surface.
 ///
 /// Values are edited, everything else stays as it is written. The surface has the key `x-rendering` with the name of the
-/// rendering, which nothing reads. A texture of the protocol with the height field of the rendering is used, otherwise one
+/// rendering, which sessions do not read. A texture of the protocol with the height field of the rendering is used, otherwise one
 /// is added; it has `picture` if that is not empty and it has none. A replaced surface loses what would change the values: its equal force
 /// and its bodies.
 ///

@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <cstddef>
+#include <stop_token>
 #include <sys/resource.h>
 
 #include <gmock/gmock.h>
@@ -245,6 +246,10 @@ TEST_F(StimulusFiles, AreCopiedFromAnotherStudyAndReplaceNothing) {
                  {.model = "height_map",
                   .version = "1",
                   .texture = {"stimuli/rice.png", std::string(64, 'a')}});
+  std::stop_source stopped{};
+  stopped.request_stop();
+  EXPECT_EQ(copy_stimuli(folder(), other, {"stimuli/rice.png"}, stopped.get_token()), 0);
+  EXPECT_FALSE(std::filesystem::exists(stimulus("rice.png")));
   EXPECT_EQ(copy_stimuli(folder(), other, {"stimuli/weak.rendering.json", "stimuli/rice.png"}), 2);
   for (const char* const name :
        {"weak.rendering.json", "rice.png", "rice.png.json", "rice_photo.png"}) {
