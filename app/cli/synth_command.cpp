@@ -102,10 +102,12 @@ void add_synth(CLI::App& program, Job& job) {
                         {surface->kind, values, options->canvas.seed, "", "", ""}, overwrite,
                         pictures);
       std::cout << height_field_line(options->out, field);
-      for (const auto& warning : {seam_of(surface->kind, values, options->canvas),
-                                  coarse_samples_of(surface->kind, values, options->canvas)}) {
-        if (warning) say("asperity: warning: " + options->out.string() + ": " + *warning);
-      }
+      const auto warn = [&](const std::optional<std::string>& warning, const char* option) {
+        if (!warning) return;
+        say("asperity: warning: " + options->out.string() + ": " + *warning + " (" + option + ')');
+      };
+      warn(seam_of(surface->kind, values, options->canvas), "--width-m");
+      warn(coarse_samples_of(surface->kind, values, options->canvas), "--pixels");
       return 0;
     };
     job = with_lasting_effect(job);

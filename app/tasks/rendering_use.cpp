@@ -184,6 +184,7 @@ std::vector<UsableSurface> usable_surfaces(const std::string& protocol) {
     for (const auto& [name, surface] : stimuli.items()) {
       if (is_comment(name) || !surface.is_object()) continue;
       UsableSurface usable{.name = name};
+      usable.has_texture = surface.contains("texture");
       const json texture = surface.value("texture", json{});
       if (texture.is_object() && texture.value("factor", json{}).is_string()) {
         usable.texture_factor = texture.at("factor").get<std::string>();

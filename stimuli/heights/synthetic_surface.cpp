@@ -98,7 +98,7 @@ std::optional<std::string> seam_of(std::string_view kind, const ParameterValues&
     return length_text(canvas.width_m) + " along " + repeat.axis + " contain " +
            number_text(std::round(count * kHundredth) / kHundredth) + ' ' + repeat.words +
            ", and the last one is cut where the surface is repeated: this makes an unintended "
-           "step; choose a width (--width-m) of " +
+           "step; choose a width of " +
            (count > 1.0 ? length_text(std::floor(count) * repeat.length_m) + " or " + more_m
                         : more_m) +
            ", which contains only complete ones";
@@ -122,7 +122,7 @@ std::optional<std::string> coarse_samples_of(std::string_view kind, const Parame
          " apart: " + number_text(std::round(samples * kTenth) / kTenth) +
          " per spacing, so that heights and shape differ from those requested; choose " +
          number_text(std::ceil(kFewestSamples * canvas.width_m / spacing_m - kRounding)) +
-         " or more samples per side (--pixels), which gives eight per spacing";
+         " or more samples per side, which gives eight per spacing";
 }
 
 std::vector<SurfaceDeclaration> synthetic_surfaces() {

@@ -140,6 +140,8 @@ TEST(Renderings, ReplaceASurfaceAndLeaveTheRestOfTheText) {
   const std::string before = library_text("attributes_of_textures");
   ASSERT_THAT(usable_surfaces(before), testing::SizeIs(1));
   EXPECT_EQ(usable_surfaces(before)[0].name, "rendered");
+  EXPECT_TRUE(usable_surfaces(before)[0].has_texture);
+  EXPECT_FALSE(usable_surfaces(R"({"stimuli": {"flat": {"model": "height_map"}}})")[0].has_texture);
   EXPECT_EQ(usable_surfaces(before)[0].texture_factor, "texture");
   const std::string after = with_rendering(before, strong_grain(), "strong",
                                            {.replaced = "rendered", .keeps_texture = true});

@@ -82,7 +82,7 @@ TEST(SyntheticSurface, SaysWhereItsSeamShowsAndWhichWidthsHaveNone) {
   EXPECT_EQ(seam_said("sinusoid", {{"spacing_m", 0.0016}}, 0.02),
             "0.02 m along x contain 12.5 spacings of 0.0016 m (spacing_m), and the last one is cut "
             "where the surface is repeated: this makes an unintended step; choose a width "
-            "(--width-m) of 0.0192 m or 0.0208 m, which contains only complete ones");
+            "of 0.0192 m or 0.0208 m, which contains only complete ones");
   EXPECT_EQ(seam_said("sinusoid", {{"spacing_m", 0.0016}}, 0.016), "closed");
   EXPECT_EQ(seam_said("sinusoid", {{"spacing_m", 0.0014}}, 0.028), "closed");  // of doubles, nearly
   EXPECT_THAT(seam_said("sinusoid", {{"spacing_m", 0.03}}, 0.02), HasSubstr("of 0.03 m, which"));
@@ -112,8 +112,8 @@ TEST(SyntheticSurface, SaysWhenItsSamplesAreTooFewForItsShape) {
   };
   EXPECT_EQ(said(0.001, 80),
             "spacing_m is 0.001 m, and the samples are 0.00025 m apart: 4 per spacing, so that "
-            "heights and shape differ from those requested; choose 160 or more samples per side "
-            "(--pixels), which gives eight per spacing");
+            "heights and shape differ from those requested; choose 160 or more samples per side, "
+            "which gives eight per spacing");
   EXPECT_THAT(said(0.0005, 80), HasSubstr(": 2 per spacing"));
   EXPECT_EQ(said(0.001, 160), "enough");
   for (const SurfaceDeclaration& declaration : synthetic_surfaces()) {

@@ -27,7 +27,7 @@ std::string run_line(const RunInputs& inputs, const std::vector<std::filesystem:
 /// `protocol`: its name; without one, of all protocols.
 std::string analyze_line(const std::filesystem::path& study,
                          const std::optional<std::string>& protocol);
-/// `out`: the PNG. Of the canvas and the values those are written that are not the defaults of the kind.
+/// `out`: the PNG. Values of the canvas and of the kind are left out where they are the defaults.
 std::string synth_line(const std::string& kind, const ParameterValues& given,
                        const SurfaceCanvas& canvas, const std::filesystem::path& out);
 std::string report_line(const std::filesystem::path& study, const std::filesystem::path& out);

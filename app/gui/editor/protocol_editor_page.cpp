@@ -263,7 +263,11 @@ void ProtocolEditorPage::open_changed(const std::filesystem::path& protocol,
   open(protocol);
   if (protocol != file_) return;  // the banner states why
   views_->commit();
-  if (as_it_is_ || content() != before) {
+  if (as_it_is_) {
+    show_why_read_only();
+    return;
+  }
+  if (content() != before) {
     banner().show_news(State::look, tr("The protocol has changed meanwhile and was left as it is. "
                                        "Choose the rendering again."));
     return;
@@ -307,13 +311,17 @@ void ProtocolEditorPage::show_content(const std::string& bytes) {
   // Saving is of use then: it leaves the mark out, which no protocol may have.
   edit_->document()->setModified(byte_order_mark_ && !as_it_is_);
   if (as_it_is_) {
-    banner().show_news(
-        State::look,
-        tr("This file cannot be edited here without loss: it is not UTF-8, or its line endings are "
-           "mixed. Save it as UTF-8 with uniform line endings in another program."));
+    show_why_read_only();
   }
   show_whether_saved();
   check_->want_now();
+}
+
+void ProtocolEditorPage::show_why_read_only() {
+  banner().show_news(
+      State::look,
+      tr("This file cannot be edited here without loss: it is not UTF-8, or its line endings are "
+         "mixed. Save it as UTF-8 with uniform line endings in another program."));
 }
 
 /// The same in place of what is in the field, which stays a step of the undo.
@@ -523,7 +531,7 @@ void ProtocolEditorPage::end_saving(const Saving& saving) {
 }
 
 void ProtocolEditorPage::ask_about_theirs(const std::string& theirs, Then then) {
-  question_->ask(tr("%1 has been changed by another program since it was opened here.")
+  question_->ask(tr("%1 has been changed outside the editor since it was opened here.")
                      .arg(text(file_.filename().string())),
                  {{"editor_take_theirs", tr("Use the other version"),
                    [this, theirs] {
@@ -610,8 +618,9 @@ void ProtocolEditorPage::look_at_disk() {
     ask_about_theirs(*now, Then::nothing);
   } else {
     take_content(*now);
-    banner().show_news(State::look, tr("The file was changed by another program and its new text "
-                                       "is shown. Undo restores the previous text."));
+    banner().show_news(State::look,
+                       tr("The file has been changed outside the editor and its new text "
+                          "is shown. Undo restores the previous text."));
   }
 }
 

@@ -74,6 +74,7 @@ class ProtocolEditorPage final : public StudyPage {
   QWidget* make_plan_side();
   void choose_side(QWidget* side);
   void show_content(const std::string& bytes);
+  void show_why_read_only();
   void take_content(const std::string& bytes);
   QString decoded(const std::string& bytes);
   /// Whether saving what is in the field, with the mark that it had, would write these bytes.

@@ -271,7 +271,8 @@ void StimuliPage::show_stimuli(std::vector<Shown> stimuli) {
           text_cell(users.isEmpty() ? tr("no protocol") : users.join(", "))}});
   }
   table_->fill(rows);
-  if (!select_next_.isEmpty()) table_->select(std::exchange(select_next_, {}));
+  if (!select_next_.isEmpty()) table_->select(select_next_);
+  if (table_->selected_key() == select_next_) select_next_.clear();  // otherwise listed later
   show_selected();
   show_empty(stimuli_.empty());
 }

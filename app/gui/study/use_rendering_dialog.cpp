@@ -213,9 +213,11 @@ void UseRenderingDialog::fill_surfaces() {
 
 void UseRenderingDialog::choose_surface() {
   const auto index = static_cast<std::size_t>(std::max(surface_->currentIndex(), 0));
-  keeps_texture_->setVisible(index < usable_.size());
-  if (index < usable_.size()) {
-    const QSignalBlocker quiet(keeps_texture_);
+  const bool has_texture = index < usable_.size() && usable_[index].has_texture;
+  const QSignalBlocker quiet(keeps_texture_);
+  keeps_texture_->setVisible(has_texture);
+  keeps_texture_->setChecked(false);
+  if (has_texture) {
     const std::optional<std::string>& factor = usable_[index].texture_factor;
     keeps_texture_->setText(factor ? tr("Keep its textures, the levels of “%1”").arg(text(*factor))
                                    : tr("Keep its texture"));

@@ -15697,10 +15697,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Gespeichert. Wenn Sitzungen mit einem anderen Text dieser Version durchgeführt wurden, die Version erhöhen; ob das der Fall ist, konnte nicht ermittelt werden: %1</translation>
     </message>
     <message>
-        <source>%1 has been changed by another program since it was opened here.</source>
-        <translation>%1 wurde von einem anderen Programm geändert, seit es hier offen ist.</translation>
-    </message>
-    <message>
         <source>Use the other version</source>
         <translation>Andere Fassung verwenden</translation>
     </message>
@@ -15727,10 +15723,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Do not save yet</source>
         <translation>Noch nicht speichern</translation>
-    </message>
-    <message>
-        <source>The file was changed by another program and its new text is shown. Undo restores the previous text.</source>
-        <translation>Die Datei wurde von einem anderen Programm geändert; jetzt wird dessen Text gezeigt. „Rückgängig“ stellt den vorigen wieder her.</translation>
     </message>
     <message>
         <source>This study is read-only</source>
@@ -15791,6 +15783,14 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>The protocol has changed meanwhile and was left as it is. Choose the rendering again.</source>
         <translation>Das Protokoll wurde inzwischen geändert und blieb unverändert. Die Wiedergabe noch einmal wählen.</translation>
+    </message>
+    <message>
+        <source>%1 has been changed outside the editor since it was opened here.</source>
+        <translation>%1 wurde seit dem Öffnen außerhalb des Editors geändert.</translation>
+    </message>
+    <message>
+        <source>The file has been changed outside the editor and its new text is shown. Undo restores the previous text.</source>
+        <translation>Die Datei wurde außerhalb des Editors geändert, und ihr neuer Text wird angezeigt. Rückgängig stellt den vorherigen Text wieder her.</translation>
     </message>
 </context>
 <context>
@@ -19119,16 +19119,20 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allen Antwort
         <translation>Zuerst das Relief in der Studie speichern, unter „Relief erzeugen“.</translation>
     </message>
     <message>
-        <source>This relief is not in the study. Copy it there on the Stimuli page, then open it from there.</source>
-        <translation>Dieses Relief ist nicht in der Studie. Es auf der Seite Reize dorthin kopieren und von dort öffnen.</translation>
-    </message>
-    <message>
         <source>A rendering lies on the plane. Choose the plane as the body under Surface and hand.</source>
         <translation>Eine Wiedergabe liegt auf der Ebene. Unter Oberfläche und Hand die Ebene als Körper wählen.</translation>
     </message>
     <message>
         <source>A rendering contains neither bodies nor recordings; left out: %1.</source>
         <translation>Eine Wiedergabe enthält weder Körper noch Aufnahmen; ausgelassen: %1.</translation>
+    </message>
+    <message>
+        <source>This relief was measured. Convert its file with “asperity texture”, then open the result.</source>
+        <translation>Dieses Relief wurde gemessen. Die Datei mit „asperity texture“ umwandeln, dann das Ergebnis öffnen.</translation>
+    </message>
+    <message>
+        <source>This relief is not in the study. Copy the file with its sidecar into the folder stimuli of the study, then open it from there.</source>
+        <translation>Dieses Relief ist nicht in der Studie. Die Datei mit ihrer Begleitdatei in den Ordner stimuli der Studie kopieren, dann von dort öffnen.</translation>
     </message>
 </context>
 </TS>

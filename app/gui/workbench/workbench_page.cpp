@@ -589,11 +589,16 @@ RenderingPanel::Compared WorkbenchPage::compared() const {
   for (Rendering& rendering : compared.renderings) {
     rendering.texture = {relief, opened_ == nullptr ? std::string() : opened_->sha256};
   }
-  if (relief.empty()) {
-    compared.problem = opened_ != nullptr && opened_->is_photograph()
-                           ? tr("Save the relief to the study first, under “Make a relief”.")
-                           : tr("This relief is not in the study. Copy it there on the Stimuli "
-                                "page, then open it from there.");
+  if (relief.empty() && opened_ != nullptr && opened_->is_photograph()) {
+    compared.problem = tr("Save the relief to the study first, under “Make a relief”.");
+  } else if (relief.empty() && opened_ != nullptr && opened_->is_measured) {
+    compared.problem =
+        tr("This relief was measured. Convert its file with “asperity texture”, then open the "
+           "result.");
+  } else if (relief.empty()) {
+    compared.problem =
+        tr("This relief is not in the study. Copy the file with its sidecar into the folder "
+           "stimuli of the study, then open it from there.");
   } else if (comparison_->is_preparing()) {
     compared.problem = tr("Preparing the models…");
   } else if (saveable.is_on_body) {

@@ -168,6 +168,20 @@ TEST_F(RenderingsTest, AreUsedInTheProtocolThatWasChosenLast) {
   EXPECT_THAT(editor().content(), HasSubstr("\"x-rendering\""));
 }
 
+TEST_F(RenderingsTest, AreNotUsedInAFileThatTheEditorCannotKeep) {
+  std::string mixed = read_file(protocol_);
+  mixed.replace(mixed.find('\n'), 1, "\r\n");
+  write_file(protocol_, mixed, Overwrite::allow);
+  choose_only(compare("brick.png"), "lateral_gradient");
+  click("rendering_use");
+  click("use_change", dialog());
+  ASSERT_TRUE(eventually([&] { return window_.shown_page() == "editor"; }));
+  EXPECT_TRUE(news().contains("its line endings are mixed")) << news().toStdString();
+  EXPECT_FALSE(news().contains("meanwhile")) << news().toStdString();
+  EXPECT_FALSE(editor().has_unsaved_changes());
+  EXPECT_EQ(read_file(protocol_), mixed);
+}
+
 TEST_F(RenderingsTest, StateTheWarningsThatTheirUseCauses) {
   choose_only(compare("brick.png"), "lateral_gradient");
   click("rendering_use");
