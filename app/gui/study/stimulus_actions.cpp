@@ -117,7 +117,7 @@ void StimulusActions::set_stimulus(const StimulusOverview* stimulus) {
   using Kind = StimulusOverview::Kind;
   const bool is_file = stimulus != nullptr && stimulus->kind != Kind::shape;
   const std::string path = is_file ? stimulus->path : std::string();
-  if (path != path_ && !is_writing_) hide_question();
+  if (path != path_) hide_question();
   path_ = path;
   is_rendering_ = is_file && stimulus->kind == Kind::rendering;
   const bool is_usable = is_file && stimulus->problem.empty() && stimulus->remarks.problems.empty();
@@ -233,7 +233,7 @@ void StimulusActions::act() {
       },
       [this](const QString& what) {
         set_writing(false);
-        if (for_name_) name_->setFocus();
+        if (question_->isVisible() && for_name_) name_->setFocus();
         emit refused(what);
       });
 }

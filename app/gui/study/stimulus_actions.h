@@ -51,7 +51,7 @@ class StimulusActions final : public QFrame {
   void ask(const QString& text, const QString& verb, bool for_name);
   void hide_question();
   void act();
-  /// Renames or deletes now: nothing else is begun, and the question stays.
+  /// Renames or deletes now: nothing else is begun.
   void set_writing(bool is_writing);
 
   OpenStudy& study_;

@@ -81,6 +81,23 @@ TEST_F(StimuliPageTest, DeletesOnlyWhatNothingRefersTo) {
   EXPECT_FALSE(std::filesystem::exists(stimulus("spare.png.json")));
 }
 
+TEST_F(StimuliPageTest, StatesWhosePhotographAPictureIs) {
+  save_picture(stimulus("brick_photo.png"), {2, 2, {0.0F, 1.0F, 1.0F, 0.0F}}, Overwrite::refuse);
+  stimuli(4).select("stimuli/brick_photo.png");
+  auto& act = child<QPushButton>(window_, "stimulus_act");
+  click("stimulus_delete");
+  ASSERT_TRUE(eventually([&] { return act.isVisible(); }));
+  EXPECT_EQ(words("stimulus_question"),
+            "Delete brick_photo.png? It is the photograph of brick.png. The file cannot be "
+            "restored.");
+  QTest::keyClick(&act, Qt::Key_Escape);
+  click("stimulus_rename");
+  ASSERT_TRUE(eventually([&] { return act.isVisible(); }));
+  EXPECT_EQ(words("stimulus_question"),
+            "New name of brick_photo.png (without its ending). No reference is changed. It is the "
+            "photograph of brick.png, which has none under another name.");
+}
+
 TEST_F(StimuliPageTest, CopiesFromAnotherStudyWhatIsNotThere) {
   const std::filesystem::path other = home() / "other";
   new_study(other);
