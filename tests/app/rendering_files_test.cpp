@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "app/study_files/height_field_files.h"
 #include "app/tasks/protocol_files.h"
