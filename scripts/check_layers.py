@@ -2,7 +2,7 @@
 """Fails when a source file includes a folder that its own folder may not know.
 
 The rules are the tables of docs/layers.md with the columns "folder" and "may include": what people read and the
-check are one. A row holds for its folder and all below it that have no separate row; what a component of app/ may include, the
+check are one. A row holds for its folder and all below it that have no separate row, and a row of all folders in one (a/*/) for each of them; what a component of app/ may include, the
 folders inside it may include as well. "all" means every folder, "Qt" the headers of Qt. The rows themselves must not form a circle.
 """
 import pathlib
@@ -28,6 +28,15 @@ def read_rules(page: pathlib.Path) -> dict[str, set[str]]:
             folder = NAME.search(cells[0]).group(1).rstrip("/")
             rules[folder] = {"all"} if cells[1] == "all" else {name.rstrip("/") for name in NAME.findall(cells[1])}
     return rules
+
+
+def with_each_folder(rules: dict[str, set[str]], root: pathlib.Path) -> dict[str, set[str]]:
+    """Instead of the row of all folders in one (a/*) a row for each that has none of its own."""
+    each = {}
+    for pattern in [row for row in rules if row.endswith("/*")]:
+        allowed = rules.pop(pattern)
+        each |= {path.relative_to(root).as_posix(): allowed for path in sorted(root.glob(pattern)) if path.is_dir()}
+    return each | rules
 
 
 def around(folder: str):
@@ -68,7 +77,7 @@ class Layers:
 
 
 def complaints(root: pathlib.Path):
-    layers = Layers(read_rules(root / "docs" / "layers.md"))
+    layers = Layers(with_each_folder(read_rules(root / "docs" / "layers.md"), root))
     if not layers.rules:
         yield "docs/layers.md: no table has the columns folder and may include"
     yield from layers.circles()

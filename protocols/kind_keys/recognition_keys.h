@@ -11,8 +11,8 @@ namespace asperity {
 /// Of the question.
 inline constexpr auto kRecognitionQuestionKeys =
     keys_of(when(member_key<&RecognitionQuestion::correct_factor>(
-                     "correct_factor", "Factor of the correct picture",
-                     "Recognition: the factor whose level is the correct picture.",
+                     "correct_factor", "Factor of the correct answer",
+                     "The factor whose level is the correct picture or option.",
                      NameShape{.registry = kFactorNames, .levels = "textures"}),
                  kWithCorrectFactor, kOfTheKind, without("scale")));
 

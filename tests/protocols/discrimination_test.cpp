@@ -117,7 +117,7 @@ TEST(Discriminations, RefuseSurfacesThatAreNotAStandardAndAComparison) {
         [&](ProtocolJson& p) { main_block(p)["presented"][1]["item"] = "grating"; }},
        {"/presented", "the same surface would always be presented first",
         [&](ProtocolJson& p) { main_block(p)["positions"] = "as_listed"; }},
-       {"/question/correct_factor", "only a recognition has this key",
+       {"/question/correct_factor", "only a recognition",
         [&](ProtocolJson& p) { main_block(p)["question"]["correct_factor"] = "amplitude_m"; }}});
 }
 

@@ -46,3 +46,8 @@ expect("forbidden includes", {
 expect("a folder without a row", {"app/new/file.cpp": "\n"}, ["app/new/file.cpp: its folder has no row"])
 expect("a circle", {}, ["app/words/ may include itself by way of others"],
        ROWS | {"app/words": "`analysis`, `app/tasks`"})
+expect("folders that a row with * has together", {
+    "app/tasks/one/a.cpp": '#include "device/ok.h"\n#include "app/tasks/two/b.h"\n',
+    "app/tasks/two/b.cpp": '#include "app/gui/look/theme.h"\n#include "app/tasks/two/b.h"\n',
+    "app/gui/all.cpp": '#include "app/tasks/one/a.h"\n',
+}, ["app/tasks/one/a.cpp:2:", "app/tasks/two/b.cpp:1:"], ROWS | {"app/tasks/*": "`device`"})

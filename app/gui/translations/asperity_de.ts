@@ -9684,12 +9684,12 @@
         <translation>Ob „kann es nicht sagen“ eine der Antwortmöglichkeiten ist. Bei einer Unterscheidung, in der eine von zwei Oberflächen gewählt wird, zählt eine solche Antwort wie das Mittel des Ratens.</translation>
     </message>
     <message>
-        <source>Factor of the correct picture</source>
-        <translation>Faktor des richtigen Bildes</translation>
+        <source>Factor of the correct answer</source>
+        <translation>Faktor der richtigen Antwort</translation>
     </message>
     <message>
-        <source>Recognition: the factor whose level is the correct picture.</source>
-        <translation>Wiedererkennung: der Faktor, dessen Stufe das richtige Bild ist.</translation>
+        <source>The factor whose level is the correct picture or option.</source>
+        <translation>Der Faktor, dessen Stufe das richtige Bild oder die richtige Option ist.</translation>
     </message>
     <message>
         <source>Judgement</source>
