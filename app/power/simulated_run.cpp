@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/findings/outcome/study_analysis.h"
+#include "app/power/calibration.h"
 #include "app/power/power_model.h"
 #include "app/power/power_tables.h"
 #include "app/power/simulated_study.h"
@@ -17,10 +18,28 @@ namespace asperity {
 
 namespace {
 
-/// The effect in its unit where the analysis states one, or otherwise the effect size.
-std::optional<StudyTest::Effect> effect_of(const StudyTest& test) {
-  if (test.in_units) return test.in_units;
-  return test.estimate && test.estimate->low ? test.estimate : test.effect;
+/// The effect in its unit where the analysis states one, or otherwise the proportion or the effect size.
+void add_effect(const StudyTest& test, SimulatedOutcome& outcome) {
+  const bool is_proportion = !test.in_units && test.estimate && test.estimate->low;
+  const std::optional<StudyTest::Effect>& effect = test.in_units   ? test.in_units
+                                                   : is_proportion ? test.estimate
+                                                                   : test.effect;
+  if (!effect) return;
+  outcome.estimate = effect->value;
+  outcome.lower = effect->low;
+  outcome.upper = effect->high;
+  if (test.in_units || test.made_by == nullptr) return;
+  outcome.measure = is_proportion ? test.made_by->estimate_name : test.made_by->effect_symbol;
+}
+
+std::vector<GatheredAnswers> answers_of_run(const PowerModel& model, int participants,
+                                            std::uint64_t seed, std::int64_t run) {
+  if (participants < 1) {
+    throw std::invalid_argument("participants must be at least 1, not " +
+                                std::to_string(participants));
+  }
+  if (run < 0) throw std::invalid_argument("run must be at least 0, not " + std::to_string(run));
+  return simulated_study(model.tables(), participants, random_of_study(seed, run));
 }
 
 SimulatedOutcome outcome_of_test(const std::string& family, const StudyTest& test) {
@@ -30,11 +49,7 @@ SimulatedOutcome outcome_of_test(const std::string& family, const StudyTest& tes
                            .p = test.p,
                            .corrected_p = test.adjusted};
   if (!test.p) outcome.status = test.status;
-  if (const auto effect = effect_of(test)) {
-    outcome.estimate = effect->value;
-    outcome.lower = effect->low;
-    outcome.upper = effect->high;
-  }
+  add_effect(test, outcome);
   return outcome;
 }
 
@@ -78,12 +93,22 @@ Random random_of_study(std::uint64_t seed, std::int64_t run) {
 
 std::vector<SimulatedOutcome> simulate_and_analyse(const PowerModel& model, int participants,
                                                    std::uint64_t seed, std::int64_t run) {
-  if (participants < 1) {
-    throw std::invalid_argument("participants must be at least 1, not " +
-                                std::to_string(participants));
+  return outcomes_of(answers_of_run(model, participants, seed, run));
+}
+
+SimulatedStudyResults simulate_and_recover(const PowerModel& model, int participants,
+                                           std::uint64_t seed, std::int64_t run) {
+  const std::vector<GatheredAnswers> of_study = answers_of_run(model, participants, seed, run);
+  SimulatedStudyResults results{.outcomes = outcomes_of(of_study)};
+  std::vector<Assumption> without_sources = model.assumptions();
+  for (Assumption& one : without_sources) one.source.clear();
+  for (const Assumption& shown :
+       calibrated(std::move(without_sources), model.protocol(), of_study, "simulated study")) {
+    const bool is_recovered = !shown.source.empty() && shown.part == Assumption::Part::other &&
+                              !shown.name.ends_with("_sd");
+    if (is_recovered) results.recovered.push_back({.name = shown.name, .value = *shown.value});
   }
-  if (run < 0) throw std::invalid_argument("run must be at least 0, not " + std::to_string(run));
-  return outcomes_of(simulated_study(model.tables(), participants, random_of_study(seed, run)));
+  return results;
 }
 
 }  // namespace asperity

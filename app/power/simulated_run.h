@@ -33,6 +33,9 @@ struct SimulatedOutcome {
   std::optional<double> estimate{};
   std::optional<double> lower{};
   std::optional<double> upper{};
+  /// The symbol of an effect size ("d_z"), or the name of a proportion; empty of an effect in the unit of the responses, and of
+  /// a study that was read from a file.
+  std::string measure{};
   std::string status{};  ///< code of the status, empty where there is none
 };
 
@@ -48,5 +51,23 @@ Random random_of_study(std::uint64_t seed, std::int64_t run);
 /// Errors: std::invalid_argument for fewer than one participant or a run below 0.
 std::vector<SimulatedOutcome> simulate_and_analyse(const PowerModel& model, int participants,
                                                    std::uint64_t seed, std::int64_t run);
+
+/// A number of the response tables, such as a threshold, as the responses of one simulated study show it.
+struct RecoveredNumber {
+  std::string name{};  ///< of the assumption
+  double value = 0.0;
+};
+
+/// What one simulated study shows.
+struct SimulatedStudyResults {
+  std::vector<SimulatedOutcome> outcomes{};  ///< those of `simulate_and_analyse`
+  /// What `calibrated` takes from the responses, except standard deviations.
+  std::vector<RecoveredNumber> recovered{};
+};
+
+/// The same as `simulate_and_analyse`, with the numbers that the responses show of the response tables: the longer computation,
+/// because psychometric functions are fitted for them.
+SimulatedStudyResults simulate_and_recover(const PowerModel& model, int participants,
+                                           std::uint64_t seed, std::int64_t run);
 
 }  // namespace asperity
