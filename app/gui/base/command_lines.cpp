@@ -142,6 +142,21 @@ std::string synth_line(const std::string& kind, const ParameterValues& given,
   return line.text();
 }
 
+std::string power_line(const PowerLine& power, const std::vector<std::filesystem::path>& plugins) {
+  CommandLine line("power");
+  line.word(power.protocol.string())
+      .option("--participants", std::to_string(power.participants))
+      .option("--seed", std::to_string(power.seed))
+      .option("--runs", std::to_string(power.runs));
+  for (const auto& [name, value] : power.effects) {
+    line.option("--effect", name + '=' + number_text(value));
+  }
+  for (const auto& [name, value] : power.assumed) {
+    line.option("--assume", name + '=' + number_text(value));
+  }
+  return line.plugins(plugins).text();
+}
+
 std::string report_line(const std::filesystem::path& study, const std::filesystem::path& out) {
   return CommandLine("report").word(study.string()).option("--out", out.string()).text();
 }

@@ -2,9 +2,11 @@
 
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/exports/export_options.h"
@@ -30,6 +32,16 @@ std::string analyze_line(const std::filesystem::path& study,
 /// `out`: the PNG. Values of the canvas and of the kind are left out where they are the defaults.
 std::string synth_line(const std::string& kind, const ParameterValues& given,
                        const SurfaceCanvas& canvas, const std::filesystem::path& out);
+/// What `power_line` states.
+struct PowerLine {
+  std::filesystem::path protocol{};
+  int participants = 20;
+  std::uint64_t seed = 1;
+  std::int64_t runs = 1000;
+  std::vector<std::pair<std::string, double>> effects{};  ///< by name
+  std::vector<std::pair<std::string, double>> assumed{};
+};
+std::string power_line(const PowerLine& power, const std::vector<std::filesystem::path>& plugins);
 std::string report_line(const std::filesystem::path& study, const std::filesystem::path& out);
 std::string export_line(const std::filesystem::path& study, const std::filesystem::path& out,
                         const ExportOptions& options);

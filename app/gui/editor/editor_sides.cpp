@@ -39,7 +39,7 @@ EditorSides::EditorSides(QWidget* protocol, QWidget* plan, QWidget* parent) : QW
     return tab;
   };
   to_protocol_ = add_tab(tr("Protocol"), "editor_side_protocol");
-  to_plan_ = add_tab(tr("Plan and screen"), "editor_side_plan");
+  to_plan_ = add_tab(tr("Plan, screen, precision"), "editor_side_plan");
   to_protocol_->setChecked(true);
   row->addStretch();
   layout->addWidget(tabs_);

@@ -1,4 +1,4 @@
-// The two sides of the editor: the protocol, and the plan with the participant's screen.
+// The two sides of the editor: the protocol, and the plan with the participant's screen and the precision.
 
 #pragma once
 

@@ -23,6 +23,7 @@
 #include "app/gui/look/fitted_label.h"
 #include "app/gui/look/words.h"
 #include "app/gui/plan/plan_preview.h"
+#include "app/gui/precision/precision_view.h"
 #include "app/study_files/study_protocols.h"
 #include "protocols/file/protocol_problems.h"
 #include "results_schema/error_text.h"
@@ -100,6 +101,7 @@ ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
           [this](const QString& what) { state_->set_state(State::unknown, what); });
   connect(edit_, &QPlainTextEdit::textChanged, this, [this] {
     examination_->abandon();
+    precision_->hold_for_new_text();
     state_->set_state(State::unknown, tr("checking…"));
     check_->want();
   });
@@ -194,6 +196,7 @@ QWidget* ProtocolEditorPage::make_plan_side() {
   };
   QPushButton* plan = add_tab(tr("Plan"), "editor_show_plan");
   QPushButton* screen = add_tab(tr("Screen"), "editor_show_screen");
+  QPushButton* precision = add_tab(tr("Precision"), "editor_show_precision");
   plan->setChecked(true);
   tabs->addStretch();
   layout->addLayout(tabs);
@@ -201,10 +204,12 @@ QWidget* ProtocolEditorPage::make_plan_side() {
   plan_side_->setObjectName("editor_plan_side");
   plan_ = new PlanPreview(PlanPreview::Shape::tall, plan_side_);
   screen_ = new ScreenPreview(study().folder(), plan_side_);
+  precision_ = new PrecisionView(study(), plan_side_);
   why_no_plan_ = make_text({}, plan_side_, true);
   why_no_plan_->setObjectName("editor_why_no_plan");
   why_no_plan_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  for (QWidget* const side : std::initializer_list<QWidget*>{plan_, screen_, why_no_plan_}) {
+  for (QWidget* const side :
+       std::initializer_list<QWidget*>{plan_, screen_, precision_, why_no_plan_}) {
     plan_side_->addWidget(side);
   }
   chosen_side_ = plan_;
@@ -212,6 +217,7 @@ QWidget* ProtocolEditorPage::make_plan_side() {
   layout->addWidget(plan_side_, 1);
   connect(plan, &QPushButton::clicked, this, [this] { choose_side(plan_); });
   connect(screen, &QPushButton::clicked, this, [this] { choose_side(screen_); });
+  connect(precision, &QPushButton::clicked, this, [this] { choose_side(precision_); });
   connect(plan_, &PlanPreview::step_shown, this,
           [this](const std::shared_ptr<const Protocol>& protocol,
                  const std::shared_ptr<const Plan>& made,
@@ -367,8 +373,10 @@ void ProtocolEditorPage::take_checked(const LiveCheck::Result& result) {
   result_ = result;
   examination_->abandon();
   if (result->is_valid()) {
-    plan_->show_protocol(*result->protocol);
-    if (isVisible()) examination_->want({result, &*result->protocol});  // a part of the result
+    const std::shared_ptr<const Protocol> protocol{result, &*result->protocol};
+    plan_->show_protocol(*protocol);
+    precision_->show_protocol(file_, protocol);
+    if (isVisible()) examination_->want(protocol);
   }
   show_checked();
 }

@@ -1,4 +1,4 @@
-// Declares the page on which a protocol is edited, as a form or as text, next to the plan that it expands to.
+// Declares the page on which a protocol is edited, as a form or as text, next to its plan and its precision.
 
 #pragma once
 
@@ -20,6 +20,7 @@ namespace asperity {
 class FittedLabel;
 class LiveExamination;
 class PlanPreview;
+class PrecisionView;
 class ProtocolTextEdit;
 class ProtocolViews;
 class QuestionBar;
@@ -109,10 +110,12 @@ class ProtocolEditorPage final : public StudyPage {
   ProtocolTextEdit* edit_ = nullptr;  ///< of the views
   StateLabel* state_ = nullptr;
   StudyTable* problems_ = nullptr;
-  QStackedWidget* plan_side_ = nullptr;  ///< the screen, the plan, or why there is none
-  QWidget* chosen_side_ = nullptr;       ///< the one that is shown of a valid text
+  QStackedWidget* plan_side_ =
+      nullptr;                      ///< the plan, the screen, the precision, or why there is none
+  QWidget* chosen_side_ = nullptr;  ///< the one that is shown of a valid text
   PlanPreview* plan_ = nullptr;
   ScreenPreview* screen_ = nullptr;
+  PrecisionView* precision_ = nullptr;
   QLabel* why_no_plan_ = nullptr;
   LiveCheck* check_ = nullptr;
   LiveExamination* examination_ = nullptr;

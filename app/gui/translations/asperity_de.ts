@@ -12644,6 +12644,45 @@
     </message>
 </context>
 <context>
+    <name>asperity::AssumptionFields</name>
+    <message>
+        <source>must be 0 or more</source>
+        <translation>muss mindestens 0 sein</translation>
+    </message>
+    <message>
+        <source>must be above 0</source>
+        <translation>muss über 0 liegen</translation>
+    </message>
+    <message>
+        <source>must be from 0 to 1</source>
+        <translation>muss zwischen 0 und 1 liegen</translation>
+    </message>
+    <message>
+        <source>must be a number</source>
+        <translation>muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>%1, SD</source>
+        <translation>%1, SD</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>stated</source>
+        <translation>angegeben</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>angenommen</translation>
+    </message>
+</context>
+<context>
     <name>asperity::AttemptPage</name>
     <message>
         <source>Attempt</source>
@@ -13717,8 +13756,8 @@
         <translation>Protokoll</translation>
     </message>
     <message>
-        <source>Plan and screen</source>
-        <translation>Plan und Bildschirm</translation>
+        <source>Plan, screen, precision</source>
+        <translation>Plan, Bildschirm, Präzision</translation>
     </message>
 </context>
 <context>
@@ -15506,6 +15545,125 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
 </context>
 <context>
+    <name>asperity::PrecisionView</name>
+    <message>
+        <source>Power</source>
+        <translation>Teststärke</translation>
+    </message>
+    <message>
+        <source>Width of the 95 % CI, median</source>
+        <translation>Breite des 95-%-KI, Median</translation>
+    </message>
+    <message>
+        <source>Width of the 95 % CI, 90th percentile</source>
+        <translation>Breite des 95-%-KI, 90. Perzentil</translation>
+    </message>
+    <message>
+        <source>Standard error</source>
+        <translation>Standardfehler</translation>
+    </message>
+    <message>
+        <source>too few studies so far</source>
+        <translation>bisher zu wenige Studien</translation>
+    </message>
+    <message>
+        <source>%1 [%2, %3]</source>
+        <translation>%1 [%2; %3]</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>Assumptions</source>
+        <translation>Annahmen</translation>
+    </message>
+    <message>
+        <source>Precision</source>
+        <translation>Präzision</translation>
+    </message>
+    <message>
+        <source>Value [95 % Monte-Carlo CI]</source>
+        <translation>Wert [95-%-Monte-Carlo-KI]</translation>
+    </message>
+    <message>
+        <source>rounds of %1</source>
+        <translation>Runden zu je %1</translation>
+    </message>
+    <message>
+        <source>Participants until every row of counterbalancing occurs equally often in every group.</source>
+        <translation>Versuchspersonen, bis jede Zeile der Ausbalancierung in jeder Gruppe gleich oft vorkommt.</translation>
+    </message>
+    <message>
+        <source>The studies could not be simulated: %1</source>
+        <translation>Die Studien konnten nicht simuliert werden: %1</translation>
+    </message>
+    <message>
+        <source>Studies cannot be simulated here: %1</source>
+        <translation>Studien lassen sich hier nicht simulieren: %1</translation>
+    </message>
+    <message>
+        <source>No block of the protocol has responses that an analysis counts. Add a block of trials.</source>
+        <translation>Kein Block des Protokolls hat Antworten, die eine Auswertung zählt. Einen Block mit Durchgängen ergänzen.</translation>
+    </message>
+    <message>
+        <source>Correct these values: %1</source>
+        <translation>Diese Werte korrigieren: %1</translation>
+    </message>
+    <message>
+        <source>State these values to see the precision: %1</source>
+        <translation>Für die Präzision diese Werte angeben: %1</translation>
+    </message>
+    <message>
+        <source>No studies are simulated while a session runs.</source>
+        <translation>Während einer Sitzung werden keine Studien simuliert.</translation>
+    </message>
+    <message>
+        <source>The protocol is being read…</source>
+        <translation>Das Protokoll wird gelesen…</translation>
+    </message>
+    <message>
+        <source>%1 of %2 simulated studies</source>
+        <translation>%1 von %2 simulierten Studien</translation>
+    </message>
+    <message>
+        <source>%1. The protocol has no family of tests, so there is no power: declare one in “analysis”.</source>
+        <translation>%1. Das Protokoll hat keine Familie von Tests, daher gibt es keine Teststärke: eine in „analysis“ angeben.</translation>
+    </message>
+    <message>
+        <source>at least one of: %1</source>
+        <translation>mindestens einer von: %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1; without p in %2: %3</source>
+        <translation>%1; ohne p in %2: %3</translation>
+    </message>
+    <message>
+        <source>Simulate %1 studies</source>
+        <translation>%1 Studien simulieren</translation>
+    </message>
+    <message>
+        <source>There is no command until the values are stated.</source>
+        <translation>Solange Werte fehlen, gibt es keinen Befehl.</translation>
+    </message>
+    <message>
+        <source>The command reads the saved file. Standard errors are shown here only.</source>
+        <translation>Der Befehl liest die gespeicherte Datei. Standardfehler werden nur hier gezeigt.</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
     <name>asperity::ProfileView</name>
     <message>
         <source>Measured on %1</source>
@@ -15779,6 +15937,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>Screen</source>
         <translation>Bildschirm</translation>
+    </message>
+    <message>
+        <source>Precision</source>
+        <translation>Präzision</translation>
     </message>
     <message>
         <source>The protocol has changed meanwhile and was left as it is. Choose the rendering again.</source>

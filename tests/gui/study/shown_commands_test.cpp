@@ -23,6 +23,7 @@
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"
 #include "tests/app/small_study.h"
+#include "tests/gui/editor/library_text.h"
 #include "tests/gui/study/quiet_home.h"
 
 namespace asperity {
@@ -119,6 +120,15 @@ TEST_F(ShownCommands, AreAcceptedByTheProgram) {
   person.driver_options.firmware = "/tmp/a firmware";
   EXPECT_NE(run(run_line(person, {})).err.find("asks the participant at a terminal"),
             std::string::npos);
+
+  const std::filesystem::path jnd = folder().parent_path() / "amplitude_jnd.json";
+  write_file(jnd, library_text("amplitude_jnd"), Overwrite::refuse);
+  expect_done(power_line({.protocol = jnd,
+                          .participants = 2,
+                          .runs = 2,
+                          .effects = {{"comparisons.rougher.order", -0.5}},
+                          .assumed = {{"comparisons.rougher.order_sd", 0.0}}},
+                         {}));
 
   expect_done(analyze_line(folder(), {}));
   expect_done(analyze_line(folder(), "small"));
