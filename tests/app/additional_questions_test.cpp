@@ -53,7 +53,8 @@ class AdditionalQuestions : public SessionTest {
   }
   std::vector<std::string> stored_in_first_trial() const {
     std::vector<std::string> rows{};
-    for (const ResponseRow& row : attempts().front().responses) {
+    const AttemptRow first = attempts().front();
+    for (const ResponseRow& row : first.responses) {
       rows.push_back(row.question + ' ' + std::to_string(row.item) + ' ' + row.answer);
     }
     return rows;
