@@ -31,11 +31,17 @@ struct UnitOfName {
   std::string_view unit{};
   DisplayUnit display{};
 };
-constexpr std::array<UnitOfName, 4> kUnitsOfNames{
+constexpr std::array<UnitOfName, 10> kUnitsOfNames{
     {{"_m_per_s", "m/s", {.unit = "mm/s", .power = -3}},
+     {"_N_s_per_m", "N s/m"},
+     {"_N_per_m", "N/m"},
      {"_m", "m", kMillimetres},
      {"_N", "N"},
-     {"_s", "s"}}};
+     {"_s", "s"},
+     {"_Hz", "Hz"},
+     {"_kg", "kg"},
+     {"_rad", "rad"},
+     {"_Pa", "Pa"}}};
 
 bool is_deciding(const KeyTable& table, std::string_view key) {
   return std::find(table.deciding.begin(), table.deciding.end(), key) != table.deciding.end();

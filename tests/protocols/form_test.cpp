@@ -114,6 +114,11 @@ TEST(FormEntries, HaveTheUnitInWhichTheNameOfAKeyEnds) {
             "mm/s");
   EXPECT_EQ(displayed_shape({}, "/explorations/stroking/normal_force_N/target").unit, "N");
   EXPECT_EQ(displayed_shape({}, "/explorations/stroking/strokes/target").unit, "");
+  const NumberShape stiffness = displayed_shape({}, "/stimuli/one/parameters/stiffness_N_per_m");
+  EXPECT_EQ(stiffness.unit, "N/m");
+  EXPECT_EQ(displayed_number(stiffness, "500"), "500") << "not a length";
+  EXPECT_EQ(displayed_shape({}, "/stimuli/one/parameters/friction_damping_N_s_per_m").unit,
+            "N s/m");
 }
 
 TEST(FormEntries, AreNamedByLabelsAndNames) {
