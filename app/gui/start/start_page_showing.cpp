@@ -118,6 +118,15 @@ void StartPage::make_noise_check(const MaskingNoise& noise) {
   delete noise_;
   noise_ = new NoiseCheck(noise, noise_card_);
   noise_layout_->addWidget(noise_);
+  // What is made later comes last otherwise, wherever it stands.
+  QWidget* before = setup_;
+  for (QWidget* const card : std::initializer_list<QWidget*>{setup_, noise_}) {
+    for (QWidget* const control : card->findChildren<QWidget*>()) {
+      if ((control->focusPolicy() & Qt::TabFocus) != Qt::TabFocus) continue;
+      if (card == noise_) setTabOrder(before, control);
+      before = control;
+    }
+  }
   connect(noise_, &NoiseCheck::changed, this, &StartPage::check_soon);
 }
 

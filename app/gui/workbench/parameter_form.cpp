@@ -314,6 +314,8 @@ void ParameterForm::add_row(std::size_t index, QGridLayout* grid, int& line, For
     add_number(index, grid, line, style);
     caption->setBuddy(row.field);
   }
+  QWidget* const field = row.list != nullptr ? static_cast<QWidget*>(row.list) : row.field;
+  setTabOrder(field, row.reset);
   show_row(index);
 }
 

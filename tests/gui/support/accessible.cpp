@@ -61,8 +61,19 @@ QString as_found(const QWidget& control) {
            name.isEmpty() ? QString() : " (" + name.simplified() + ')');
 }
 
-QRect place_of(const QWidget& control) {
-  return {control.mapTo(control.window(), QPoint(0, 0)), control.size()};
+/// Where a control is seen from another one: what is scrolled out of sight of a list that does not contain the other is at
+/// the edge of the list.
+QRect place_of(const QWidget& control, const QWidget& other) {
+  QRect place(control.mapTo(control.window(), QPoint(0, 0)), control.size());
+  for (const QWidget* around = control.parentWidget(); around != nullptr && !around->isWindow();
+       around = around->parentWidget()) {
+    const auto* const scrolled = qobject_cast<const QAbstractScrollArea*>(around);
+    if (scrolled == nullptr || scrolled->isAncestorOf(&other)) continue;
+    const QRect seen(scrolled->mapTo(control.window(), QPoint(0, 0)), scrolled->size());
+    place.setTop(std::clamp(place.top(), seen.top(), seen.bottom()));
+    place.setBottom(std::clamp(place.bottom(), seen.top(), seen.bottom()));
+  }
+  return place;
 }
 
 }  // namespace
@@ -131,8 +142,8 @@ QStringList steps_against_reading(const QWidget& window) {
   }
   QStringList steps{};
   for (std::size_t i = 1; i < course.size(); ++i) {
-    const QRect from = place_of(*course[i - 1]);
-    const QRect to = place_of(*course[i]);
+    const QRect from = place_of(*course[i - 1], *course[i]);
+    const QRect to = place_of(*course[i], *course[i - 1]);
     const bool is_above = to.bottom() < from.top();
     const bool is_left = to.right() < from.left();
     const bool is_right = to.left() > from.right();
