@@ -6,12 +6,15 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/numbers/tail_probabilities.h"
+
 namespace asperity {
 
 namespace {
 
 constexpr double kNormalQuantile = 1.959963984540054;  // of 97.5 %
 constexpr std::uint64_t kFewestNumbers = 10;
+constexpr std::uint64_t kFewestEstimates = 50;
 
 /// The order of a single effect and number of participants.
 PowerOrder order_of_precision(int participants, std::uint64_t seed) {
@@ -29,13 +32,23 @@ PrecisionFigure quantile_figure(PrecisionFigure::What what, const PositiveQuanti
   return figure;
 }
 
+/// The variance of estimates has about a χ² distribution, with the degrees of freedom that follow from its Monte-Carlo error ε,
+/// which the fourth moment gives: Var(s²) = 2σ⁴/df and Var(s²) = (2σε)², so that df = σ²/(2ε²). They are n − 1 for normally
+/// distributed estimates, and not more than that. The interval covers 95 % of them from two estimates on, and with 50 estimates 92 %
+/// of those with the tails of a t distribution with 8 degrees of freedom (500: 94 %); symmetric intervals would cover 91 and 88 %.
 PrecisionFigure error_figure(const EstimateSpread& estimates) {
   PrecisionFigure figure{.what = PrecisionFigure::What::standard_error};
-  if (estimates.count() < kFewestNumbers) return figure;
+  if (estimates.count() < kFewestEstimates) return figure;
   const double error = estimates.standard_error();
-  const double half = kNormalQuantile * estimates.error_of_standard_error();
+  const double monte_carlo = estimates.error_of_standard_error();
+  const double df = std::min(static_cast<double>(estimates.count() - 1),
+                             error * error / (2.0 * monte_carlo * monte_carlo));
+  if (!(df > 0.0)) return figure;  // estimates that are all equal
+  constexpr double kTail = 0.025;
   figure.value = error;
-  figure.interval = ConfidenceInterval{.low = std::max(0.0, error - half), .high = error + half};
+  figure.interval = ConfidenceInterval{
+      .low = error * std::sqrt(df / exceeded_by(ChiSquaredTail{.tail = kTail, .df = df})),
+      .high = error * std::sqrt(df / exceeded_by(ChiSquaredTail{.tail = 1.0 - kTail, .df = df}))};
   return figure;
 }
 

@@ -83,7 +83,7 @@ class PrecisionStudies final {
   std::int64_t studies() const noexcept { return studies_; }
 
   /// Tests in the order of the analysis, then numbers of the response tables. A family with a single test has no row. Figures with
-  /// fewer than 10 numbers have no value; those that no study has are left out.
+  /// fewer than 10 numbers, standard errors with fewer than 50, have no value; those that no study has are left out.
   std::vector<PrecisionOf> results() const;
 
  private:

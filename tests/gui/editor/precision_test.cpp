@@ -104,19 +104,19 @@ TEST_F(PrecisionOfAProtocol, ShowsFiguresWithTheirMonteCarloErrors) {
   EXPECT_TRUE(state().contains("of 1000 simulated studies")) << state().toStdString();
   EXPECT_TRUE(value_of("order", "Power").contains(" % ["))
       << value_of("order", "Power").toStdString();
-  ASSERT_TRUE(has_studies(10));
+  ASSERT_TRUE(has_studies(50));
   EXPECT_TRUE(value_of("order", "Standard error").contains('['));
   EXPECT_TRUE(value_of("comparisons, rougher: threshold", "Standard error").contains("µm ["));
 }
 
 TEST_F(PrecisionOfAProtocol, FollowsTheInputs) {
   show_jnd();
-  ASSERT_TRUE(has_studies(10));
+  ASSERT_TRUE(has_studies(50));
   const QString before = value_of("order", "Standard error");
   participants().setValue(24);
   EXPECT_EQ(view_.studies(), 0);
   EXPECT_EQ(value_of("order", "Power"), "") << "figures of other inputs";
-  ASSERT_TRUE(has_studies(10));
+  ASSERT_TRUE(has_studies(50));
   EXPECT_NE(value_of("order", "Standard error"), before);
 
   type(kOrderSd, "x");
