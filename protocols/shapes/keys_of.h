@@ -339,6 +339,12 @@ requires(sizeof...(Conditions) > 0) consteval KeyOf<Owner> when(KeyOf<Owner> row
   row.conditions = {conditions...};
   return row;
 }
+/// The alternative of a variant, which becomes the current one.
+template <class Alternative, class Variant>
+Alternative& alternative_in(Variant& variant) {
+  if (!std::holds_alternative<Alternative>(variant)) variant.template emplace<Alternative>();
+  return std::get<Alternative>(variant);
+}
 /// A key of one alternative of a variant, which its value makes the current one.
 template <class Variant, class Alternative>
 consteval KeyOf<Variant> alternative_of(const KeyOf<Alternative>& row) {
@@ -346,9 +352,7 @@ consteval KeyOf<Variant> alternative_of(const KeyOf<Alternative>& row) {
   static_cast<ProtocolKey&>(made) = row;
   made.standard = [](const ProtocolKey&) { return nlohmann::json(nullptr); };
   made.part = [](void* owner) -> void* {
-    auto& variant = *static_cast<Variant*>(owner);
-    if (!std::holds_alternative<Alternative>(variant)) variant.template emplace<Alternative>();
-    return &std::get<Alternative>(variant);
+    return &alternative_in<Alternative>(*static_cast<Variant*>(owner));
   };
   return made;
 }
@@ -404,11 +408,8 @@ consteval KeysOf<Owner, N> owned_by(std::initializer_list<std::string_view> kind
 /// the alternative the current one. `variant_of` finds the variant in the owner.
 template <class Owner, auto variant_of, class Alternative, std::size_t N>
 consteval KeysOf<Owner, N> own_keys(const KeysOf<Alternative, N>& keys) {
-  return in_part<Owner>(keys, [](void* owner) -> void* {
-    auto& variant = variant_of(owner);
-    if (!std::holds_alternative<Alternative>(variant)) variant.template emplace<Alternative>();
-    return &std::get<Alternative>(variant);
-  });
+  return in_part<Owner>(
+      keys, [](void* owner) -> void* { return &alternative_in<Alternative>(variant_of(owner)); });
 }
 template <class Owner, std::size_t N, std::size_t M>
 consteval auto joined(const KeysOf<Owner, N>& first, const KeysOf<Owner, M>& second) {
