@@ -105,12 +105,8 @@ std::string with_parameters(std::string text, const std::string& parameters,
 }
 
 std::string displayed(const json& value, const std::string& pointer) {
-  if (value.is_string()) return value.get<std::string>();
-  if (!value.is_number()) return value.dump();
-  const NumberShape shape = displayed_shape(NumberShape{}, pointer);
-  const std::string_view unit = shape.display.unit.empty() ? shape.unit : shape.display.unit;
-  const std::string number = displayed_number(shape, value.dump()).value_or(value.dump());
-  return unit.empty() || unit == "1" ? number : number + ' ' + std::string(unit);
+  const bool is_summarised = value.is_string() || value.is_number();
+  return is_summarised ? summary_of(NumberShape{}, value, pointer) : value.dump();
 }
 
 /// Null stands for a value that does not exist.
@@ -134,6 +130,21 @@ void add_changes(const json& before, const json& after, const std::string& point
     };
     add_changes(value_in(before), value_in(after), pointer_to(pointer, key), changes);
   }
+}
+
+/// The renderings that the surfaces note, with the pointers of the notes; none of a text that is not JSON.
+std::vector<std::pair<std::string, std::string>> notes_in(const std::string& protocol) {
+  std::vector<std::pair<std::string, std::string>> notes{};
+  const json root = json::parse(protocol, nullptr, false);
+  if (!root.is_object()) return notes;
+  const json stimuli = root.value("stimuli", json::object());
+  for (const auto& [name, surface] : stimuli.items()) {
+    if (!surface.is_object()) continue;
+    const json note = surface.value(kNote, json{});
+    if (!note.is_string()) continue;
+    notes.emplace_back(pointer_to(pointer_to("/stimuli", name), kNote), note.get<std::string>());
+  }
+  return notes;
 }
 
 }  // namespace
@@ -199,23 +210,14 @@ std::vector<UsableSurface> usable_surfaces(const std::string& protocol) {
 
 std::vector<std::string> renderings_in(const std::string& protocol) {
   std::vector<std::string> names{};
-  const json stimuli = json::parse(protocol).value("stimuli", json::object());
-  for (const auto& [name, surface] : stimuli.items()) {
-    if (!surface.is_object()) continue;
-    const json note = surface.value(kNote, json{});
-    if (note.is_string()) names.push_back(note.get<std::string>());
-  }
+  for (const auto& [pointer, rendering] : notes_in(protocol)) names.push_back(rendering);
   return names;
 }
 
 std::vector<std::string> notes_of(const std::string& protocol, const std::string& rendering) {
-  const json root = json::parse(protocol, nullptr, false);
-  if (!root.is_object()) return {};
   std::vector<std::string> pointers{};
-  const json stimuli = root.value("stimuli", json::object());
-  for (const auto& [name, surface] : stimuli.items()) {
-    if (!surface.is_object() || surface.value(kNote, json{}) != rendering) continue;
-    pointers.push_back(pointer_to(pointer_to("/stimuli", name), kNote));
+  for (const auto& [pointer, noted] : notes_in(protocol)) {
+    if (noted == rendering) pointers.push_back(pointer);
   }
   return pointers;
 }

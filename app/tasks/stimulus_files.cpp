@@ -32,6 +32,7 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kFolder = "stimuli/";
+
 /// The pointers of all texts that are this path.
 void find_places(const json& value, const std::string& pointer, const std::string& path,
                  std::vector<std::string>& places) {

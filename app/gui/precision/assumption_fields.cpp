@@ -52,6 +52,11 @@ std::optional<double> value_typed(const QString& typed, const NumberShape& shape
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
+/// A decimal number as it is written in the language of the windows.
+QString localised(const std::string& decimal) {
+  return text(decimal).replace('.', QLocale().decimalPoint()).replace('-', QChar(0x2212));
+}
+
 QString range_text(ParameterRange range) {
   switch (range) {
     case ParameterRange::any:
@@ -96,9 +101,7 @@ QString unit_text(const Assumption& usual) {
 
 QString rounded_in_unit(double value, const NumberShape& shape) {
   const std::string rounded = number_text(with_digits(value, kShownDigits));
-  return text(displayed_number(shape, rounded).value_or(rounded))
-      .replace('.', QLocale().decimalPoint())
-      .replace('-', QChar(0x2212));
+  return localised(displayed_number(shape, rounded).value_or(rounded));
 }
 
 AssumptionFields::AssumptionFields(QWidget* parent) : QWidget(parent) {
@@ -195,9 +198,7 @@ void AssumptionFields::show_value(std::size_t index) {
   if (found != stated_.end()) {
     if (field.text().trimmed().isEmpty()) {
       const NumberShape shape = shape_of(assumption);
-      field.setText(text(displayed_number(shape, number_text(found->second)).value_or(""))
-                        .replace('.', QLocale().decimalPoint())
-                        .replace('-', QChar(0x2212)));
+      field.setText(localised(displayed_number(shape, number_text(found->second)).value_or("")));
     }
     return;
   }
