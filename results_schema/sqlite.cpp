@@ -2,6 +2,8 @@
 
 #include "results_schema/sqlite.h"
 
+#include <new>
+
 #include <sqlite3.h>
 
 #include "results_schema/error_text.h"
@@ -103,7 +105,38 @@ Database::Database(std::filesystem::path folder, const std::filesystem::path& fi
   }
 }
 
-Database::~Database() { sqlite3_close_v2(handle_); }
+Database::~Database() {
+  for (const auto& [sql, statement] : idle_) sqlite3_finalize(statement);
+  sqlite3_close_v2(handle_);
+}
+
+sqlite3_stmt* Database::prepared(std::string_view sql) {
+  if (const auto idle = idle_.find(sql); idle != idle_.end()) {
+    sqlite3_stmt* const statement = idle->second;
+    idle_.erase(idle);
+    return statement;
+  }
+  sqlite3_stmt* statement = nullptr;
+  const int code = sqlite3_prepare_v3(handle_, sql.data(), static_cast<int>(sql.size()),
+                                      SQLITE_PREPARE_PERSISTENT, &statement, nullptr);
+  if (code != SQLITE_OK) fail(code, "cannot be read");
+  return statement;
+}
+
+void Database::give_back(sqlite3_stmt* statement) noexcept {
+  // More than a program has texts of statements; those of a merge name tables and columns.
+  constexpr std::size_t kMostIdle = 256;
+  sqlite3_reset(statement);  // the error that it repeats has been reported
+  sqlite3_clear_bindings(statement);
+  try {
+    if (idle_.size() < kMostIdle) {
+      idle_.emplace(sqlite3_sql(statement), statement);
+      return;
+    }
+  } catch (const std::bad_alloc&) {  // it is prepared again
+  }
+  sqlite3_finalize(statement);
+}
 
 void Database::execute(const std::string& sql) {
   const int code = sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr);
@@ -126,13 +159,10 @@ void Database::fail(int code, const std::string& what) const {
   throw ResultsError("the study " + folder_.string() + " " + what + ": " + meaning, folder_, code);
 }
 
-Statement::Statement(Database& database, std::string_view sql) : database_(database) {
-  const int code = sqlite3_prepare_v2(database.handle(), sql.data(), static_cast<int>(sql.size()),
-                                      &handle_, nullptr);
-  if (code != SQLITE_OK) database.fail(code, "cannot be read");
-}
+Statement::Statement(Database& database, std::string_view sql)
+    : database_(database), handle_(database.prepared(sql)) {}
 
-Statement::~Statement() { sqlite3_finalize(handle_); }
+Statement::~Statement() { database_.give_back(handle_); }
 
 bool Statement::step() {
   const int code = sqlite3_step(handle_);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -49,11 +50,20 @@ class Database final {
   [[noreturn]] void fail(int code, const std::string& what) const;
 
  private:
+  friend class Statement;
+  /// A statement of this text, which nobody else has until it is given back.
+  sqlite3_stmt* prepared(std::string_view sql);
+  /// Without its parameters and its row, which would keep others from writing.
+  void give_back(sqlite3_stmt* statement) noexcept;
+
   std::filesystem::path folder_;
   sqlite3* handle_ = nullptr;
+  /// Statements that were given back, by their text: to prepare one, with the triggers and constraints of its table, takes
+  /// several times as long as to run it.
+  std::multimap<std::string, sqlite3_stmt*, std::less<>> idle_{};
 };
 
-/// A prepared statement; parameters are bound and columns read in order.
+/// A prepared statement; parameters are bound and columns read in order. The database outlives it.
 class Statement final {
  public:
   Statement(Database& database, std::string_view sql);
