@@ -28,9 +28,7 @@ const char* compiled_instruction_set() {
 
 std::string c_library() { return std::string("glibc ") + gnu_get_libc_version(); }
 
-}  // namespace
-
-ProgramIdentity this_program() {
+ProgramIdentity identified() {
   ProgramIdentity identity{};
   identity.version = kProgramVersion;
   identity.commit = kProgramCommit;
@@ -42,6 +40,13 @@ ProgramIdentity this_program() {
     identity.os = std::string(system.sysname) + ' ' + system.release + ' ' + system.machine + ", " +
                   c_library();
   }
+  return identity;
+}
+
+}  // namespace
+
+const ProgramIdentity& this_program() {
+  static const ProgramIdentity identity = identified();
   return identity;
 }
 

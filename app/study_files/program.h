@@ -17,8 +17,8 @@ struct ProgramIdentity {
   std::string os{};
 };
 
-/// The identity of the running program. Reads the executable once per call.
-ProgramIdentity this_program();
+/// The identity of the running program. The first call reads the executable.
+const ProgramIdentity& this_program();
 
 /// The executable; empty where it was replaced or removed since the program was started.
 std::filesystem::path program_file();
