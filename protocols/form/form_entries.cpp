@@ -3,13 +3,12 @@
 #include "protocols/form/form_entries.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 #include <variant>
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/numbers/number_text.h"
+#include "analysis/numbers/unit_of_name.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/keys/conditions.h"
 #include "protocols/keys/names_in.h"
@@ -24,24 +23,6 @@ using nlohmann::json;
 
 constexpr std::size_t kPartsOfSummary = 3;
 constexpr std::size_t kLongestSummary = 120;
-
-/// A unit in which names of keys end, and how it is displayed.
-struct UnitOfName {
-  std::string_view ending{};
-  std::string_view unit{};
-  DisplayUnit display{};
-};
-constexpr std::array<UnitOfName, 10> kUnitsOfNames{
-    {{"_m_per_s", "m/s", {.unit = "mm/s", .power = -3}},
-     {"_N_s_per_m", "N s/m"},
-     {"_N_per_m", "N/m"},
-     {"_m", "m", kMillimetres},
-     {"_N", "N"},
-     {"_s", "s"},
-     {"_Hz", "Hz"},
-     {"_kg", "kg"},
-     {"_rad", "rad"},
-     {"_Pa", "Pa"}}};
 
 bool is_deciding(const KeyTable& table, std::string_view key) {
   return std::find(table.deciding.begin(), table.deciding.end(), key) != table.deciding.end();
@@ -91,13 +72,11 @@ NumberShape displayed_shape(const NumberShape& shape, const std::string& pointer
   json::json_pointer path(pointer);
   constexpr int kNamesToRead = 2;  // of the number and of the object around it
   for (int i = 0; i < kNamesToRead && !path.empty(); ++i, path.pop_back()) {
-    for (const UnitOfName& known : kUnitsOfNames) {
-      if (!path.back().ends_with(known.ending)) continue;
-      NumberShape shown = shape;
-      shown.unit = known.unit;
-      shown.display = known.display;
-      return shown;
-    }
+    NumberShape shown = shape;
+    shown.unit = named_quantity(path.back()).unit;
+    if (shown.unit == "m") shown.display = kMillimetres;
+    if (shown.unit == "m/s") shown.display = {.unit = "mm/s", .power = -3};
+    if (!shown.unit.empty()) return shown;
   }
   return shape;
 }

@@ -16,10 +16,10 @@
 #include <vector>
 
 #include "analysis/numbers/number_text.h"
+#include "analysis/numbers/unit_of_name.h"
 #include "renderers/force/layers.h"
 #include "renderers/force/surface_contact.h"
 #include "renderers/plugin/plugin_call.h"
-#include "stimuli/properties/unit_of_name.h"
 
 namespace asperity {
 namespace {
@@ -109,10 +109,10 @@ Parameter parameter_of(const asperity_parameter& given, std::size_t index) {
            "letter");
   }
   parameter.unit = text_in(given.unit, place + ".unit");
-  const std::optional<std::string> unit = unit_at_end_of(parameter.name);
-  if (unit && given.kind != ASPERITY_CHOICE && *unit != parameter.unit) {
+  const std::string unit = unit_in_files(parameter.name);
+  if (unit != "1" && given.kind != ASPERITY_CHOICE && unit != parameter.unit) {
     refuse(field, "has the unit \"" + parameter.unit + "\", and its name ends in the unit \"" +
-                      *unit + "\"; correct one of them");
+                      unit + "\"; correct one of them");
   }
   parameter.meaning = text_in(given.meaning, place + ".meaning");
   if (given.kind == ASPERITY_CHOICE) {

@@ -52,7 +52,7 @@ TEST(Unevenness, IsTheDeviationFromASteadyMotion) {
   EXPECT_FALSE(unevenness_m({}));
 }
 
-// H = 0.4 + 5·v: 0.45 N at 10 mm/s, 0.6 N at 40 mm/s. Positions 2 ms late on 100 N/m appear as 0.2 N·s/m.
+// H = 0.4 + 5·v: 0.45 N at 10 mm/s, 0.6 N at 40 mm/s. Positions 2 ms late on 100 N/m appear as 0.2 N s/m.
 TEST(Resistance, IsFrictionAndItsGrowthWithSpeed) {
   const auto slow = sweep_response({leg(0.01, 0.45), leg(-0.01, 0.45)});
   const auto fast = sweep_response({leg(0.04, 0.6), leg(-0.04, 0.6)});

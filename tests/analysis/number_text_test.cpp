@@ -1,4 +1,4 @@
-// Holds the text of a number to reading back, its shift to the decimal point alone, and the text of a count to the noun that it needs.
+// Holds numbers, counts and units of names to their texts: what reads back, which noun, which ending.
 
 #include "analysis/numbers/number_text.h"
 
@@ -8,6 +8,8 @@
 #include <string>
 
 #include <gtest/gtest.h>
+
+#include "analysis/numbers/unit_of_name.h"
 
 namespace asperity {
 namespace {
@@ -24,6 +26,17 @@ TEST(NumberText, IsTheShortestThatReadsBack) {
     std::from_chars(text.data(), text.data() + text.size(), read);
     EXPECT_EQ(read, number);
   }
+}
+
+TEST(UnitOfName, IsThatOfTheLongestEnding) {
+  EXPECT_EQ(named_quantity("stiffness_N_per_m").quantity, "stiffness");
+  EXPECT_EQ(named_quantity("stiffness_N_per_m").unit, "N/m");
+  EXPECT_EQ(named_quantity("torque_N_m").unit, "N m") << "not a length";
+  EXPECT_EQ(named_quantity("tool_inertia_kg_m2").unit, "kg m²");
+  EXPECT_EQ(unit_in_files("tool_inertia_kg_m2"), "kg m2");
+  EXPECT_EQ(named_quantity("strokes").quantity, "strokes");
+  EXPECT_EQ(named_quantity("_m").unit, "") << "there is no quantity";
+  EXPECT_EQ(unit_in_files("strokes"), "1");
 }
 
 TEST(ShiftedDecimal, ConvertsBetweenUnits) {

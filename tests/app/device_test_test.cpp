@@ -62,7 +62,7 @@ const DeviceItem& item(const DeviceProfile& profile, const std::string& name) {
 /// Of a handle that nothing moves.
 const DeviceCapability kStuck{.name = "stuck", .peak_force_N = 5.0};
 
-// The hand of the simulated device: 50 g on 300 N/m with 5 N·s/m along the surface and 10 across it.
+// The hand of the simulated device: 50 g on 300 N/m with 5 N s/m along the surface and 10 across it.
 TEST(DeviceTest, FindsTheMassAndTheDampingOfThePlainDevice) {
   const DeviceProfile& profile = plain_profile();
   const DeviceItem& damping = item(profile, "damping_N_s_per_m");
@@ -248,7 +248,7 @@ TEST(DeviceProfile, SaysWhichLimitsWereKeptAndWhichNobodyLookedAt) {
             "Measure the device again.");
 }
 
-// 50 g on 2000 N/m, 1 N·s/m: √(2000 / 0.05) / 2π = 31.8 Hz, and a peak ten times as high as the mass.
+// 50 g on 2000 N/m, 1 N s/m: √(2000 / 0.05) / 2π = 31.8 Hz, and a peak ten times as high as the mass.
 TEST(DeviceTest, FindsAResonance) {
   SimulatedDeviceSettings settings{};
   settings.hand = {

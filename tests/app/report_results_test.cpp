@@ -369,6 +369,7 @@ TEST(UnbrokenNumbers, HaveNoBreakSpacesOnlyWithinNumbers) {
   EXPECT_EQ(shown("F(2, 38) = 5.17, p < .001, g = −0.10 [−0.16, 0.49]"),
             "F(2,_38)_=_5.17, p_<_.001, g_=_−0.10 [−0.16,_0.49]");
   EXPECT_EQ(shown("at 50 mm/s, 4 N and 1000 Hz."), "at 50_mm/s, 4_N and 1000_Hz.");
+  EXPECT_EQ(shown("at most 20 N s/m."), "at most 20_N_s/m.");
   EXPECT_EQ(shown("62 % (95 % CI [< 0.1 %, 71 %])"), "62_% (95_% CI [<_0.1_%,_71_%])");
   EXPECT_EQ(shown("One of 4 participants (a, b) chose x = y in block 2 s1."),
             "One of 4 participants (a, b) chose x = y in block 2 s1.");

@@ -43,7 +43,7 @@ TEST_F(DeviceLimits, AreRefusedByCheckWithTheirPlaceAndWhatWouldBeRight) {
 }
 
 TEST_F(DeviceLimits, JudgeTheDeviceAreKeptWithItAndComparedByCheck) {
-  // The probe of the simulated device weighs 50 g and damps with 5 N·s/m.
+  // The probe of the simulated device weighs 50 g and damps with 5 N s/m.
   limit({{"moving_mass_kg", 0.01}, {"damping_N_s_per_m", 2.0}, {"lateness_p99_s", 0.0}});
   const Outcome test = asperity(
       {"device-test", "simulated", "--protocol", small.selection(), "--study", small.study()});

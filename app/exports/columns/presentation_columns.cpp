@@ -11,11 +11,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/numbers/unit_of_name.h"
 #include "app/exports/columns/column_making.h"
 #include "app/exports/columns/table_columns.h"
 #include "app/words/text_parts.h"
 #include "protocols/design/roughness_match.h"
-#include "stimuli/properties/unit_of_name.h"
 
 namespace asperity::export_columns {
 namespace {
@@ -222,7 +222,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
     ExportColumn made =
         missing("the model does not have this parameter",
                 column("parameter_" + name, numeric ? "number" : "text",
-                       numeric ? parameter.unit.value_or(unit_at_end_of(name).value_or("1")) : "",
+                       numeric ? parameter.unit.value_or(unit_in_files(name)) : "",
                        meaning + "parameter of the force model as rendered; models: " + of,
                        [name = name](const Place& at) { return member_of(at.parameters, name); }));
     made.source = parameter.meanings.empty() ? "parameters as rendered" : "force model";

@@ -6,12 +6,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/numbers/unit_of_name.h"
 #include "app/exports/columns/column_making.h"
 #include "app/exports/columns/table_columns.h"
 #include "protocols/design/protocol.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/plan.h"
-#include "stimuli/properties/unit_of_name.h"
 
 namespace asperity::export_columns {
 namespace {
@@ -134,8 +134,7 @@ Columns trial_columns(const StudyVocabulary& vocabulary) {
     ExportColumn made = missing(
         "the trial does not have this factor",
         column("factor_" + name, factor.numeric ? "number" : "text",
-               factor.unit.empty() && factor.numeric ? unit_at_end_of(name).value_or("1")
-                                                     : factor.unit,
+               factor.unit.empty() && factor.numeric ? unit_in_files(name) : factor.unit,
                factor.meaning.empty() ? "level of the factor \"" + name + "\"" : factor.meaning,
                [name = name](const Place& at) { return member_of(at.factors, name); }));
     made.levels = factor.levels;

@@ -6,8 +6,8 @@
 #include <array>
 #include <cstddef>
 #include <map>
-#include <string_view>
 
+#include "analysis/numbers/unit_of_name.h"
 #include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/test_methods.h"
 #include "app/records/felt_octaves.h"
@@ -350,35 +350,6 @@ const CellWords& words_of_anchor_places() {
   return kWords;
 }
 
-/// The end of a name that states a unit.
-struct UnitSuffix {
-  std::string_view suffix{};
-  std::string_view unit{};
-};
-
-/// Null for a name without a unit.
-const UnitSuffix* unit_suffix_of(const std::string& key) {
-  static constexpr std::array kSuffixes{UnitSuffix{"_m_per_s", "m/s"},
-                                        UnitSuffix{"_N_per_m", "N/m"},
-                                        UnitSuffix{"_N_s_per_m", "N·s/m"},
-                                        UnitSuffix{"_N_m_per_rad", "N·m/rad"},
-                                        UnitSuffix{"_N_m_s_per_rad", "N·m·s/rad"},
-                                        UnitSuffix{"_kg_m2", "kg·m²"},
-                                        UnitSuffix{"_rad", "rad"},
-                                        UnitSuffix{"_Hz", "Hz"},
-                                        UnitSuffix{"_kg", "kg"},
-                                        UnitSuffix{"_dB", "dB"},
-                                        UnitSuffix{"_Pa", "Pa"},
-                                        UnitSuffix{"_N", "N"},
-                                        UnitSuffix{"_m", "m"},
-                                        UnitSuffix{"_s", "s"}};
-  const auto* const found =
-      std::find_if(kSuffixes.begin(), kSuffixes.end(), [&key](const UnitSuffix& each) {
-        return key.size() > each.suffix.size() && key.ends_with(each.suffix);
-      });
-  return found == kSuffixes.end() ? nullptr : found;
-}
-
 const CellWords& words_of_sexes() {
   static const CellWords kWords{{"Female", phrase("AnalysisWords", "Female")},
                                 {"Male", phrase("AnalysisWords", "Male")},
@@ -396,10 +367,7 @@ std::string with_strokes(const std::string& text) {
 }
 
 std::string words_of_parameter(const std::string& key) {
-  std::string words = key;
-  if (const UnitSuffix* const unit = unit_suffix_of(key)) {
-    words.erase(words.size() - unit->suffix.size());
-  }
+  std::string words(named_quantity(key).quantity);
   std::replace(words.begin(), words.end(), '_', ' ');
   // A name has no apostrophe.
   if (words == "youngs modulus") return "Young’s modulus";
@@ -408,8 +376,7 @@ std::string words_of_parameter(const std::string& key) {
 }
 
 std::string unit_of_parameter(const std::string& key) {
-  const UnitSuffix* const unit = unit_suffix_of(key);
-  return unit == nullptr ? std::string() : std::string(unit->unit);
+  return std::string(named_quantity(key).unit);
 }
 
 std::string words_of_condition(const std::string& condition) {

@@ -74,10 +74,10 @@ bool is_relation(std::string_view word) {
 
 /// Whether the word, without the punctuation after it, is a unit as reports write them.
 bool is_unit(std::string_view word) {
-  constexpr std::array<std::string_view, 32> kUnits{
-      "%",     "N",   "mN", "m",     "cm",  "mm",  "µm", "nm",  "s",   "ms",   "µs",
-      "ns",    "min", "h",  "Hz",    "kHz", "kg",  "g",  "N/m", "m/s", "mm/s", "µm/s",
-      "N·s/m", "rad", "dB", "dB(A)", "dBA", "bit", "Pa", "kPa", "MPa", "GPa"};
+  constexpr std::array<std::string_view, 31> kUnits{
+      "%",   "N",   "mN",    "m",   "cm",  "mm", "µm",  "nm",  "s",   "ms",   "µs",
+      "ns",  "min", "h",     "Hz",  "kHz", "kg", "g",   "N/m", "m/s", "mm/s", "µm/s",
+      "rad", "dB",  "dB(A)", "dBA", "bit", "Pa", "kPa", "MPa", "GPa"};
   if (std::find(kUnits.begin(), kUnits.end(), word) != kUnits.end()) return true;
   const std::size_t end = word.find_last_not_of(",.;:)]");
   return end != std::string_view::npos && end + 1 < word.size() &&
@@ -136,7 +136,8 @@ std::string with_numbers_unbroken(const std::string& text) {
     const bool is_joined = is_inside[i] || (is_relation(before) && begins_with_number(after)) ||
                            (is_relation(after) && after_sign < text.size() &&
                             begins_with_number(word_after(after_sign))) ||
-                           (ends_with_digit && is_unit(after));
+                           (ends_with_digit && is_unit(after)) ||
+                           (before == "N" && after.starts_with("s/m"));
     if (is_joined) {
       unbroken += kNoBreak;
     } else {

@@ -54,7 +54,7 @@ constexpr std::array<ItemWords, 20> kItemWords{
       QT_TRANSLATE_NOOP("ProfileWords", "Zero force when the program stops responding")},
      {"friction_N", Subject::mechanics, QT_TRANSLATE_NOOP("ProfileWords", "Friction"), 1.0, "N"},
      {"damping_N_s_per_m", Subject::mechanics, QT_TRANSLATE_NOOP("ProfileWords", "Damping"), 1.0,
-      "N·s/m"},
+      "N s/m"},
      {"position_resolution_m", Subject::mechanics,
       QT_TRANSLATE_NOOP("ProfileWords", "Position step"), 1e6, "µm"},
      {"latency_s", Subject::mechanics, QT_TRANSLATE_NOOP("ProfileWords", "Latency"), 1e3, "ms"},

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "analysis/numbers/summary.h"
+#include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/display_number.h"
 #include "app/report/text/report_sections.h"
 #include "app/words/text_parts.h"
@@ -35,22 +36,10 @@ QualityRow count_row(const std::string& what, const ReportedCount& count, const 
           display_count(unsigned_count(count.worst))};
 }
 
-/// The name of a quantity ends in its unit: "speed_m_per_s" → "speed", "m/s".
-struct NamedQuantity {
-  std::string name{};
-  std::string unit{};
-};
-
-NamedQuantity named_quantity(const std::string& quantity) {
-  for (const auto& [ending, unit] : {std::pair("_m_per_s", "m/s"), std::pair("_N", "N"),
-                                     std::pair("_s", "s"), std::pair("_m", "m")}) {
-    const std::string_view suffix = ending;
-    if (!quantity.ends_with(suffix)) continue;
-    std::string name = quantity.substr(0, quantity.size() - suffix.size());
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return {name == "contact" ? "time in contact" : name, unit};
-  }
-  return {quantity, ""};
+/// "stroke length" for `stroke_length_m`.
+std::string words_of_explored(const std::string& quantity) {
+  const std::string words = words_of_parameter(quantity);
+  return words == "contact" ? "time in contact" : words;
 }
 
 std::string band_text(const std::optional<double>& minimum, const std::optional<double>& maximum,
@@ -250,7 +239,8 @@ ReportSection exploration_section(const ReportFacts& facts) {
   bool has_limits = false;
   for (const auto& [key, band] : facts.bands) {
     const auto& [quantity, minimum, maximum] = key;
-    const NamedQuantity words = named_quantity(quantity);
+    const std::string words = words_of_explored(quantity);
+    const std::string unit = unit_of_parameter(quantity);
     const std::optional<Summary> means = summary_of(band.means);
     const std::optional<Summary> fractions = summary_of(band.fractions);
     if (!means) continue;
@@ -258,21 +248,20 @@ ReportSection exploration_section(const ReportFacts& facts) {
     const bool is_limited = minimum || maximum;
     has_limits = has_limits || is_limited;
     table.rows.push_back(
-        {words.name, band_text(minimum, maximum, words.unit), display_count(band.means.size()),
-         display_quantity(means->mean, words.unit),
-         display_quantity(means->p05, words.unit) + " to " +
-             display_quantity(means->p95, words.unit),
+        {words, band_text(minimum, maximum, unit), display_count(band.means.size()),
+         display_quantity(means->mean, unit),
+         display_quantity(means->p05, unit) + " to " + display_quantity(means->p95, unit),
          fractions && is_limited ? display_percent(fractions->mean) : "–",
          judged ? display_count(band.passed) + " of " + display_count(band.judged) : "–"});
     if (judged && is_limited) {
       const double share = static_cast<double>(band.passed) / static_cast<double>(band.judged);
-      required.push_back(words.name + " (" + band_text(minimum, maximum, words.unit) + ") on " +
+      required.push_back(words + " (" + band_text(minimum, maximum, unit) + ") on " +
                          display_count(band.passed) + " of " + display_count(band.judged) +
                          (band.judged == 1 ? " surface (" : " surfaces (") +
                          display_percent(share) + ')');
     } else if (is_limited && fractions) {
       described.push_back(
-          words.name + " was in its band (" + band_text(minimum, maximum, words.unit) + ") for " +
+          words + " was in its band (" + band_text(minimum, maximum, unit) + ") for " +
           display_percent(fractions->mean) +
           (quantity == "normal_force_N" ? " of the contact time" : " of the strokes"));
     }

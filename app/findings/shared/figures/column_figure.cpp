@@ -3,7 +3,6 @@
 #include "app/findings/shared/figures/column_figure.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -11,6 +10,7 @@
 #include <string_view>
 #include <variant>
 
+#include "analysis/numbers/unit_of_name.h"
 #include "app/words/text_parts.h"
 
 namespace asperity {
@@ -18,30 +18,6 @@ namespace asperity {
 namespace {
 
 constexpr double kRoomAroundLines = 0.05;  // as a fraction of the range
-
-/// The name and the unit in the name of a column.
-struct NamedColumn {
-  std::string name{};
-  std::string unit{};
-};
-
-struct ColumnUnit {
-  std::string_view ending{};
-  std::string_view unit{};
-};
-// A longer ending stands before a shorter one that it contains.
-constexpr std::array kColumnUnits{ColumnUnit{"_N_m", "N m"}, ColumnUnit{"_m_per_s", "m/s"},
-                                  ColumnUnit{"_rad", "rad"}, ColumnUnit{"_m", "m"},
-                                  ColumnUnit{"_N", "N"},     ColumnUnit{"_s", "s"}};
-
-NamedColumn named(const std::string& column) {
-  for (const ColumnUnit& each : kColumnUnits) {
-    if (!column.ends_with(each.ending)) continue;
-    return {.name = column.substr(0, column.size() - each.ending.size()),
-            .unit = std::string(each.unit)};
-  }
-  return {.name = column};
-}
 
 std::size_t place_of(const std::vector<std::string>& columns, const std::string& name) {
   const auto found = std::find(columns.begin(), columns.end(), name);
@@ -76,13 +52,13 @@ void add_room_around(FigureAxis& axis) {
 void require_columns(const std::vector<std::string>& columns, const ColumnChoice& choice) {
   place_of(columns, choice.x);
   if (choice.y.empty()) throw std::invalid_argument("no column is drawn; name at least one");
-  const std::string unit = named(choice.y.front()).unit;
+  const std::string_view unit = named_quantity(choice.y.front()).unit;
   for (const std::string& column : choice.y) {
     place_of(columns, column);
     if (std::count(choice.y.begin(), choice.y.end(), column) > 1) {
       throw std::invalid_argument("the column " + column + " is named twice; name it once");
     }
-    if (named(column).unit == unit) continue;
+    if (named_quantity(column).unit == unit) continue;
     throw std::invalid_argument("the columns " + choice.y.front() + " and " + column +
                                 " have different units; draw them in separate figures");
   }
@@ -90,17 +66,18 @@ void require_columns(const std::vector<std::string>& columns, const ColumnChoice
 
 Figure column_figure(const Table& table, const ColumnChoice& choice) {
   require_columns(table.columns, choice);
-  const NamedColumn across = named(choice.x);
-  Figure figure{.name = "columns",
-                .title = Phrase(comma_separated(choice.y) + " over " + choice.x),
-                .x = {.name = Phrase(across.name), .unit = across.unit},
-                .y = {.unit = named(choice.y.front()).unit}};
+  const NamedQuantity across = named_quantity(choice.x);
+  Figure figure{
+      .name = "columns",
+      .title = Phrase(comma_separated(choice.y) + " over " + choice.x),
+      .x = {.name = Phrase(std::string(across.quantity)), .unit = std::string(across.unit)},
+      .y = {.unit = std::string(named_quantity(choice.y.front()).unit)}};
   const std::size_t x = place_of(table.columns, choice.x);
   std::string names{};
   bool is_first = true;
   for (std::size_t i = 0; i < choice.y.size(); ++i) {
     const std::size_t y = place_of(table.columns, choice.y[i]);
-    const std::string name = named(choice.y[i]).name;
+    const std::string name(named_quantity(choice.y[i]).quantity);
     names += (names.empty() ? "" : ", ") + name;
     FigureSeries series{.name = Phrase(name), .style = static_cast<int>(i)};
     std::vector<FigurePlace> line{};
