@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include <QtCore/QLocale>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QGridLayout>
 #include <QtWidgets/QLabel>
@@ -16,6 +15,7 @@
 #include "analysis/numbers/number_text.h"
 #include "analysis/numbers/rounded_text.h"
 #include "app/gui/base/parameter_unit.h"
+#include "app/gui/base/typed_number.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
 #include "results_schema/tables/table.h"
@@ -44,17 +44,10 @@ AssumptionParts parts_of_name(const std::string& name) {
 }
 
 std::optional<double> value_typed(const QString& typed, const NumberShape& shape) {
-  const std::string decimal =
-      QString(typed).trimmed().replace(QChar(0x2212), '-').replace(',', '.').toStdString();
-  const std::optional<std::string> in_file = number_in_file(shape, decimal);
+  const std::optional<std::string> in_file = number_typed(shape, typed);
   if (!in_file) return {};
   const std::optional<double> value = number_in(*in_file);
   return value && std::isfinite(*value) ? value : std::nullopt;
-}
-
-/// A decimal number as it is written in the language of the windows.
-QString localised(const std::string& decimal) {
-  return text(decimal).replace('.', QLocale().decimalPoint()).replace('-', QChar(0x2212));
 }
 
 QString range_text(ParameterRange range) {
@@ -100,8 +93,7 @@ QString unit_text(const Assumption& usual) {
 }
 
 QString rounded_in_unit(double value, const NumberShape& shape) {
-  const std::string rounded = number_text(with_digits(value, kShownDigits));
-  return localised(displayed_number(shape, rounded).value_or(rounded));
+  return shown_in_unit(shape, number_text(with_digits(value, kShownDigits)));
 }
 
 AssumptionFields::AssumptionFields(QWidget* parent) : QWidget(parent) {
@@ -197,8 +189,7 @@ void AssumptionFields::show_value(std::size_t index) {
   QLineEdit& field = *fields_[index];
   if (found != stated_.end()) {
     if (field.text().trimmed().isEmpty()) {
-      const NumberShape shape = shape_of(assumption);
-      field.setText(localised(displayed_number(shape, number_text(found->second)).value_or("")));
+      field.setText(shown_in_unit(shape_of(assumption), number_text(found->second)));
     }
     return;
   }

@@ -98,10 +98,6 @@ const Parameter* FormSource::parameter_at(const std::string& pointer) const {
   return nullptr;
 }
 
-std::string decimal_of(QString typed) {
-  return typed.trimmed().replace(QChar(0x2212), '-').replace(',', '.').toStdString();
-}
-
 std::string json_of(const ParameterValue& value) {
   const auto* const number = std::get_if<double>(&value);
   return number != nullptr ? nlohmann::json(*number).dump()

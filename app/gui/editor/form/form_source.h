@@ -46,9 +46,6 @@ class FormSource final {
   const std::vector<ModelDeclaration>& models_;
 };
 
-/// A number as it is typed, with a decimal comma or point and a hyphen or minus sign, in the notation of files.
-std::string decimal_of(QString typed);
-
 /// The value of a parameter as JSON.
 std::string json_of(const ParameterValue& value);
 

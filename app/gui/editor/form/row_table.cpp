@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/numbers/number_text.h"
+#include "app/gui/base/typed_number.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/look/words.h"
@@ -28,7 +29,7 @@ QString shown_level(const nlohmann::json& row, const QString& factor) {
   const auto level = row.is_object() ? row.find(factor.toStdString()) : row.end();
   if (!row.is_object() || level == row.end()) return {};
   if (level->is_string()) return text(level->get<std::string>());
-  return text(level->dump()).replace('.', QLocale().decimalPoint());
+  return shown_decimal(level->dump());
 }
 
 }  // namespace

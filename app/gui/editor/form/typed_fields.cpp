@@ -17,6 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/numbers/number_text.h"
+#include "app/gui/base/typed_number.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/look/words.h"
@@ -123,31 +124,20 @@ NumbersField::NumbersField(FormContext& context, const NumberShape& shape, Count
   set_unit(text(std::string(unit == "1" ? "" : unit)));
 }
 
-QString NumbersField::shown_number_of(std::string_view characters) const {
-  const auto displayed = displayed_number(shape_, characters);
-  return text(displayed.value_or(std::string(characters)))
-      .replace('.', locale().decimalPoint())
-      .replace('-', QChar(0x2212));
-}
-
 QString NumbersField::shown(std::string_view characters) const {
-  if (count_ == Count::one) return shown_number_of(characters);
+  if (count_ == Count::one) return shown_in_unit(shape_, characters);
   QStringList numbers{};
   for (const nlohmann::json& number : nlohmann::json::parse(characters)) {
-    numbers.append(shown_number_of(number.dump()));
+    numbers.append(shown_in_unit(shape_, number.dump()));
   }
   return numbers.join("; ");
 }
 
-std::optional<std::string> NumbersField::number_of(const QString& typed) const {
-  return number_in_file(shape_, decimal_of(typed));
-}
-
 std::optional<std::string> NumbersField::json_of(const QString& typed) const {
-  if (count_ == Count::one) return number_of(typed);
+  if (count_ == Count::one) return number_typed(shape_, typed);
   std::string list{};
   for (const QString& part : typed.split(';', Qt::SkipEmptyParts)) {
-    const auto number = number_of(part);
+    const auto number = number_typed(shape_, part);
     if (!number) return {};
     list += (list.empty() ? "" : ", ") + *number;
   }
@@ -185,7 +175,7 @@ bool TextField::eventFilter(QObject* watched, QEvent* event) {
 QString TextField::shown(std::string_view characters) const {
   const auto value = nlohmann::json::parse(characters);
   if (value.is_string()) return text(value.get<std::string>());
-  return text(std::string(characters)).replace('.', locale().decimalPoint());
+  return shown_decimal(characters);
 }
 
 std::optional<std::string> TextField::json_of(const QString& typed) const {

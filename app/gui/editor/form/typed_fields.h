@@ -55,8 +55,6 @@ class NumbersField final : public LineField {
   QString shown(std::string_view characters) const override;
   std::optional<std::string> json_of(const QString& typed) const override;
   QString complaint() const override;
-  QString shown_number_of(std::string_view characters) const;
-  std::optional<std::string> number_of(const QString& typed) const;
 
   NumberShape shape_{};
   Count count_ = Count::one;
