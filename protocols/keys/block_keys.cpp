@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "protocols/keys/revisit_key.h"
 #include "protocols/keys/tables.h"
 #include "protocols/kind_keys/discrimination_keys.h"
 #include "protocols/shapes/common_shapes.h"
@@ -74,9 +75,6 @@ void store_questions(const json& value, Block& block) {
   store_value(kQuestionList, value, block.questions);
 }
 
-void store_revisits_of_trial(const json& value, Block& block) {
-  if (!value.get<bool>()) block.arrangement.maximum_visits = 1;
-}
 /// It replaces "allow_revisit".
 void store_arrangement(const json& value, Block& block) {
   block.arrangement = {};
@@ -211,12 +209,8 @@ constexpr auto kOrderKeys = keys_of(
              "With \"questions\": whether pictures stay hidden until every surface has been felt.",
              TruthShape{}),
          with("questions")),
-    when(with_standard(
-             custom_key<&store_revisits_of_trial>("allow_revisit", "Surfaces can be felt again",
-                                                  "With \"questions\": whether the participant may "
-                                                  "switch between the surfaces before responding.",
-                                                  TruthShape{}),
-             [](const ProtocolKey&) { return json(true); }),
+    when(revisit_key("With \"questions\": whether the participant may switch between the surfaces "
+                     "before responding."),
          with("questions")),
     required_key(member_key<&Block::exploration>("exploration", "Exploration",
                                                  "The name of the exploration.",

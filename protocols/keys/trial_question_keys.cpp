@@ -1,6 +1,7 @@
 // Defines the keys of the questions of a trial.
 
 #include "protocols/keys/answer_keys.h"
+#include "protocols/keys/revisit_key.h"
 #include "protocols/keys/tables.h"
 #include "protocols/kind_keys/discrimination_keys.h"
 #include "protocols/kind_keys/paired_comparison_keys.h"
@@ -99,10 +100,6 @@ consteval auto question_keys_of() {
 Template& template_itself(void* owner) { return *static_cast<Template*>(owner); }
 constexpr auto kListedQuestionKeys = question_keys_of<Template, &template_itself>();
 
-void store_revisits(const json& value, Protocol::Block& block) {
-  if (!value.get<bool>()) block.arrangement.maximum_visits = 1;
-}
-
 constexpr auto kOfTheTrialKeys = keys_of(
     member_key<&Protocol::Block::experimenter_prompt>(
         "experimenter_prompt", "Text for the experimenter",
@@ -112,11 +109,7 @@ constexpr auto kOfTheTrialKeys = keys_of(
              "pictures_after_feeling", "Pictures after feeling",
              "Whether pictures stay hidden until every surface has been felt.", TruthShape{}),
          with("pictures")),
-    with_standard(custom_key<&store_revisits>(
-                      "allow_revisit", "Surfaces can be felt again",
-                      "Whether the participant may switch between the surfaces before responding.",
-                      TruthShape{}),
-                  [](const ProtocolKey&) { return json(true); }));
+    revisit_key("Whether the participant may switch between the surfaces before responding."));
 
 /// The one question of a block that has no list of them.
 Template& only_question(void* block) {
