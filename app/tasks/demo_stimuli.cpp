@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "app/study_files/height_field_files.h"
+#include "app/study_files/stimulus_names.h"
 #include "renderers/recordings/relief_recording.h"
 #include "results_schema/files/atomic_file.h"
 #include "stimuli/heights/synthetic_surface.h"
@@ -107,10 +108,10 @@ void make_body_relief(const BodyRelief& relief, const std::filesystem::path& fol
   made.kind = relief.kind;
   made.parameters = relief.parameters;
   made.seed = canvas.seed;
-  save_height_field(folder / (name + ".png"), surface, made, Overwrite::refuse);
+  const std::filesystem::path file = folder / (name + ".png");
+  save_height_field(file, surface, made, Overwrite::refuse);
   if (!relief.has_picture) return;
-  save_picture(folder / (name + "_photo.png"), synthetic_photograph(surface, {}),
-               Overwrite::refuse);
+  save_picture(photograph_of(file), synthetic_photograph(surface, {}), Overwrite::refuse);
 }
 
 void make_texture(const DemoTexture& texture, const std::filesystem::path& folder) {
@@ -126,7 +127,8 @@ void make_texture(const DemoTexture& texture, const std::filesystem::path& folde
   PhotographSettings settings{};
   settings.seed = texture.seed;
   settings.noise_rms = 0.01;
-  const std::filesystem::path photograph_file = folder / (name + "_photo.png");
+  const std::filesystem::path file = folder / (name + ".png");
+  const std::filesystem::path photograph_file = photograph_of(file);
   save_picture(photograph_file, synthetic_photograph(surface, settings), Overwrite::refuse);
   if (!texture.is_rendered) return;
 
@@ -143,7 +145,7 @@ void make_texture(const DemoTexture& texture, const std::filesystem::path& folde
   provenance.parameters = parameter_values(recipe);
   provenance.source_name = photograph_file.filename().string();
   provenance.source_sha256 = loaded.sha256;
-  save_height_field(folder / (name + ".png"), recovered.field, provenance, Overwrite::refuse);
+  save_height_field(file, recovered.field, provenance, Overwrite::refuse);
   if (!texture.has_recording) return;
   write_file(folder / (name + "_recording.tsv"), tsv_of(recording_of_relief(recovered.field)),
              Overwrite::refuse);
@@ -174,22 +176,23 @@ std::vector<std::string> demo_stimuli() {
 
 std::vector<std::string> files_of_demo_stimulus(std::string_view name) {
   const std::string stem(name);
+  const std::string relief_file = stem + ".png";
   const auto with_sidecar = [](const std::string& png) {
     return std::vector<std::string>{png, png + ".json"};
   };
   const std::vector<BodyRelief> all = reliefs();
   if (const BodyRelief* const relief = find_in(all, name)) {
-    std::vector<std::string> files = with_sidecar(stem + ".png");
-    if (relief->has_picture) files.push_back(stem + "_photo.png");
+    std::vector<std::string> files = with_sidecar(relief_file);
+    if (relief->has_picture) files.push_back(photograph_of(relief_file).string());
     return files;
   }
   const std::vector<DemoTexture> textures = demo_textures();
   const DemoTexture* const texture = find_in(textures, name);
   if (texture == nullptr) return {};
   std::vector<std::string> files = with_sidecar(stem + "_true.png");
-  files.push_back(stem + "_photo.png");
+  files.push_back(photograph_of(relief_file).string());
   if (texture->is_rendered) {
-    for (std::string& file : with_sidecar(stem + ".png")) files.push_back(std::move(file));
+    for (std::string& file : with_sidecar(relief_file)) files.push_back(std::move(file));
   }
   if (texture->has_recording) files.push_back(stem + "_recording.tsv");
   return files;

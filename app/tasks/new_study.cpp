@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/study_files/program.h"
+#include "app/study_files/stimulus_names.h"
 #include "app/tasks/demo_stimuli.h"
 #include "app/tasks/protocol_templates.h"
 #include "protocols/file/library_protocols.h"
@@ -173,8 +174,9 @@ bool holds_demo_study(const std::filesystem::path& folder) {
       return std::find(files.begin(), files.end(), file) != files.end();
     };
     if (!has(name + "_true.png")) continue;
-    const std::string last = has(name + ".png") ? name + ".png" : name + "_photo.png";
-    if (!std::filesystem::is_regular_file(folder / "stimuli" / last, ignored)) return false;
+    const std::filesystem::path relief = folder / "stimuli" / (name + ".png");
+    const std::filesystem::path last = has(name + ".png") ? relief : photograph_of(relief);
+    if (!std::filesystem::is_regular_file(last, ignored)) return false;
   }
   // Of another schema it cannot be opened.
   try {
