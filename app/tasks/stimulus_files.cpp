@@ -198,6 +198,39 @@ std::vector<std::string> files_to_copy(const std::filesystem::path& study,
   return files;
 }
 
+using NewNames = std::vector<std::pair<std::string, std::string>>;  // of stimuli
+
+/// The files of the stimuli under their new names, the first stimulus last. Errors: PhrasedError for a name that a file has.
+std::vector<NewFile> files_with_names(const std::filesystem::path& study, const NewNames& names) {
+  std::vector<NewFile> files{};
+  for (const auto& [from, to] : names) {
+    std::vector<NewFile> together{};
+    for (const std::string& file : files_of_stimulus(study, from)) {
+      const std::filesystem::path wanted = study / (to + file.substr(from.size()));
+      if (is_there(wanted)) {
+        throw PhrasedError(
+            phrase("StimulusFiles", "The study already has a file %1. Choose another name.")
+                .with(wanted.filename().string()));
+      }
+      together.push_back({wanted, read_file(study / file, kPictureFile)});
+    }
+    files.insert(files.begin(), together.begin(), together.end());
+  }
+  return files;
+}
+
+std::vector<ChangedText> texts_with_names(const std::vector<std::filesystem::path>& files,
+                                          const NewNames& names) {
+  std::vector<ChangedText> texts{};
+  for (const std::filesystem::path& file : files) {
+    const std::string before = read_file(file, kProtocolFile);
+    std::string after = before;
+    for (const auto& [from, to] : names) after = with_name(std::move(after), file, from, to);
+    texts.push_back({file, before, std::move(after)});
+  }
+  return texts;
+}
+
 }  // namespace
 
 std::optional<Phrase> complaint_about_deletion(const StimulusUses& uses, const std::string& path) {
@@ -268,45 +301,24 @@ std::string rename_stimulus(const Study& study, const std::string& path, const s
                               "letters, digits, _ and -.")
                            .with(stem, std::to_string(kLongestStimulusName)));
   }
-  const std::filesystem::path& folder = study.folder();
   const std::string renamed = kFolder + stem + ending_of(path);
   if (renamed == path) return path;
   const RenamePlan plan = plan_of_renaming(study, path);
   if (plan.complaint) throw PhrasedError(*plan.complaint);
-  std::vector<NewFile> written{};
-  std::vector<std::filesystem::path> removed{};
-  std::vector<std::pair<std::string, std::string>> names{};
+  NewNames names{};
   for (const std::string& from : plan.stimuli) {
-    const std::string to = from == path ? renamed : photograph_of(renamed).string();
-    names.emplace_back(from, to);
-    std::vector<NewFile> together{};
-    for (const std::string& file : files_of_stimulus(folder, from)) {
-      const std::filesystem::path wanted = folder / (to + file.substr(from.size()));
-      if (is_there(wanted)) {
-        throw PhrasedError(
-            phrase("StimulusFiles", "The study already has a file %1. Choose another name.")
-                .with(wanted.filename().string()));
-      }
-      together.push_back({wanted, read_file(folder / file, kPictureFile)});
-      removed.push_back(folder / file);
-    }
-    written.insert(written.begin(), together.begin(), together.end());  // the stimulus itself last
+    names.emplace_back(from, from == path ? renamed : photograph_of(renamed).string());
   }
-  std::vector<ChangedText> texts{};
-  for (const std::filesystem::path& file : plan.changed) {
-    const std::string before = read_file(file, kProtocolFile);
-    std::string after = before;
-    for (const auto& [from, to] : names) after = with_name(std::move(after), file, from, to);
-    texts.push_back({file, before, std::move(after)});
-  }
-  write_files_together(written, Overwrite::refuse);
+  const std::vector<NewFile> files = files_with_names(study.folder(), names);
+  const std::vector<ChangedText> texts = texts_with_names(plan.changed, names);
+  write_files_together(files, Overwrite::refuse);
   try {
     replace_texts(texts);
   } catch (...) {
-    for (const NewFile& file : written) remove_file(file.path);
+    for (const NewFile& file : files) remove_file(file.path);
     throw;
   }
-  for (const std::filesystem::path& file : removed) remove_file(file);
+  for (const std::string& file : plan.files) remove_file(study.folder() / file);
   return renamed;
 }
 
