@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "app/study_files/program.h"
 #include "results_schema/hashes/sha256.h"
 #include "results_schema/study.h"
@@ -90,6 +92,14 @@ LoadedHeightField load_height_field(const std::filesystem::path& png) {
   FilesRead read = read_files(png);
   return {.field = std::make_shared<const HeightField>(std::move(read.stored.field)),
           .sha256 = sha256_of(read.sidecar)};
+}
+
+bool has_hash(const std::filesystem::path& png, const std::string& sha256) {
+  const std::filesystem::path beside = sidecar_of(png);
+  if (!std::filesystem::exists(png) || !std::filesystem::exists(beside)) return false;
+  const std::string sidecar = read_file(beside, kSidecarFile);
+  return sha256_of(sidecar) == sha256 && nlohmann::json::parse(sidecar).value("sha256", "") ==
+                                             sha256_of(read_file(png, kPictureFile));
 }
 
 HeightFieldProvenance provenance_of(const std::filesystem::path& png) {

@@ -28,6 +28,9 @@ struct LoadedHeightField {
 /// Errors: ResultsError or std::invalid_argument, naming the file.
 LoadedHeightField load_height_field(const std::filesystem::path& png);
 
+/// Whether `load_height_field` would return this hash, without decoding the picture. False if a file is missing.
+bool has_hash(const std::filesystem::path& png, const std::string& sha256);
+
 /// How a height field was made, according to its sidecar. Errors: as `load_height_field`.
 HeightFieldProvenance provenance_of(const std::filesystem::path& png);
 

@@ -169,7 +169,9 @@ RenderingRemarks remarks_about(const Rendering& rendering, const ModelRegistry& 
   }
   const std::string& texture = rendering.texture.height_field;
   try {
-    if (load_height_field(study / texture).sha256 != rendering.texture.sha256) {
+    const std::string& sha256 = rendering.texture.sha256;
+    // A texture that has changed is decoded, because it may be unreadable.
+    if (!has_hash(study / texture, sha256) && load_height_field(study / texture).sha256 != sha256) {
       remarks.warnings.push_back(
           phrase("Renderings",
                  "%1 has changed since the rendering was saved (another SHA-256). Restore the "

@@ -15,7 +15,7 @@
 namespace asperity {
 
 /// What a rendering cannot be used for as it is, and what to do: its model does not exist or is of another version, its
-/// texture is missing or has changed. Empty: nothing. Reads the texture.
+/// texture is missing or has changed. Empty: nothing. Reads the texture, and decodes it only if it has changed.
 struct RenderingRemarks {
   std::vector<Phrase> problems{};  ///< it cannot be used
   std::vector<Phrase> warnings{};

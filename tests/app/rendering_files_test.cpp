@@ -3,6 +3,7 @@
 #include "app/study_files/rendering_files.h"
 
 #include <algorithm>
+#include <fstream>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -125,6 +126,10 @@ TEST(Renderings, StateAChangedTextureAndAnotherVersionOfTheModel) {
     return all;
   };
   EXPECT_EQ(warnings(rendering), "");
+  std::ofstream(study / "stimuli" / "grain.png", std::ios::app) << ' ';
+  const RenderingRemarks unreadable = remarks_about(rendering, built_in_models(), study);
+  ASSERT_EQ(unreadable.problems.size(), 1U) << "the sidecar is unchanged, the picture is not";
+  EXPECT_THAT(unreadable.problems[0].english(), HasSubstr("the SHA-256 differs"));
   save_height_field(study / "stimuli" / "grain.png",
                     make_surface("noise", {}, {.width_m = 0.02, .pixels = 128, .seed = 6}),
                     {.kind = "noise"}, Overwrite::allow);
