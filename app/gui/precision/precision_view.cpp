@@ -236,6 +236,7 @@ void PrecisionView::take_inputs() {
 void PrecisionView::restart() {
   simulation_.abandon();
   studies_.reset();
+  results_.clear();
   failure_.clear();
   show_results();
   show_state();
@@ -295,6 +296,7 @@ void PrecisionView::proceed() {
         },
         [this](const Studies& studies) {
           studies_ = studies;
+          results_ = studies->results();
           show_results();
           proceed();
         },
@@ -315,9 +317,9 @@ void PrecisionView::show_state() {
     state_->set_state(State::look, why);
   } else {
     const bool is_complete = studies() >= kStudies;
-    const bool has_tests =
-        studies() == 0 || std::ranges::any_of(studies_->results(),
-                                              [](const auto& one) { return !one.family.empty(); });
+    const bool has_tests = studies() == 0 || std::ranges::any_of(results_, [](const auto& one) {
+                             return !one.family.empty();
+                           });
     const QString count = tr("%1 of %2 simulated studies").arg(studies()).arg(kStudies);
     state_->set_state(is_complete ? State::fine : State::unknown,
                       has_tests
@@ -330,9 +332,7 @@ void PrecisionView::show_state() {
 
 void PrecisionView::show_results() {
   std::vector<StudyTable::Row> rows{};
-  const std::vector<PrecisionOf> results =
-      studies_ ? studies_->results() : std::vector<PrecisionOf>{};
-  for (const PrecisionOf& result : results) {
+  for (const PrecisionOf& result : results_) {
     NumberShape shape{};
     QString unit{};
     for (const Assumption& one : usual_) {

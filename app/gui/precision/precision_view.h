@@ -86,6 +86,7 @@ class PrecisionView final : public QWidget {
   bool has_new_text_ = false;
   std::map<std::string, Inputs> inputs_{};  ///< by file
   std::shared_ptr<const PrecisionStudies> studies_{};
+  std::vector<PrecisionOf> results_{};  ///< of the studies
   QString failure_{};
   QSpinBox* participants_ = nullptr;
   QLabel* round_ = nullptr;
