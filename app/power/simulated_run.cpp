@@ -28,8 +28,11 @@ void add_effect(const StudyTest& test, SimulatedOutcome& outcome) {
   outcome.estimate = effect->value;
   outcome.lower = effect->low;
   outcome.upper = effect->high;
-  if (test.in_units || test.made_by == nullptr) return;
-  outcome.measure = is_proportion ? test.made_by->estimate_name : test.made_by->effect_symbol;
+  if (test.in_units) {
+    outcome.measure = test.name_in_units;
+  } else if (test.made_by != nullptr) {
+    outcome.measure = is_proportion ? test.made_by->estimate_name : test.made_by->effect_symbol;
+  }
 }
 
 std::vector<GatheredAnswers> answers_of_run(const PowerModel& model, int participants,

@@ -33,8 +33,8 @@ struct SimulatedOutcome {
   std::optional<double> estimate{};
   std::optional<double> lower{};
   std::optional<double> upper{};
-  /// The symbol of an effect size ("d_z"), or the name of a proportion; empty of an effect in the unit of the responses, and of
-  /// a study that was read from a file.
+  /// The symbol of an effect size ("d_z"), or the name of a proportion or of an effect in the unit of the responses; empty of a
+  /// study that was read from a file.
   std::string measure{};
   std::string status{};  ///< code of the status, empty where there is none
 };

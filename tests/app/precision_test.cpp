@@ -115,7 +115,7 @@ TEST(Precision, HasTheNumbersOfThePowerAnalysisOfTheSameStudies) {
   EXPECT_GE(width.interval->high, *width.value);
   EXPECT_FALSE(figure_of(order, What::p90_width).value.has_value())
       << "the interval of this quantile needs more studies";
-  EXPECT_EQ(order.measure, "") << "a difference in the unit of the responses";
+  EXPECT_EQ(order.measure, "difference of proportions");
   EXPECT_EQ(std::ranges::count(results, std::string(), &PrecisionOf::name), 0)
       << "the family of a single test is that test";
 }

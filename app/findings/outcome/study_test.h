@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/findings/outcome/analysis_outcome.h"
@@ -59,6 +60,7 @@ struct StudyTest {
   bool chance_varies = false;        ///< between trials; `chance` is its mean over the participants
   std::optional<Effect>
       in_units{};  ///< the effect in the unit of the responses, where it was stated
+  std::string_view name_in_units{};  ///< "ratio", "difference of proportions"
   /// What a stated estimate holds against the effect, as a clause: "the 95 % CI of the ratio contains 1"; empty: nothing.
   Phrase objection{};
   std::optional<double> adjusted{};  ///< within the family

@@ -289,10 +289,11 @@ void StudyTests::state_chance(double chance, bool varies) {
   tests_.back().chance_varies = varies;
 }
 
-void StudyTests::state_effect(const Finding* effect) {
+void StudyTests::state_effect(const Finding* effect, std::string_view name) {
   if (effect == nullptr || !effect->value) return;
   tests_.back().in_units =
       Test::Effect{.value = *effect->value, .low = effect->low, .high = effect->high};
+  tests_.back().name_in_units = name;
 }
 
 void StudyTests::state_compared(const Finding* compared, double none, const Phrase& contained) {

@@ -55,8 +55,8 @@ class StudyTests final {
   void permute_within_blocks() { tests_.back().permutes_within_blocks = true; }
   /// Sets the proportion expected under guessing for the same test. `varies`: between trials; it is the mean over participants.
   void state_chance(double chance, bool varies = false);
-  /// Of the same test: the effect in the unit of the responses, with its interval. Null: there is none.
-  void state_effect(const Finding* effect);
+  /// Of the same test: the effect in the unit of the responses, with its interval. Null: there is none. `name`: a constant.
+  void state_effect(const Finding* effect, std::string_view name);
   /// Of the same test: the estimate that is stated with it, and its value without an effect; `contained`: the clause where
   /// its interval contains this value. Null: there is none.
   void state_compared(const Finding* compared, double none, const Phrase& contained);

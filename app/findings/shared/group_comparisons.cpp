@@ -180,7 +180,7 @@ void GroupComparisons::add_tests(StudyTests& tests, AnalysisOutcome& outcome) co
     }
     const Finding* const ratio = found.find("values.ratio");
     const Finding* const effect = ratio != nullptr ? ratio : found.find("values.shift");
-    tests.state_effect(effect);
+    tests.state_effect(effect, ratio != nullptr ? "ratio" : "difference");
     ratio != nullptr ? tests.state_ratio(ratio) : tests.state_difference(effect);
     tests.leave_out(missing_in(found, one.pair),
                     phrase("Analysis",

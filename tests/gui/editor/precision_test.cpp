@@ -105,7 +105,7 @@ TEST_F(PrecisionOfAProtocol, ShowsFiguresWithTheirMonteCarloErrors) {
   EXPECT_TRUE(value_of("order", "Power").contains(" % ["))
       << value_of("order", "Power").toStdString();
   ASSERT_TRUE(has_studies(50));
-  EXPECT_TRUE(value_of("order", "Standard error").contains('['));
+  EXPECT_TRUE(value_of("order (difference of proportions)", "Standard error").contains('['));
   EXPECT_TRUE(value_of("comparisons, rougher: threshold", "Standard error").contains("µm ["));
 }
 

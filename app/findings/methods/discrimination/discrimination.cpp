@@ -112,7 +112,7 @@ void test_order_of_two(const GatheredAnswers& gathered, const DiscriminationResu
   tests.add("order", results.name, found, kWilcoxonP, both(kFirst, kSecond));
   const FoundNumbers order(results.order);
   const Finding* const difference = order.find("order.difference", results.name);
-  tests.state_effect(difference);
+  tests.state_effect(difference, "difference of proportions");
   tests.state_difference(difference);
   drop_ties(with_both, both(kFirst, kSecond), found, tests);
 }
@@ -181,7 +181,7 @@ void test_conditions(const GatheredAnswers& gathered, const DiscriminationResult
         const FoundNumbers compared(results.compared);
         const Finding* const ratio = compared.find(
             results.ratio_of_threshold(), both(results.conditions[1], results.conditions[0]));
-        tests.state_effect(ratio);
+        tests.state_effect(ratio, "ratio");
         tests.state_ratio(ratio);
       }
     } else {

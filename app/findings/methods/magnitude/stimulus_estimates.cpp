@@ -263,7 +263,7 @@ void add_exponent_tests(const ComparedEstimates& compared, const FoundNumbers& f
     const std::string about = about_condition(compared, condition);
     if (found.find("exponent.p", condition) != nullptr) {
       tests.add("exponent", about, found, "exponent.p", condition);
-      tests.state_effect(found.find("exponent.mean", condition));
+      tests.state_effect(found.find("exponent.mean", condition), "exponent");
     } else if (found.find("exponent.t", condition) != nullptr) {
       tests.add("exponent", about, found, "exponent.t", condition);
     } else {

@@ -249,7 +249,7 @@ std::vector<StudyTest> test_recognition(const GatheredAnswers& gathered) {
   }
   const FoundNumbers found(findings);
   add_right_test(gathered, pictures, found, tests);
-  tests.state_effect(found.find("subj.mean"));
+  tests.state_effect(found.find("subj.mean"), "mean proportion correct");
   tests.add("information", "", found, "G.perm.p");
   if (tests.is_in_family("textures")) add_texture_tests(gathered, judged, pictures, tests);
   if (tests.is_in_family(kSexesTest) || tests.is_in_family(kGroupsTest)) {
