@@ -32,7 +32,8 @@ bool is_deciding(const KeyTable& table, std::string_view key) {
 std::string with_unit(const NumberShape& shape, const json& value, const std::string& pointer) {
   const NumberShape shown = displayed_shape(shape, pointer);
   const std::string_view unit = shown.display.unit.empty() ? shown.unit : shown.display.unit;
-  const std::string number = displayed_number(shown, value.dump()).value_or(value.dump());
+  std::string number = displayed_number(shown, value.dump()).value_or(value.dump());
+  if (number.ends_with(".0")) number.resize(number.size() - 2);
   return unit.empty() ? number : number + ' ' + std::string(unit);
 }
 

@@ -162,6 +162,8 @@ TEST(Renderings, ReplaceASurfaceAndLeaveTheRestOfTheText) {
     changes.push_back(change.pointer + ": " + change.before + " > " + change.after);
   }
   EXPECT_THAT(changes, testing::Contains("/stimuli/rendered/material/friction:  > 0.35"));
+  EXPECT_THAT(changes,
+              testing::Contains("/stimuli/rendered/material/stiffness_N_per_m:  > 700 N/m"));
   EXPECT_THAT(changes, testing::Contains("/stimuli/rendered/x-rendering:  > strong"));
   EXPECT_THAT(changes,
               testing::Contains(HasSubstr("/stimuli/rendered/parameters/height_scale:  > 2.5")));
