@@ -42,6 +42,13 @@ std::unique_ptr<AnswerSheet> sheet_of(const Form&, const Trial& trial,
 
 }  // namespace
 
+SheetResult AnswerSheet::wish_of(const ParticipantInput& input, std::size_t surfaces) {
+  const bool names_surface =
+      input.kind == ParticipantInput::Kind::surface && index_of(input.number, surfaces);
+  if (names_surface || input.kind == ParticipantInput::Kind::next) return WishToFeelAgain{};
+  return SheetUnchanged{};
+}
+
 std::unique_ptr<AnswerSheet> sheet_for(const Trial& trial, std::span<const Question> page) {
   return std::visit([&](const auto& form) { return sheet_of(form, trial, page); },
                     page.front().form);

@@ -55,6 +55,8 @@ class AnswerSheet {
 
  protected:
   AnswerSheet() = default;
+  /// The meaning of an input for every form of answer to a trial with so many surfaces: the wish to feel one again, or none.
+  static SheetResult wish_of(const ParticipantInput& input, std::size_t surfaces);
 };
 
 /// An empty sheet for one of pages_of(trial), or for a question of the questionnaire with a trial without surfaces.

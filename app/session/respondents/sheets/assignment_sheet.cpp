@@ -30,21 +30,13 @@ SheetResult AssignmentSheet::take(const ParticipantInput& input) {
       points_at_feeling_again_ = false;
       return SheetChanged{};
     }
-    case ParticipantInput::Kind::next:
-      return WishToFeelAgain{};
     case ParticipantInput::Kind::confirm:
       return confirm();
     case ParticipantInput::Kind::device_button:
       return confirms_by_button(input) ? confirm() : point();
-    case ParticipantInput::Kind::mark:
-    case ParticipantInput::Kind::step:
-    case ParticipantInput::Kind::select:
-    case ParticipantInput::Kind::click:
-    case ParticipantInput::Kind::text:
-    case ParticipantInput::Kind::released:
-      break;
+    default:
+      return wish_of(input, given_.size());
   }
-  return SheetUnchanged{};
 }
 
 SheetResult AssignmentSheet::take_assignment(const ParticipantInput& input) {

@@ -26,25 +26,13 @@ SheetResult ChoiceSheet::take(const ParticipantInput& input) {
       points_at_feeling_again_ = false;
       return SheetChanged{};
     }
-    case ParticipantInput::Kind::surface:
-      if (!index_of(input.number, surfaces_)) return SheetUnchanged{};
-      return WishToFeelAgain{};
-    case ParticipantInput::Kind::next:
-      return WishToFeelAgain{};
     case ParticipantInput::Kind::confirm:
       return confirm();
     case ParticipantInput::Kind::device_button:
       return confirms_by_button(input) ? confirm() : point();
-    case ParticipantInput::Kind::assign:
-    case ParticipantInput::Kind::mark:
-    case ParticipantInput::Kind::step:
-    case ParticipantInput::Kind::select:
-    case ParticipantInput::Kind::click:
-    case ParticipantInput::Kind::text:
-    case ParticipantInput::Kind::released:
-      break;
+    default:
+      return wish_of(input, surfaces_);
   }
-  return SheetUnchanged{};
 }
 
 SheetResult ChoiceSheet::point() {

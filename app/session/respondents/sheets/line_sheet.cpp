@@ -21,24 +21,13 @@ SheetResult LineSheet::take(const ParticipantInput& input) {
       return set(static_cast<int>(std::lround(input.position * LineForm::kSteps)));
     case ParticipantInput::Kind::step:
       return set(step_.value_or(0) + kStride * input.number);
-    case ParticipantInput::Kind::surface:
-      if (!index_of(input.number, surfaces_)) return SheetUnchanged{};
-      return WishToFeelAgain{};
-    case ParticipantInput::Kind::next:
-      return WishToFeelAgain{};
     case ParticipantInput::Kind::confirm:
       return confirm();
     case ParticipantInput::Kind::device_button:
       return confirms_by_button(input) ? confirm() : extend_by_button();
-    case ParticipantInput::Kind::option:
-    case ParticipantInput::Kind::select:
-    case ParticipantInput::Kind::assign:
-    case ParticipantInput::Kind::click:
-    case ParticipantInput::Kind::text:
-    case ParticipantInput::Kind::released:
-      break;
+    default:
+      return wish_of(input, surfaces_);
   }
-  return SheetUnchanged{};
 }
 
 SheetResult LineSheet::set(int step) {

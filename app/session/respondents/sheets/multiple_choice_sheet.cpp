@@ -20,25 +20,13 @@ SheetResult MultipleChoiceSheet::take(const ParticipantInput& input) {
       toggle(*option);
       return SheetChanged{};
     }
-    case ParticipantInput::Kind::surface:
-      if (!index_of(input.number, surfaces_)) return SheetUnchanged{};
-      return WishToFeelAgain{};
-    case ParticipantInput::Kind::next:
-      return WishToFeelAgain{};
     case ParticipantInput::Kind::confirm:
       return confirm();
     case ParticipantInput::Kind::device_button:
       return confirms_by_button(input) ? confirm_by_button() : point();
-    case ParticipantInput::Kind::assign:
-    case ParticipantInput::Kind::mark:
-    case ParticipantInput::Kind::step:
-    case ParticipantInput::Kind::select:
-    case ParticipantInput::Kind::click:
-    case ParticipantInput::Kind::text:
-    case ParticipantInput::Kind::released:
-      break;
+    default:
+      return wish_of(input, surfaces_);
   }
-  return SheetUnchanged{};
 }
 
 void MultipleChoiceSheet::toggle(std::size_t option) {

@@ -29,22 +29,13 @@ SheetResult ScaleSheet::take(const ParticipantInput& input) {
       return move(input);
     case ParticipantInput::Kind::select:
       return select(input);
-    case ParticipantInput::Kind::surface:
-      if (!index_of(input.number, surfaces_)) return SheetUnchanged{};
-      return WishToFeelAgain{};
-    case ParticipantInput::Kind::next:
-      return WishToFeelAgain{};
     case ParticipantInput::Kind::confirm:
       return confirm(input);
     case ParticipantInput::Kind::device_button:
       return confirms_by_button(input) ? confirm(input) : step_by_button(input);
-    case ParticipantInput::Kind::assign:
-    case ParticipantInput::Kind::click:
-    case ParticipantInput::Kind::text:
-    case ParticipantInput::Kind::released:
-      break;
+    default:
+      return wish_of(input, surfaces_);
   }
-  return SheetUnchanged{};
 }
 
 SheetResult ScaleSheet::set(std::size_t scale, int step, const ParticipantInput& input) {

@@ -11,11 +11,6 @@ namespace asperity {
 
 SheetResult TypedSheet::take(const ParticipantInput& input) {
   switch (input.kind) {
-    case ParticipantInput::Kind::surface:
-      if (!index_of(input.number, surfaces_)) return SheetUnchanged{};
-      return WishToFeelAgain{};
-    case ParticipantInput::Kind::next:
-      return WishToFeelAgain{};
     case ParticipantInput::Kind::text:
       return confirm(input.text);
     case ParticipantInput::Kind::confirm:
@@ -23,16 +18,9 @@ SheetResult TypedSheet::take(const ParticipantInput& input) {
     case ParticipantInput::Kind::device_button:
       if (!confirms_by_button(input)) return SheetUnchanged{};
       return SheetRefused{{.what = ParticipantMessage::What::typed_needed}};
-    case ParticipantInput::Kind::option:
-    case ParticipantInput::Kind::assign:
-    case ParticipantInput::Kind::mark:
-    case ParticipantInput::Kind::step:
-    case ParticipantInput::Kind::select:
-    case ParticipantInput::Kind::click:
-    case ParticipantInput::Kind::released:
-      break;
+    default:
+      return wish_of(input, surfaces_);
   }
-  return SheetUnchanged{};
 }
 
 SheetResult TypedSheet::confirm(const std::string& typed) const {
