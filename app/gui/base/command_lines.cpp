@@ -4,6 +4,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/device_bench/device_choice.h"
+#include "app/tasks/simulation/simulation_declaration.h"
 #include "app/words/shell_word.h"
 
 namespace asperity {
@@ -45,18 +46,6 @@ class CommandLine final {
  private:
   std::string text_{};
 };
-
-const char* text_of(Recordings recordings) {
-  switch (recordings) {
-    case Recordings::all:
-      return "all";
-    case Recordings::first:
-      return "first";
-    case Recordings::none:
-      return "none";
-  }
-  return "first";
-}
 
 std::string text_of(const std::set<ExportFormat>& formats) {
   std::string text{};

@@ -12,8 +12,6 @@
 
 namespace asperity {
 
-namespace {
-
 const char* text_of(Recordings recordings) {
   switch (recordings) {
     case Recordings::all:
@@ -25,8 +23,6 @@ const char* text_of(Recordings recordings) {
   }
   return "";
 }
-
-}  // namespace
 
 std::string declaration_of(const SimulationInputs& inputs, const ModelRegistry& models) {
   nlohmann::ordered_json json{{"participants", inputs.participants},
