@@ -1,4 +1,4 @@
-// Writes numbers and choices as one JSON object in the order of their names.
+// Writes numbers and choices, and objects of them in the order of their names.
 
 #include "app/study_files/parameter_json.h"
 
@@ -8,14 +8,14 @@
 
 namespace asperity {
 
+std::string json_text_of(const ParameterValue& value) {
+  return std::visit([](const auto& one) { return nlohmann::json(one).dump(); }, value);
+}
+
 std::string json_text_of(const ParameterValues& values) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   for (const auto& [name, value] : values) {
-    if (const double* number = std::get_if<double>(&value)) {
-      json[name] = *number;
-    } else {
-      json[name] = std::get<std::string>(value);
-    }
+    std::visit([&own = json[name]](const auto& one) { own = one; }, value);
   }
   return json.dump();
 }

@@ -8,6 +8,7 @@
 
 namespace asperity {
 
+std::string json_text_of(const ParameterValue& value);
 /// One object, names in order; the same values give the same text.
 std::string json_text_of(const ParameterValues& values);
 

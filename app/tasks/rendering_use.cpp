@@ -38,12 +38,6 @@ std::string with(const std::string& text, const std::string& pointer, const std:
   return with_value(JsonDocument(text, kProtocol), pointer, value).text;
 }
 
-std::string written(const ParameterValue& value) {
-  const json text = std::holds_alternative<double>(value) ? json(std::get<double>(value))
-                                                          : json(std::get<std::string>(value));
-  return text.dump();
-}
-
 /// The texture of the protocol with this height field; nullopt if there is none.
 std::optional<std::string> texture_with(const json& root, const std::string& height_field) {
   const json textures = root.value("textures", json::object());
@@ -99,7 +93,7 @@ std::string with_parameters(std::string text, const std::string& parameters,
   }
   if (!gone.empty()) text = without(JsonDocument(text, kProtocol), gone).text;
   for (const auto& [name, value] : values) {
-    text = with(text, pointer_to(parameters, name), written(value));
+    text = with(text, pointer_to(parameters, name), json_text_of(value));
   }
   return text;
 }
@@ -266,8 +260,8 @@ std::string with_rendering(const std::string& protocol, const Rendering& renderi
   text = with_parameters(text, pointer_to(surface, "parameters"), rendering.parameters);
   const std::string material = pointer_to(surface, "material");
   text = with(text, pointer_to(material, "stiffness_N_per_m"),
-              written(rendering.material.stiffness_N_per_m));
-  text = with(text, pointer_to(material, "friction"), written(rendering.material.friction));
+              json_text_of(rendering.material.stiffness_N_per_m));
+  text = with(text, pointer_to(material, "friction"), json_text_of(rendering.material.friction));
   return with(text, pointer_to(surface, kNote), json_string(name));
 }
 

@@ -13,6 +13,7 @@
 #include "app/gui/base/question_form.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
+#include "app/study_files/parameter_json.h"
 #include "protocols/editing/edits.h"
 #include "protocols/form/new_values.h"
 
@@ -149,7 +150,7 @@ void BoundField::take(int index) {
   const nlohmann::json* const present = value();
   if (present == nullptr || !present->is_object()) return;
   if (const Parameter* const parameter = source().parameter_at(pointer())) {
-    write(json_of(parameter->default_value));
+    write(json_text_of(parameter->default_value));
     return;
   }
   const auto* const name = std::get_if<NameShape>(&shape_);

@@ -21,6 +21,7 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/look/words.h"
+#include "app/study_files/parameter_json.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/editing/text_entries.h"
 #include "protocols/form/form_entries.h"
@@ -466,7 +467,7 @@ void EntryList::add(const std::string& key) {
         const Parameter* const parameter = source().parameter_at(pointer_to(pointer(), key));
         FormEdit edit = parameter == nullptr ? with_entry(text, pointer(), key)
                                              : with_value(text, pointer_to(pointer(), key),
-                                                          json_of(parameter->default_value));
+                                                          json_text_of(parameter->default_value));
         context().opened.insert(edit.pointer);
         return edit;
       },

@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/gui/look/words.h"
-#include "protocols/editing/edits.h"
 #include "protocols/form/new_values.h"
 
 namespace asperity {
@@ -96,12 +95,6 @@ const Parameter* FormSource::parameter_at(const std::string& pointer) const {
     if (parameter->name == parts.back()) return parameter;
   }
   return nullptr;
-}
-
-std::string json_of(const ParameterValue& value) {
-  const auto* const number = std::get_if<double>(&value);
-  return number != nullptr ? nlohmann::json(*number).dump()
-                           : json_string(std::get<std::string>(value));
 }
 
 QString text_of_keys(std::string_view english) {

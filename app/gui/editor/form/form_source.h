@@ -46,9 +46,6 @@ class FormSource final {
   const std::vector<ModelDeclaration>& models_;
 };
 
-/// The value of a parameter as JSON.
-std::string json_of(const ParameterValue& value);
-
 /// A text of the tables of keys, which are English, in the language of the windows.
 QString text_of_keys(std::string_view english);
 /// The meaning of a key, and where it belongs to it that of every word.
