@@ -12,6 +12,7 @@
 #include "app/gui/base/open_study.h"
 #include "app/gui/base/shown_text.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/dialog_buttons.h"
 #include "app/gui/look/words.h"
 
 namespace asperity {
@@ -50,18 +51,11 @@ CopyStimuliDialog::CopyStimuliDialog(OpenStudy& study, QWidget* parent)
   state_->setObjectName("copy_state");
   state_->setWordWrap(true);
   layout->addWidget(state_);
-  auto* buttons = new QHBoxLayout();
-  buttons->setSpacing(kGrid);
-  buttons->addStretch(1);
-  QPushButton* cancel = make_button(tr("Cancel"), ButtonRole::plain, this);
   copy_ = make_button(tr("Copy"), ButtonRole::primary, this);
   copy_->setObjectName("copy_copy");
-  buttons->addWidget(cancel);
-  buttons->addWidget(copy_);
-  layout->addLayout(buttons);
+  add_dialog_buttons(*this, *layout, copy_);
   connect(choose_, &QPushButton::clicked, this, &CopyStimuliDialog::choose_study);
   connect(list_, &QListWidget::itemChanged, this, &CopyStimuliDialog::show_whether_chosen);
-  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   connect(copy_, &QPushButton::clicked, this, &CopyStimuliDialog::copy);
   show_whether_chosen();
 }

@@ -5,6 +5,7 @@
 #include <QtWidgets/QFormLayout>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/look/dialog_buttons.h"
 
 namespace asperity {
 
@@ -29,18 +30,11 @@ MetadataDialog::MetadataDialog(const StudyMetadata& metadata, QWidget* parent) :
   layout->addLayout(form);
   layout->addStretch(1);
 
-  auto* buttons = new QHBoxLayout();
-  buttons->setSpacing(kGrid);
-  QPushButton* cancel = make_button(tr("Cancel"), ButtonRole::plain, this);
   QPushButton* save = make_button(tr("Save"), ButtonRole::primary, this);
   save->setObjectName("metadata_save");
   save->setDefault(true);
-  buttons->addStretch(1);
-  buttons->addWidget(cancel);
-  buttons->addWidget(save);
-  layout->addLayout(buttons);
+  add_dialog_buttons(*this, *layout, save);
 
-  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   connect(save, &QPushButton::clicked, this, [this] {
     emit wanted(fields_->metadata());
     accept();

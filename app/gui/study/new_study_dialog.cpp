@@ -10,6 +10,7 @@
 
 #include "app/gui/base/shown_text.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/dialog_buttons.h"
 
 namespace asperity {
 
@@ -52,20 +53,13 @@ NewStudyDialog::NewStudyDialog(const std::filesystem::path& place, QWidget* pare
   layout->addWidget(what_follows_);
   layout->addStretch(1);
 
-  auto* buttons = new QHBoxLayout();
-  buttons->setSpacing(kGrid);
-  QPushButton* cancel = make_button(tr("Cancel"), ButtonRole::plain, this);
   create_ = make_button(tr("Create study"), ButtonRole::primary, this);
   create_->setObjectName("new_study_create");
   create_->setDefault(true);
-  buttons->addStretch(1);
-  buttons->addWidget(cancel);
-  buttons->addWidget(create_);
-  layout->addLayout(buttons);
+  add_dialog_buttons(*this, *layout, create_);
 
   connect(name_, &QLineEdit::textChanged, this, &NewStudyDialog::show_what_follows);
   connect(place_, &QLineEdit::textChanged, this, &NewStudyDialog::show_what_follows);
-  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   connect(create_, &QPushButton::clicked, this, [this] {
     emit wanted(folder(), metadata_->metadata());
     accept();

@@ -9,6 +9,7 @@
 #include <QtWidgets/QVBoxLayout>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/look/dialog_buttons.h"
 
 namespace asperity {
 
@@ -56,28 +57,19 @@ PluginsDialog::PluginsDialog(const std::vector<std::filesystem::path>& files, QW
   }
   layout->addWidget(list_);
 
-  auto* buttons = new QHBoxLayout();
-  buttons->setSpacing(kGrid);
   QPushButton* add = make_button(tr("Add…"), ButtonRole::plain, this);
   QPushButton* remove = make_button(tr("Remove"), ButtonRole::plain, this);
   remove->setObjectName("plugins_remove");
-  QPushButton* cancel = make_button(tr("Cancel"), ButtonRole::plain, this);
   QPushButton* load = make_button(tr("Load"), ButtonRole::primary, this);
   load->setObjectName("plugins_load");
   load->setDefault(true);
-  buttons->addWidget(add);
-  buttons->addWidget(remove);
-  buttons->addStretch(1);
-  buttons->addWidget(cancel);
-  buttons->addWidget(load);
-  layout->addLayout(buttons);
+  add_dialog_buttons(*this, *layout, load, {add, remove});
 
   connect(add, &QPushButton::clicked, this, &PluginsDialog::add_files);
   remove->setEnabled(false);  // until a plug-in is selected
   connect(list_, &QListWidget::itemSelectionChanged, this,
           [this, remove] { remove->setEnabled(!list_->selectedItems().isEmpty()); });
   connect(remove, &QPushButton::clicked, this, [this] { qDeleteAll(list_->selectedItems()); });
-  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   connect(load, &QPushButton::clicked, this, [this] {
     emit wanted(listed_files());
     accept();

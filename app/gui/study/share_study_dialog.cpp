@@ -9,6 +9,7 @@
 
 #include "app/gui/base/shown_text.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/dialog_buttons.h"
 #include "results_schema/study_sharing.h"
 
 namespace asperity {
@@ -59,18 +60,11 @@ ShareStudyDialog::ShareStudyDialog(const std::filesystem::path& study, QWidget* 
   layout->addLayout(form);
   layout->addStretch(1);
 
-  auto* buttons = new QHBoxLayout();
-  buttons->setSpacing(kGrid);
-  QPushButton* cancel = make_button(tr("Cancel"), ButtonRole::plain, this);
   QPushButton* share = make_button(tr("Share"), ButtonRole::primary, this);
   share->setObjectName("share_study_share");
   share->setDefault(true);
-  buttons->addStretch(1);
-  buttons->addWidget(cancel);
-  buttons->addWidget(share);
-  layout->addLayout(buttons);
+  add_dialog_buttons(*this, *layout, share);
 
-  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   connect(share, &QPushButton::clicked, this, [this] {
     emit wanted(group_->currentText());
     accept();

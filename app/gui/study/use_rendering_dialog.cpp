@@ -14,6 +14,7 @@
 #include "app/gui/base/open_study.h"
 #include "app/gui/base/study_table.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/dialog_buttons.h"
 #include "app/gui/look/words.h"
 #include "app/gui/study/template_dialog.h"
 #include "app/study_files/protocol_languages.h"
@@ -119,25 +120,18 @@ UseRenderingDialog::UseRenderingDialog(OpenStudy& study,
   state_->setObjectName("use_state");
   state_->setWordWrap(true);
   layout->addWidget(state_);
-  auto* buttons = new QHBoxLayout();
-  buttons->setSpacing(kGrid);
-  buttons->addStretch(1);
-  QPushButton* cancel = make_button(tr("Cancel"), ButtonRole::plain, this);
   use_ = make_button(tr("Change in the editor"), ButtonRole::primary, this);
   use_->setObjectName("use_change");
   use_->setToolTip(
       tr("The editor shows the changed protocol. It is stored when you save it there."));
   use_->setDefault(true);
   use_->setEnabled(false);
-  buttons->addWidget(cancel);
-  buttons->addWidget(use_);
-  layout->addLayout(buttons);
+  add_dialog_buttons(*this, *layout, use_);
   connect(rendering_, &QComboBox::currentIndexChanged, this, &UseRenderingDialog::show_changes);
   connect(protocol_, &QComboBox::currentIndexChanged, this, &UseRenderingDialog::fill_surfaces);
   connect(surface_, &QComboBox::currentIndexChanged, this, &UseRenderingDialog::choose_surface);
   connect(keeps_texture_, &QCheckBox::toggled, this, &UseRenderingDialog::show_changes);
   connect(from_template, &QPushButton::clicked, this, &UseRenderingDialog::choose_template);
-  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   connect(use_, &QPushButton::clicked, this, [this] {
     const std::shared_ptr<const Result> result = result_;
     emit wanted(result->choice.protocol, result->choice.before, result->after,

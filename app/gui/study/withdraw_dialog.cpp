@@ -15,6 +15,7 @@
 #include "app/gui/base/open_study.h"
 #include "app/gui/base/shown_text.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/dialog_buttons.h"
 #include "app/gui/look/words.h"
 
 namespace asperity {
@@ -130,20 +131,13 @@ WithdrawDialog::WithdrawDialog(OpenStudy& study, const std::string& label, QWidg
   layout->addWidget(state_);
   layout->addStretch(1);
 
-  auto* buttons = new QHBoxLayout();
-  buttons->setSpacing(kGrid);
-  cancel_ = make_button(tr("Cancel"), ButtonRole::plain, this);
   do_ = make_button({}, ButtonRole::primary, this);
   do_->setObjectName("withdraw_do");
-  buttons->addStretch(1);
-  buttons->addWidget(cancel_);
-  buttons->addWidget(do_);
-  layout->addLayout(buttons);
+  cancel_ = add_dialog_buttons(*this, *layout, do_);
 
   connect(keep_, &QRadioButton::toggled, this, &WithdrawDialog::show_what_is_missing);
   connect(by_, &QLineEdit::textChanged, this, &WithdrawDialog::show_what_is_missing);
   connect(typed_, &QLineEdit::textChanged, this, &WithdrawDialog::show_what_is_missing);
-  connect(cancel_, &QPushButton::clicked, this, &QDialog::reject);
   connect(do_, &QPushButton::clicked, this, &WithdrawDialog::withdraw);
   show_what_is_missing();
   fit_height();
