@@ -23,11 +23,11 @@ std::string natural_key(const SessionRow& session, const AttemptRow& attempt) {
          std::to_string(attempt.trial) + '/' + std::to_string(attempt.attempt);
 }
 
-namespace {
-
 std::string session_name(const SessionRow& session) {
   return "session " + std::to_string(session.session) + " of participant " + session.participant;
 }
+
+namespace {
 
 std::uint64_t seed_of(const SessionRow& session) {
   std::uint64_t seed = 0;

@@ -15,6 +15,9 @@
 
 namespace asperity {
 
+/// "session 2 of participant P01"
+std::string session_name(const SessionRow& session);
+
 /// One surface of a recorded attempt and its stimulus, as stored.
 struct RecordedSurface {
   PresentationRow row{};

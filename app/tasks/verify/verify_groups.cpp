@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <exception>
 
+#include "app/records/recorded_attempt.h"
 #include "app/study_files/group_places.h"
 #include "protocols/plan/groups.h"
 
@@ -25,10 +26,6 @@ const Protocol* protocol_with_sequence(const SessionRow& session, PlansOfSession
   }
 }
 
-std::string name_of_session(const SessionRow& session) {
-  return "session " + std::to_string(session.session) + " of participant " + session.participant;
-}
-
 /// What contradicts the sequence in the group of a session; empty where nothing does.
 std::string problem_of(const GroupPlace& place, std::size_t deleted, PlansOfSessions& plans) {
   const SessionRow& session = *place.session;
@@ -37,7 +34,7 @@ std::string problem_of(const GroupPlace& place, std::size_t deleted, PlansOfSess
   if (place.first != place.session) {
     return place.first->group_level == session.group_level
                ? ""
-               : name_of_session(session) + ": its group is " + *session.group_level +
+               : session_name(session) + ": its group is " + *session.group_level +
                      ", and that of the participant's first session " + *place.first->group_level;
   }
   if (place.dealt) return {};
@@ -47,9 +44,8 @@ std::string problem_of(const GroupPlace& place, std::size_t deleted, PlansOfSess
   for (std::size_t before = place.before; before <= place.before + deleted; ++before) {
     if (group_at(before) == *session.group_level) return {};
   }
-  return name_of_session(session) + ": its group is " + *session.group_level +
-         ", and that of place " + std::to_string(place.before + 1) + " in the permuted blocks is " +
-         group_at(place.before);
+  return session_name(session) + ": its group is " + *session.group_level + ", and that of place " +
+         std::to_string(place.before + 1) + " in the permuted blocks is " + group_at(place.before);
 }
 
 }  // namespace

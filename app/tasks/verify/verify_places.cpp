@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "app/records/recorded_attempt.h"
 #include "app/study_files/dealt_places.h"
 #include "app/study_files/session_origins.h"
 #include "app/words/text_parts.h"
@@ -66,9 +67,9 @@ std::vector<std::string> place_problems(const Study& study, PlansOfSessions& pla
     const auto text = [](int row, const std::string& of_group) {
       return "row " + std::to_string(row) + (of_group.empty() ? "" : " and group " + of_group);
     };
-    problems.push_back("session " + std::to_string(session.session) + " of participant " +
-                       session.participant + ": it has " + text(session.counterbalance_row, group) +
-                       ", and its place " + std::to_string(*place) + " has " +
+    problems.push_back(session_name(session) + ": it has " +
+                       text(session.counterbalance_row, group) + ", and its place " +
+                       std::to_string(*place) + " has " +
                        text(expected.counterbalance_row, expected.group));
   }
   return problems;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/records/recorded_attempt.h"
 #include "app/session/response_rows.h"
 
 namespace asperity {
@@ -39,8 +40,7 @@ std::vector<std::string> questionnaire_problems(const SessionRow& session, const
   const StoredAnswers stored(rows);
   std::vector<std::string> problems{};
   const auto report = [&](const std::string& name, const std::string& what) {
-    problems.push_back("session " + std::to_string(session.session) + " of participant " +
-                       session.participant + ", question " + name + ": " + what);
+    problems.push_back(session_name(session) + ", question " + name + ": " + what);
   };
   for (const std::string& name : stored.questions()) {
     const auto found = protocol.questions.find(name);
