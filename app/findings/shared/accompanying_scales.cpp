@@ -125,7 +125,8 @@ std::vector<Finding> paired_test(TidyInput input, const std::string& key) {
   return findings;
 }
 
-/// "62.50 (95 % CI [51.20, 73.80])"
+}  // namespace
+
 Phrase rating_text(const Finding& mean) {
   constexpr int kDecimals = 2;
   const std::string value = display_signed(*mean.value, kDecimals);
@@ -133,8 +134,6 @@ Phrase rating_text(const Finding& mean) {
   return phrase("Analysis", "%1 (95 % CI [%2, %3])")
       .with(value, display_signed(*mean.low, kDecimals), display_signed(*mean.high, kDecimals));
 }
-
-}  // namespace
 
 std::string AccompanyingScales::Scale::Group::key(const Scale& scale) const {
   return scale.about() + '|' + by + (level.empty() ? "" : '|' + level);

@@ -11,6 +11,9 @@
 
 namespace asperity {
 
+/// A mean rating: "62.50 (95 % CI [51.20, 73.80])".
+Phrase rating_text(const Finding& mean);
+
 /// Ratings that are about a trial and its response, not an attribute of the presented item.
 ///
 /// A participant's ratings are averaged over trials first: over all of them, over those with correct

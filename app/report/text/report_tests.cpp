@@ -16,6 +16,7 @@
 #include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/test_methods.h"
+#include "app/report/text/report_sections.h"
 #include "app/words/text_parts.h"
 
 namespace asperity {
@@ -235,13 +236,6 @@ std::string printed_interval(const Finding& finding) {
          said_number(*finding.high) + ']';
 }
 
-std::string capital(std::string text) {
-  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') {
-    text.front() = static_cast<char>(text.front() - 'a' + 'A');
-  }
-  return text;
-}
-
 }  // namespace
 
 std::vector<ReportedTest> tests_among(std::span<const Finding> findings) {
@@ -303,7 +297,7 @@ std::string sentence_of(const ReportedTest& test) {
   if (!statistic.empty()) text += statistic + ", ";
   text += display_p(*test.p->value);
   if (test.holm != nullptr) text += ", Holm-corrected " + display_p(*test.holm->value);
-  return capital(text) + " (n = " + display_count(test.p->n) + ").";
+  return capitalised(text) + " (n = " + display_count(test.p->n) + ").";
 }
 
 std::string words_of_key(const std::string& key) {

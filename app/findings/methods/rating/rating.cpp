@@ -84,15 +84,6 @@ std::string rating_shown(double mean) {
   return display_signed(mean, kDecimals);
 }
 
-/// "4.25 (95 % CI [3.90, 4.60])"
-Phrase mean_text(const Finding& mean) {
-  constexpr int kDecimals = 2;
-  const std::string value = display_signed(*mean.value, kDecimals);
-  if (!mean.low || !mean.high) return Phrase(value);
-  return phrase("Analysis", "%1 (95 % CI [%2, %3])")
-      .with(value, display_signed(*mean.low, kDecimals), display_signed(*mean.high, kDecimals));
-}
-
 std::vector<RepeatedEstimate> repeated_ratings(const RatedScale& scale) {
   std::vector<RepeatedEstimate> ratings{};
   for (const RatedScale::Response& response : scale.responses) {
@@ -218,8 +209,8 @@ void ask_about(const RatedScale& scale, const FoundNumbers& found, const StudyTe
            phrase(
                "Analysis",
                "the mean rating is highest for %1, %2, and lowest for %3, %4. Friedman test: %5.")
-               .with(words_of_condition(high->second), mean_text(*high->first),
-                     words_of_condition(low->second), mean_text(*low->first), p_text(*test)),
+               .with(words_of_condition(high->second), rating_text(*high->first),
+                     words_of_condition(low->second), rating_text(*low->first), p_text(*test)),
        .compares = true});
   add_question(outcome, name.c_str(), question, said_of(*test, statements), method, kRatings,
                high->first);

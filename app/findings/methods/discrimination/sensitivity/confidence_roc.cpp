@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "analysis/choices/rating_roc.h"
-#include "analysis/numbers/number_text.h"
 #include "app/findings/gathering/answer_columns.h"
 #include "app/findings/methods/discrimination/sensitivity/roc_figures.h"
+#include "app/findings/methods/discrimination/sensitivity/sensitivity_bounds.h"
 #include "app/findings/methods/discrimination/thresholds/threshold_columns.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/display_number.h"
@@ -80,11 +80,6 @@ RatedLevels rated_levels(const DiscriminationStudy& study) {
   return levels;
 }
 
-std::string id_of_rated(const DiscriminationResults& results,
-                        const std::pair<std::size_t, double>& place) {
-  return both(results.conditions[place.first], number_text(place.second));
-}
-
 std::vector<Finding> roc_of(const GatheredAnswers& gathered, const DiscriminationResults& results,
                             const RatedLevels& levels) {
   struct Columns {
@@ -97,7 +92,7 @@ std::vector<Finding> roc_of(const GatheredAnswers& gathered, const Discriminatio
   Columns together{};
   Columns single{};
   for (const auto& [place, level] : levels) {
-    const std::string id = id_of_rated(results, place);
+    const std::string id = id_of_level(results, place);
     for (const auto& [person, ratings] : level) {
       const std::string& participant = gathered.people[person].label;
       for (const auto& [rating, count] : ratings) {
@@ -162,7 +157,7 @@ Phrase roc_text(const DiscriminationResults& results, const RatedLevels& levels,
                 const FoundNumbers& found) {
   Phrase all{};
   for (const auto& [place, level] : levels) {
-    const std::string id = id_of_rated(results, place);
+    const std::string id = id_of_level(results, place);
     const Finding* const area = found.find("uv.az", id);
     const auto effect = found.value("uv.da", id);
     const auto ratio = found.value("uv.sigma", id);
@@ -202,7 +197,7 @@ Phrase roc_text(const DiscriminationResults& results, const RatedLevels& levels,
 /// The mean of the participants at the first level, or else the pooled area.
 const Finding* first_area(const DiscriminationResults& results, const RatedLevels& levels,
                           const FoundNumbers& found) {
-  const std::string id = id_of_rated(results, levels.begin()->first);
+  const std::string id = id_of_level(results, levels.begin()->first);
   const Finding* const mean = found.find("uv.az.mean", id);
   return mean != nullptr && mean->value ? mean : found.find("uv.az", id);
 }
@@ -304,7 +299,7 @@ void add_confidence_roc(const GatheredAnswers& gathered,
     keep_findings(findings, outcome);
     const FoundNumbers found(findings);
     for (const auto& [place, level] : levels) {
-      const std::string id = id_of_rated(results, place);
+      const std::string id = id_of_level(results, place);
       add_row(results, place, kAllParticipants, id, found, roc);
       if (gathered.people.size() < 2) continue;
       for (const auto& [person, ratings] : level) {
