@@ -4,7 +4,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <random>
 #include <stdexcept>
 #include <unistd.h>
 
@@ -22,6 +21,7 @@
 #include "app/cli/signals.h"
 #include "app/device_bench/device_choice.h"
 #include "app/plugins/plugin_files.h"
+#include "app/session/new_seed.h"
 #include "app/session/respondents/terminal_respondent.h"
 #include "app/session/session_setup.h"
 #include "app/tasks/protocol_files.h"
@@ -32,11 +32,6 @@
 namespace asperity {
 
 namespace {
-
-std::uint64_t seed_of_this_machine() {
-  std::random_device source;
-  return (std::uint64_t{source()} << 32U) | source();
-}
 
 /// Before anybody is asked anything.
 void tell_what_a_terminal_lacks(const Protocol& protocol) {
@@ -140,7 +135,7 @@ void add_run(CLI::App& program, Job& job) {
         throw PhrasedError(*complaint);
       }
       require_device("--device", inputs.device);
-      inputs.seed = options->seed ? *options->seed : seed_of_this_machine();
+      inputs.seed = options->seed ? *options->seed : new_seed();
       inputs.pacing =
           inputs.is_virtual && !options->realtime ? RunPacing::stepped : RunPacing::real_time;
       std::optional<TerminalRespondent> person{};

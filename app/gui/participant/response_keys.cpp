@@ -15,6 +15,7 @@
 #include <QtWidgets/QToolTip>
 #include <QtWidgets/QWidget>
 
+#include "app/gui/participant/participant_keys.h"
 #include "app/gui/participant/participant_view.h"
 
 namespace asperity {
@@ -24,10 +25,6 @@ namespace {
 bool takes_text(const QWidget* widget) {
   return widget != nullptr && widget->isEnabled() &&
          widget->testAttribute(Qt::WA_InputMethodEnabled);
-}
-
-bool is_command(const QKeyEvent& event) {
-  return (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0;
 }
 
 bool is_text_field(const QWidget& widget) {
@@ -120,7 +117,7 @@ bool ResponseKeys::is_stray(const QWidget& receiver, const QKeyEvent& event) con
 
 bool ResponseKeys::is_kept_from(const QWidget& receiver, const QKeyEvent& event) const {
   if (receiver.window() == view_.window() || !view_.scene().response_open) return false;
-  if (is_command(event) || event.text().isEmpty()) return false;
+  if (is_command_key(event) || event.text().isEmpty()) return false;
   return event.text().front().isPrint() || event.key() == Qt::Key_Backspace ||
          event.key() == Qt::Key_Delete || event.key() == Qt::Key_Return ||
          event.key() == Qt::Key_Enter;

@@ -12,12 +12,12 @@
 #include <QtWidgets/QWidget>
 
 #include "app/gui/base/commands_button.h"
-#include "app/gui/base/new_seed.h"
 #include "app/gui/base/open_study.h"
 #include "app/gui/look/background_task.h"
 #include "app/gui/session/session_runner.h"
 #include "app/gui/start/start_draft.h"
 #include "app/gui/start/start_facts.h"
+#include "app/session/new_seed.h"
 #include "app/tasks/checks/session_check.h"
 #include "app/tasks/simulation/simulation.h"
 

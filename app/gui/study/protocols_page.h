@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "app/gui/base/commands_button.h"
-#include "app/gui/base/new_seed.h"
 #include "app/gui/base/session_wish.h"
 #include "app/gui/base/study_page.h"
+#include "app/session/new_seed.h"
 #include "app/tasks/interrupted_sessions.h"
 #include "app/tasks/protocol_templates.h"
 #include "app/tasks/study_overview.h"

@@ -10,7 +10,6 @@
 #include <QtGui/QScreen>
 
 #include "app/device_bench/device_choice.h"
-#include "app/gui/base/new_seed.h"
 #include "app/gui/base/open_study.h"
 #include "app/gui/base/settings.h"
 #include "app/gui/data/analysis_page.h"
@@ -22,6 +21,7 @@
 #include "app/gui/study/trials_page.h"
 #include "app/gui/window/batch_simulation.h"
 #include "app/gui/window/study_window.h"
+#include "app/session/new_seed.h"
 #include "app/tasks/mouse_trial.h"
 #include "app/tasks/protocol_files.h"
 #include "app/words/coded_phrases.h"
