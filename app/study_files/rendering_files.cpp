@@ -10,7 +10,7 @@
 #include "app/study_files/parameter_json.h"
 #include "protocols/file/form_check.h"
 #include "protocols/file/json_document.h"
-#include "protocols/file/meaning_checks.h"
+#include "protocols/file/meaning/meaning_checks.h"
 #include "protocols/keys/form_sentences.h"
 #include "protocols/keys/reading.h"
 #include "protocols/keys/tables.h"

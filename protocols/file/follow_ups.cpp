@@ -10,7 +10,7 @@
 
 #include "protocols/design/wording.h"
 #include "protocols/file/form_check.h"
-#include "protocols/file/meaning.h"
+#include "protocols/file/meaning/meaning.h"
 #include "protocols/file/protocol_from_json.h"
 #include "protocols/shapes/key.h"
 

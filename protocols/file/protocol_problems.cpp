@@ -9,7 +9,7 @@
 #include "protocols/file/follow_ups.h"
 #include "protocols/file/form_check.h"
 #include "protocols/file/json_document.h"
-#include "protocols/file/meaning.h"
+#include "protocols/file/meaning/meaning.h"
 #include "protocols/file/protocol_from_json.h"
 
 namespace asperity {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "analysis/numbers/rounded_text.h"
-#include "protocols/file/meaning_checks.h"
+#include "protocols/file/meaning/meaning_checks.h"
 
 namespace asperity {
 

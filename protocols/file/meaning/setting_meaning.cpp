@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "protocols/file/device_limit.h"
-#include "protocols/file/meaning_checks.h"
+#include "protocols/file/meaning/meaning_checks.h"
 #include "protocols/keys/conditions.h"
 #include "protocols/keys/form_sentences.h"
 #include "stimuli/properties/other_unit.h"

@@ -1,8 +1,8 @@
 // Implements the sequence of the checks of meaning.
 
-#include "protocols/file/meaning.h"
+#include "protocols/file/meaning/meaning.h"
 
-#include "protocols/file/meaning_checks.h"
+#include "protocols/file/meaning/meaning_checks.h"
 #include "protocols/file/protocol_problems.h"
 
 namespace asperity {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "protocols/design/arithmetic.h"
-#include "protocols/file/meaning_checks.h"
+#include "protocols/file/meaning/meaning_checks.h"
 #include "protocols/plan/block_rows.h"
 #include "protocols/plan/trial_order.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "analysis/numbers/number_text.h"
-#include "protocols/file/meaning_checks.h"
+#include "protocols/file/meaning/meaning_checks.h"
 #include "protocols/plan/arranged_patches.h"
 
 namespace asperity {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "protocols/file/meaning_checks.h"
+#include "protocols/file/meaning/meaning_checks.h"
 #include "protocols/plan/block_rows.h"
 #include "protocols/plan/level_tracks.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "protocols/file/meaning_checks.h"
+#include "protocols/file/meaning/meaning_checks.h"
 
 namespace asperity {
 

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "protocols/file/meaning_checks.h"
+#include "protocols/file/meaning/meaning_checks.h"
 
 namespace asperity {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "protocols/file/meaning_checks.h"
+#include "protocols/file/meaning/meaning_checks.h"
 
 namespace asperity {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-#include "protocols/file/meaning_checks.h"
+#include "protocols/file/meaning/meaning_checks.h"
 
 namespace asperity {
 

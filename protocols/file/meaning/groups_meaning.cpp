@@ -1,6 +1,6 @@
 // Implements the checks that the factor of the groups is set by the groups alone.
 
-#include "protocols/file/meaning_checks.h"
+#include "protocols/file/meaning/meaning_checks.h"
 
 namespace asperity {
 
