@@ -7,7 +7,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "analysis/numbers/random.h"
-#include "protocols/kinds/discrimination.h"
+#include "protocols/kinds/kind_list.h"
 
 namespace asperity {
 

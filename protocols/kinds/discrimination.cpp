@@ -1,6 +1,6 @@
 // The tests, checks and judgement of a discrimination.
 
-#include "protocols/kinds/discrimination.h"
+#include "protocols/kinds/kind_list.h"
 
 #include <algorithm>
 #include <array>

@@ -1,26 +1,18 @@
-// The one list of the kinds of experiment; a new kind adds its include and its line.
+// Implements the registry of the kinds of experiment.
 
 #include <algorithm>
 #include <array>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 
-#include "protocols/kinds/discrimination.h"
-#include "protocols/kinds/experiment_kind.h"
-#include "protocols/kinds/magnitude.h"
-#include "protocols/kinds/matching.h"
-#include "protocols/kinds/paired_comparison.h"
-#include "protocols/kinds/rating.h"
-#include "protocols/kinds/recognition.h"
-#include "protocols/kinds/selection.h"
-#include "protocols/kinds/similarity.h"
+#include "protocols/kinds/kind_list.h"
 
 namespace asperity {
 
 std::span<const ExperimentKind* const> experiment_kinds() {
-  static const std::array kKinds{
-      &selection_kind(), &matching_kind(),          &recognition_kind(),    &magnitude_kind(),
-      &rating_kind(),    &paired_comparison_kind(), &discrimination_kind(), &similarity_kind()};
+  static const std::array kKinds =
+      std::apply([](const auto... kind) { return std::array{&kind()...}; }, kKindFunctions);
   return kKinds;
 }
 

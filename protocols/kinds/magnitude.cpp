@@ -1,7 +1,5 @@
 // The tests, checks and judgement of a magnitude estimation.
 
-#include "protocols/kinds/magnitude.h"
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -10,6 +8,7 @@
 
 #include "protocols/design/wording.h"
 #include "protocols/kinds/estimation.h"
+#include "protocols/kinds/kind_list.h"
 #include "protocols/kinds/magnitude_responses.h"
 
 namespace asperity {

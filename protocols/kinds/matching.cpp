@@ -1,12 +1,11 @@
 // The tests, checks and judgement of a matching.
 
-#include "protocols/kinds/matching.h"
-
 #include <array>
 #include <cstddef>
 #include <numeric>
 
 #include "protocols/kinds/expected_textures.h"
+#include "protocols/kinds/kind_list.h"
 #include "protocols/kinds/picture_responses.h"
 
 namespace asperity {

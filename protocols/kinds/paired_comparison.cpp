@@ -1,7 +1,5 @@
 // The tests, checks and judgement of a paired comparison.
 
-#include "protocols/kinds/paired_comparison.h"
-
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -11,6 +9,7 @@
 #include "protocols/design/wording.h"
 #include "protocols/kinds/choice_responses.h"
 #include "protocols/kinds/expected_textures.h"
+#include "protocols/kinds/kind_list.h"
 #include "protocols/kinds/realism.h"
 
 namespace asperity {

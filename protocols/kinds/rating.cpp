@@ -1,7 +1,5 @@
 // The tests, checks and judgement of a rating.
 
-#include "protocols/kinds/rating.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "protocols/kinds/kind_list.h"
 #include "protocols/kinds/rating_responses.h"
 
 namespace asperity {

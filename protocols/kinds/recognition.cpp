@@ -1,13 +1,12 @@
 // The tests, checks and judgement of a recognition.
 
-#include "protocols/kinds/recognition.h"
-
 #include <array>
 #include <cstddef>
 
 #include "protocols/design/block_factors.h"
 #include "protocols/design/wording.h"
 #include "protocols/kinds/expected_textures.h"
+#include "protocols/kinds/kind_list.h"
 #include "protocols/kinds/picture_responses.h"
 
 namespace asperity {

@@ -1,7 +1,5 @@
 // The tests, checks and judgement of a selection.
 
-#include "protocols/kinds/selection.h"
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -9,6 +7,7 @@
 
 #include "protocols/kinds/choice_responses.h"
 #include "protocols/kinds/expected_textures.h"
+#include "protocols/kinds/kind_list.h"
 #include "protocols/kinds/realism.h"
 
 namespace asperity {

@@ -11,6 +11,7 @@
 #include "protocols/design/block_factors.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"
+#include "protocols/kinds/kind_list.h"
 #include "protocols/kinds/similarity_responses.h"
 
 namespace asperity {

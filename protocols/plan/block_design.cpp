@@ -10,7 +10,7 @@
 #include "analysis/numbers/number_text.h"
 #include "analysis/psychometric/psychometric_function.h"
 #include "protocols/design/block_factors.h"
-#include "protocols/kinds/discrimination.h"
+#include "protocols/kinds/kind_list.h"
 #include "protocols/plan/block_rows.h"
 
 namespace asperity {

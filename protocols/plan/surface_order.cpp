@@ -7,7 +7,7 @@
 #include <span>
 
 #include "protocols/design/block_factors.h"
-#include "protocols/kinds/discrimination.h"
+#include "protocols/kinds/kind_list.h"
 #include "protocols/plan/squares.h"
 
 namespace asperity {

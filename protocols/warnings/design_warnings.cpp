@@ -16,7 +16,7 @@
 #include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
 #include "protocols/kind_keys/discrimination_design.h"
-#include "protocols/kinds/discrimination.h"
+#include "protocols/kinds/kind_list.h"
 #include "protocols/plan/block_rows.h"
 #include "protocols/plan/roughness_matching.h"
 #include "protocols/plan/surface_order.h"

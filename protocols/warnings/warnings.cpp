@@ -18,7 +18,7 @@
 #include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
 #include "protocols/file/stored_protocol.h"
-#include "protocols/kinds/discrimination.h"
+#include "protocols/kinds/kind_list.h"
 #include "protocols/procedures/procedure.h"
 #include "stimuli/properties/other_unit.h"
 

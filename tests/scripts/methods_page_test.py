@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """docs/methods.md has a row for every library protocol, with the trials and minutes that `check` states, and with analyses that exist.
 
-An analysis exists if a study of the protocol (tests/golden/results) has its number. Argument: the program asperity.
+An analysis exists if a study of the protocol (tests/golden/results) has its quantity, which the README of its method states. Argument: the program asperity.
 """
 import json
 import pathlib
@@ -12,63 +12,35 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = sys.argv[1]
 STUDIES = ROOT / "tests" / "golden" / "results"
-# The analyses in the words of the page, and the quantity of each in the findings of a study.
-QUANTITIES = {
-    "psychometric function": "fit.alpha",
-    "JND": "jnd",
-    "Weber fraction": "weber",
-    "order effect": "order.difference",
-    "with the posterior threshold and its credible interval": "jnd.posterior",
-    "for the Young's modulus of a soft body": "jnd",
-    "with the effect of the side": "order.difference",
-    "d′ of each level by both decision rules": "dprime.io",
-    "criterion": "k.diff",
-    "JND at d′ = 1": "jnd.dprime1",
-    "geometric means": "geomean",
-    "exponent": "exponent.mean",
-    "peak of the log-quadratic function": "quad.coef",
-    "means with intervals": "mean.score",
-    "ICC": "icc",
-    "analysis of variance": "pes",
-    "log odds ratios": "logodds",
-    "principal components": "proportion",
-    "Cronbach's α of constructs": "cronbach.alpha",
-    "reliability over repetitions": "icc.mean",
-    "non-metric multidimensional scaling": "stress.ordinal",
-    "number of dimensions by cross-validation": "cv.chosen",
-    "INDSCAL": "indscal.fit",
-    "dendrogram": "hclust.average.height",
-    "measured properties (PROTEST)": "protest.r2",
-    "tests per pair": "signflip.p.two",
-    "Bradley–Terry scale with order effect and ties": "bt.order.beta",
-    "circular triads": "mean.zeta",
-    "relative amplitudes of equal roughness": "relative_amplitude",
-    "proportions of choices": "prop",
-    "permutation and sign-flip tests": "signflip.p.two",
-    "Plackett–Luce scale": "luce.logworth",
-    "logistic mixed model of the choices of the target": "glmm.status",
-    "proportion correct": "pc",
-    "confusion matrix": "confusion",
-    "information transfer": "IT.plugin",
-    "proportion correct against chance": "prop.correct",
-    "permutation test": "relabel.p.greater",
-}
+# Their READMEs state the quantity of each analysis in the findings of a study, in the words of the page.
+METHODS = ROOT / "app" / "findings" / "methods"
+
+
+def tables(text, *columns):
+    """The rows of the tables with these columns, as dictionaries."""
+    header = []
+    for line in text.splitlines():
+        cells = [cell.strip() for cell in line.strip().strip("|").split("|")]
+        if not line.startswith("|"):
+            header = []
+        elif not header:
+            header = cells if set(columns) <= set(cells) else [""]
+        elif len(cells) == len(header) > 1 and not cells[0].startswith("---"):
+            yield dict(zip(header, cells))
 
 
 def rows(text):
     """Per library protocol: the kind, the trials and the minutes that its row states."""
-    header = []
-    for line in text.splitlines():
-        cells = [cell.strip() for cell in line.strip().strip("|").split("|")]
-        if "library protocol" in cells:
-            header = cells
-        elif line.startswith("|") and header and len(cells) == len(header):
-            row = dict(zip(header, cells))
-            name = row["library protocol"].strip("`")
-            if re.fullmatch(r"\w+", name):
-                yield name, row
-        elif not line.startswith("|"):
-            header = []
+    for row in tables(text, "library protocol"):
+        name = row["library protocol"].strip("`")
+        if re.fullmatch(r"\w+", name):
+            yield name, row
+
+
+def stated_quantities():
+    """The quantity of each analysis that the READMEs of the methods state."""
+    return {row["analysis"]: row["quantity"].strip("`") for page in sorted(METHODS.glob("*/README.md"))
+            for row in tables(page.read_text(encoding="utf-8"), "analysis", "quantity")}
 
 
 def analyses(page):
@@ -105,10 +77,11 @@ def main():
         kind = json.loads(protocols[name].read_text(encoding="utf-8"))["kind"]
         if f"`{kind}`" not in row["kind"]:
             wrong.append(f"{name}: docs/methods.md states the kind {row['kind']}, the protocol {kind}")
+    known = stated_quantities()
     for name, stated in analyses(page):
         found = quantities(name)
-        wrong += [f"{name}: docs/methods.md states \"{part}\", and a study of it has no such number"
-                  for part in stated if QUANTITIES.get(part) not in found]
+        wrong += [f"{name}: docs/methods.md states \"{part}\", and a study of it has no such number, or no README of a method states its quantity"
+                  for part in stated if known.get(part) not in found]
     print("\n".join(sorted(wrong)))
     return 1 if wrong else 0
 

@@ -15,7 +15,7 @@
 #include "app/sweep/sweep_figure.h"
 #include "app/words/text_parts.h"
 #include "protocols/file/protocol_reader.h"
-#include "protocols/kinds/magnitude.h"
+#include "protocols/kinds/kind_list.h"
 #include "results_schema/study.h"
 
 namespace asperity {

@@ -1,25 +1,16 @@
-// The registry of the analyses of kinds; a new kind adds its include and its line.
+// Implements the registry of the analyses of kinds.
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
-#include "app/findings/methods/discrimination/discrimination_analysis.h"
-#include "app/findings/methods/magnitude/magnitude_analysis.h"
-#include "app/findings/methods/matching/matching_analysis.h"
-#include "app/findings/methods/paired_comparison/paired_comparison_analysis.h"
-#include "app/findings/methods/rating/rating_analysis.h"
-#include "app/findings/methods/recognition/recognition_analysis.h"
-#include "app/findings/methods/selection/selection_analysis.h"
-#include "app/findings/methods/similarity/similarity_analysis.h"
-#include "app/findings/outcome/study_analysis.h"
+#include "app/findings/outcome/analysis_list.h"
 
 namespace asperity {
 
 std::span<const StudyAnalysis* const> study_analyses() {
-  static const std::array kAnalyses{&selection_analysis(),      &matching_analysis(),
-                                    &recognition_analysis(),    &magnitude_analysis(),
-                                    &rating_analysis(),         &paired_comparison_analysis(),
-                                    &discrimination_analysis(), &similarity_analysis()};
+  static const std::array kAnalyses = std::apply(
+      [](const auto... analysis) { return std::array{&analysis()...}; }, kAnalysisFunctions);
   return kAnalyses;
 }
 

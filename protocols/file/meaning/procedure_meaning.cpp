@@ -7,7 +7,7 @@
 #include "analysis/numbers/rounded_text.h"
 #include "protocols/file/levels_from_json.h"
 #include "protocols/file/meaning/meaning_checks.h"
-#include "protocols/kinds/discrimination.h"
+#include "protocols/kinds/kind_list.h"
 #include "protocols/plan/level_tracks.h"
 
 namespace asperity {

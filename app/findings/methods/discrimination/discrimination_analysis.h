@@ -15,6 +15,4 @@ void analyze_discrimination(const GatheredAnswers& gathered, AnalysisOutcome& ou
 /// The tests of its family alone (StudyAnalysis::test_family).
 std::vector<StudyTest> test_discrimination(const GatheredAnswers& gathered);
 
-const StudyAnalysis& discrimination_analysis();
-
 }  // namespace asperity

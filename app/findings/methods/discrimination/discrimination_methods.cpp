@@ -19,8 +19,8 @@
 #include "app/findings/methods/discrimination/thresholds/unforced_functions.h"
 #include "app/findings/outcome/display_number.h"
 #include "protocols/design/block_factors.h"
-#include "protocols/kinds/discrimination.h"
 #include "protocols/kinds/experiment_kind.h"
+#include "protocols/kinds/kind_list.h"
 #include "protocols/plan/block_design.h"
 #include "protocols/plan/roughness_matching.h"
 

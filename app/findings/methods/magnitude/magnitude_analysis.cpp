@@ -11,6 +11,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/findings/methods/magnitude/magnitude_sentences.h"
+#include "app/findings/outcome/analysis_list.h"
 #include "app/findings/outcome/display_number.h"
 #include "protocols/kinds/experiment_kind.h"
 

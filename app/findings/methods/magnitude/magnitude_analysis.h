@@ -15,6 +15,4 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
 /// The tests of its family alone (StudyAnalysis::test_family).
 std::vector<StudyTest> test_magnitude(const GatheredAnswers& gathered);
 
-const StudyAnalysis& magnitude_analysis();
-
 }  // namespace asperity

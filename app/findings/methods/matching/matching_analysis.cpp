@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "app/findings/outcome/analysis_list.h"
+
 namespace asperity {
 
 namespace {

@@ -15,6 +15,4 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
 /// The tests of its family alone (StudyAnalysis::test_family).
 std::vector<StudyTest> test_matching(const GatheredAnswers& gathered);
 
-const StudyAnalysis& matching_analysis();
-
 }  // namespace asperity

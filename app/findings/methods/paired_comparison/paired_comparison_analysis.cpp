@@ -7,12 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "app/findings/outcome/analysis_list.h"
 #include "app/findings/outcome/estimate_sentences.h"
 #include "app/findings/outcome/task_words.h"
 #include "app/findings/shared/selection_questions.h"
 #include "app/words/text_parts.h"
 #include "protocols/kinds/experiment_kind.h"
-#include "protocols/kinds/paired_comparison.h"
+#include "protocols/kinds/kind_list.h"
 
 namespace asperity {
 

@@ -16,6 +16,4 @@ void analyze_paired_comparison(const GatheredAnswers& gathered, AnalysisOutcome&
 /// The tests of its family alone (StudyAnalysis::test_family).
 std::vector<StudyTest> test_paired_comparison(const GatheredAnswers& gathered);
 
-const StudyAnalysis& paired_comparison_analysis();
-
 }  // namespace asperity

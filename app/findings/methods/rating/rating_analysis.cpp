@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/findings/methods/rating/rating_sentences.h"
+#include "app/findings/outcome/analysis_list.h"
 #include "app/findings/outcome/task_words.h"
 
 namespace asperity {

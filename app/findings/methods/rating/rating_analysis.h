@@ -16,6 +16,4 @@ void analyze_rating(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
 /// The tests of its family alone (StudyAnalysis::test_family).
 std::vector<StudyTest> test_ratings(const GatheredAnswers& gathered);
 
-const StudyAnalysis& rating_analysis();
-
 }  // namespace asperity

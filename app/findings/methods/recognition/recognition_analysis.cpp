@@ -5,6 +5,7 @@
 #include <array>
 #include <set>
 
+#include "app/findings/outcome/analysis_list.h"
 #include "app/findings/outcome/display_number.h"
 #include "protocols/kinds/experiment_kind.h"
 

@@ -15,6 +15,4 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
 /// The tests of its family alone (StudyAnalysis::test_family).
 std::vector<StudyTest> test_recognition(const GatheredAnswers& gathered);
 
-const StudyAnalysis& recognition_analysis();
-
 }  // namespace asperity

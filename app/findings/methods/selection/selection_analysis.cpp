@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "app/findings/outcome/analysis_list.h"
 #include "app/findings/outcome/cell_words.h"
 #include "app/findings/outcome/task_words.h"
 #include "app/findings/shared/selection_questions.h"

@@ -16,6 +16,4 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
 /// The tests of its family alone (StudyAnalysis::test_family).
 std::vector<StudyTest> test_selection(const GatheredAnswers& gathered);
 
-const StudyAnalysis& selection_analysis();
-
 }  // namespace asperity

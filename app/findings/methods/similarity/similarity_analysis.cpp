@@ -5,6 +5,7 @@
 #include <array>
 #include <string>
 
+#include "app/findings/outcome/analysis_list.h"
 #include "app/findings/outcome/estimate_sentences.h"
 #include "app/findings/outcome/task_words.h"
 #include "protocols/kinds/similarity.h"

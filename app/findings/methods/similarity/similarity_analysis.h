@@ -9,10 +9,9 @@
 namespace asperity {
 
 /// Rated dissimilarities: configuration and dendrogram of the items, weights of the participants, measured properties.
-const StudyAnalysis& similarity_analysis();
+void analyze_similarity(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
+
 /// The tests of its family alone (StudyAnalysis::test_family).
 std::vector<StudyTest> test_similarity(const GatheredAnswers& gathered);
-/// Its tables, findings and questions.
-void analyze_similarity(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
 
 }  // namespace asperity
