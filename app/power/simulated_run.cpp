@@ -46,11 +46,12 @@ std::vector<GatheredAnswers> answers_of_run(const PowerModel& model, int partici
 }
 
 SimulatedOutcome outcome_of_test(const std::string& family, const StudyTest& test) {
-  SimulatedOutcome outcome{.family = family,
-                           .test = test.about.empty() ? test.name : test.name + ' ' + test.about,
-                           .method = std::string(test.made_by ? test.made_by->code : ""),
-                           .p = test.p,
-                           .corrected_p = test.adjusted};
+  SimulatedOutcome outcome{
+      .family = family,
+      .test = test.about.empty() ? test.name : test.name + ' ' + test.about.text(),
+      .method = std::string(test.made_by ? test.made_by->code : ""),
+      .p = test.p,
+      .corrected_p = test.adjusted};
   if (!test.p) outcome.status = test.status;
   add_effect(test, outcome);
   return outcome;

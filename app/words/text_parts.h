@@ -10,8 +10,8 @@
 namespace asperity {
 
 /// The parts separated by the character `between`, in order; empty parts are included, so that
-/// there is at least one. Keys of findings are joined by "|".
-inline std::vector<std::string> parts_of(const std::string& text, char between = '|') {
+/// there is at least one.
+inline std::vector<std::string> parts_of(const std::string& text, char between) {
   std::vector<std::string> parts(1);
   for (const char letter : text) {
     if (letter == between) {

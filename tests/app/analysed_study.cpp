@@ -24,7 +24,7 @@ const Part* find_named(const std::vector<Part>& parts, const std::string& name) 
 }  // namespace
 
 void add_participants(MadeUpStudy& made, std::int64_t protocol, const MadeUpParticipants& people,
-                const TrialsOfParticipant& trials_of) {
+                      const TrialsOfParticipant& trials_of) {
   for (int i = 0; i < people.number; ++i) {
     const std::string label = "p" + std::to_string(people.first + i);
     made.add_person(label, !people.of_both ? people.sex : i < people.number / 2 ? "F" : "M");
@@ -42,7 +42,8 @@ AnalysisOutcome analysed(const std::string& kind, const std::string& source,
   throw std::runtime_error("there is no analysis of the kind " + kind);
 }
 
-AnalysisOutcome analysed(const std::string& kind, const std::string& source, MadeUpParticipants people,
+AnalysisOutcome analysed(const std::string& kind, const std::string& source,
+                         MadeUpParticipants people,
                          const std::vector<std::vector<MadeUpTrial>>& by_person) {
   people.number = static_cast<int>(by_person.size());
   return analysed(kind, source, people, [&by_person](int person) {
@@ -106,7 +107,7 @@ std::vector<Finding> part_of(const AnalysisOutcome& outcome, const std::string& 
 }
 
 std::string sentence_about(const AnalysisOutcome& outcome, const std::string& test,
-                           const std::string& about) {
+                           const TestSubject& about) {
   for (const TestSentence& each : outcome.test_sentences) {
     if (each.test == test && (about.empty() || each.about == about)) return each.text;
   }

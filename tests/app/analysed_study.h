@@ -11,7 +11,6 @@
 #include "app/findings/study/analyze_study.h"
 #include "tests/app/made_up_study.h"
 #include "tests/app/stored_tables.h"
-#include "tests/app/stored_tables.h"
 
 namespace asperity {
 
@@ -27,14 +26,15 @@ struct MadeUpParticipants {
 };
 
 void add_participants(MadeUpStudy& made, std::int64_t protocol, const MadeUpParticipants& people,
-                const TrialsOfParticipant& trials_of);
+                      const TrialsOfParticipant& trials_of);
 
 /// The outcome of this kind of a study with one protocol.
 AnalysisOutcome analysed(const std::string& kind, const std::string& source,
                          const MadeUpParticipants& people, const TrialsOfParticipant& trials_of);
 
 /// The same with the trials of each participant; `people.number` is not read.
-AnalysisOutcome analysed(const std::string& kind, const std::string& source, MadeUpParticipants people,
+AnalysisOutcome analysed(const std::string& kind, const std::string& source,
+                         MadeUpParticipants people,
                          const std::vector<std::vector<MadeUpTrial>>& by_person);
 
 /// The outcome that `make` returned for this key for the first time in this process. Two outcomes that a test compares are
@@ -70,7 +70,7 @@ std::vector<Finding> part_of(const AnalysisOutcome& outcome, const std::string& 
 
 /// The first sentence about a test; empty where there is none.
 std::string sentence_about(const AnalysisOutcome& outcome, const std::string& test,
-                           const std::string& about = {});
+                           const TestSubject& about = {});
 
 /// All remarks in English, one per line.
 std::string remarks_of(const AnalysisOutcome& outcome);

@@ -12,8 +12,8 @@
 
 #include "app/findings/methods/discrimination/threshold_sentences.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_results.h"
-#include "app/findings/outcome/study_analysis.h"
 #include "app/findings/outcome/found_numbers.h"
+#include "app/findings/outcome/study_analysis.h"
 #include "app/report/text/study_report.h"
 #include "tests/app/made_up_choices.h"
 #include "tests/app/made_up_study.h"
@@ -70,7 +70,7 @@ AnalysisOutcome outcome_with_errors(const std::vector<int>& errors, const json& 
 
 /// The texts of the section for a paper.
 std::string paper_of(MadeUpStudy& made) {
-  const Report report = study_report(made.study(), {});
+  const Report report = study_report(made.study());
   std::string text{};
   for (const ReportSection& section : report.chapters.at(1).sections) {
     if (section.heading != "Text for a paper") continue;

@@ -90,11 +90,13 @@ inline MadeUpTrial recognition(const std::string& felt, const std::string& answe
   return trial;
 }
 
-/// The cells of a row, found by its first cells.
+/// The cells of a row, found by its first cells; "" is a missing one.
 inline const std::vector<Cell>& row_of(const Table& table, const std::vector<std::string>& keys) {
   for (const std::vector<Cell>& row : table.rows) {
     bool same = true;
-    for (std::size_t i = 0; i < keys.size(); ++i) same = same && row[i] == Cell{keys[i]};
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      same = same && row[i] == (keys[i].empty() ? Cell{} : Cell{keys[i]});
+    }
     if (same) return row;
   }
   throw std::runtime_error("no row " + keys.front());

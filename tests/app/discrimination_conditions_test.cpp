@@ -78,8 +78,8 @@ TEST(Discrimination, TestsWhetherThresholdsDifferBetweenConditions) {
   const std::vector<Finding> thresholds = part_of(two, "thresholds");
   const FoundNumbers own(thresholds);
   for (const Finding* const metal : own.all("jnd")) {
-    if (!metal->key.ends_with("|metal")) continue;
-    const std::string label = metal->key.substr(0, metal->key.find('|'));
+    if (metal->key.last() != "metal") continue;
+    const std::string label = metal->key[0];
     logs.push_back(std::log(*own.value("jnd", label + "|wood") / *metal->value));
   }
   ASSERT_EQ(logs.size(), 8U);
@@ -124,8 +124,8 @@ TEST(Discrimination, ComparesConditionsOverTheParticipantsWhoHaveAll) {
   double log_of_wood = 0.0;
   std::size_t complete = 0;
   for (const Finding* const metal : own.all("jnd")) {
-    if (!metal->key.ends_with("|metal")) continue;
-    const std::string label = metal->key.substr(0, metal->key.find('|'));
+    if (metal->key.last() != "metal") continue;
+    const std::string label = metal->key[0];
     const auto wood = own.value("jnd", label + "|wood");
     if (!wood || !metal->value) continue;
     log_of_ratio += std::log(*wood / *metal->value) / 5.0;
@@ -175,7 +175,7 @@ TEST(Discrimination, StatesTheRatioOfThresholdsOfTheirTestAlone) {
   std::map<std::string, bool> states_effect{};
   for (const StudyTest& test :
        find_analysis("discrimination")->test_family(gather_answers(made.study(), {}, {}).front())) {
-    states_effect[test.about] = test.in_units.has_value();
+    states_effect[test.about.text()] = test.in_units.has_value();
   }
   EXPECT_EQ(states_effect, (std::map<std::string, bool>{{"JND", true}, {"PSE", false}}));
 }

@@ -130,15 +130,16 @@ TEST(StoredTable, RefusesCellsWithoutAColumn) {
 }
 
 TEST(StoredTable, HasEveryValueInAColumnOfItsOwn) {
-  const ResultColumn test{.id = "test", .stored_as = {"test", "about"}};
+  const ResultColumn test{.id = "test", .stored_as = {"test", "first", "second"}};
   const ResultTable table{
       .columns = {test, kOne, interval_of(kOne)},
-      .rows = {{JoinedCell{{std::string("pairs"), std::string("a|b")}, "pairs: a / b"}, 0.5,
-                Interval{0.25, {}}}}};
+      .rows = {
+          {JoinedCell{{std::string("pairs"), std::string("a"), std::string("b")}, "pairs: a / b"},
+           0.5, Interval{0.25, {}}}}};
   const Table stored = stored_table(table);
-  EXPECT_THAT(stored.columns, ElementsAre("test", "about", "one", "one_low", "one_high"));
-  EXPECT_EQ(stored.rows[0],
-            (std::vector<Cell>{std::string("pairs"), std::string("a|b"), 0.5, 0.25, Cell{}}));
+  EXPECT_THAT(stored.columns, ElementsAre("test", "first", "second", "one", "one_low", "one_high"));
+  EXPECT_EQ(stored.rows[0], (std::vector<Cell>{std::string("pairs"), std::string("a"),
+                                               std::string("b"), 0.5, 0.25, Cell{}}));
   EXPECT_EQ(displayed(table, Reader::window).rows[0][0].english(), "pairs: a / b");
 }
 

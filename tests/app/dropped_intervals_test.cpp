@@ -27,7 +27,7 @@ void add_number_and_limits(const std::string& quantity, const std::string& endin
 
 std::vector<std::string> names_of(const std::vector<Finding>& findings) {
   std::vector<std::string> names{};
-  for (const Finding& each : findings) names.push_back(each.quantity + ' ' + each.key);
+  for (const Finding& each : findings) names.push_back(each.quantity + ' ' + each.key.text());
   return names;
 }
 

@@ -10,9 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "app/findings/outcome/cell_words.h"
+#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/outcome/study_findings.h"
 #include "app/findings/outcome/study_tests.h"
-#include "app/findings/outcome/found_numbers.h"
 #include "app/findings/tidy/tidy_families.h"
 #include "tests/app/analysed_study.h"
 #include "tests/app/scripted_session.h"
@@ -124,7 +124,7 @@ TEST(StimulusEstimates, NameThePredictorInASentenceByWords) {
   std::string sentences{};
   for (const TestSentence& each : outcome.test_sentences) sentences += each.text + ' ';
   EXPECT_THAT(sentences, HasSubstr("xponent for RMS of the texture force was"));
-  EXPECT_EQ(words_of_about("amplitude_m").english(), "amplitude");
+  EXPECT_EQ(words_of_subject("amplitude_m").english(), "amplitude");
   EXPECT_EQ(words_of_factor("amplitude_m").english(), "amplitude");
 }
 

@@ -114,7 +114,7 @@ class ComparedGroups : public testing::Test {
 
   /// The paragraphs of the report of the study, one per line.
   std::string report_text() {
-    const Report report = study_report(made_.study(), {});
+    const Report report = study_report(made_.study());
     std::string text{};
     for (const ReportChapter& chapter : report.chapters) {
       for (const ReportSection& section : chapter.sections) {
@@ -162,7 +162,7 @@ TEST_F(ComparedGroups, HaveTheNumbersOfTheSameComparisonOfWomenAndMen) {
   std::size_t compared = 0;
   for (const Finding& one : outcome_.findings) {
     if (!one.analysis.starts_with("sexes")) continue;
-    std::string key = one.key;
+    std::string key = one.key.text();
     for (const auto& [sex, group] : {std::pair("F", "haptic"), std::pair("M", "visual")}) {
       if (key == sex) key = group;
       if (key.ends_with(std::string("|") + sex)) key.replace(key.size() - 1, 1, group);
@@ -187,7 +187,7 @@ TEST_F(ComparedGroups, AreComparedPairByPairAndCorrectedTogether) {
       members);
   std::set<std::string> about{};
   for (const Finding& one : outcome_.findings) {
-    if (one.analysis == "tests" && one.quantity == "p.holm") about.insert(one.key);
+    if (one.analysis == "tests" && one.quantity == "p.holm") about.insert(one.key.text());
   }
   EXPECT_THAT(about, ElementsAre("test=groups about=haptic|none", "test=groups about=haptic|visual",
                                  "test=groups about=visual|none"));

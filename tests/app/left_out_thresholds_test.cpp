@@ -22,7 +22,7 @@ std::vector<Finding> thresholds_with(const std::vector<WhyNoThreshold>& missing)
     Finding& one = findings[i];
     one.analysis = kThresholds;
     one.quantity = "jnd";
-    one.key = "p" + std::to_string(i + 1) + "|all";
+    one.key = {"p" + std::to_string(i + 1), "all"};
     if (i < 4) {
       one.value = 2.0;
     } else {
@@ -82,8 +82,8 @@ TEST(LeftOutThresholds, MakeTheMeanABoundOnlyIfAllAreOnOneSide) {
 
 TEST(LeftOutThresholds, AreThoseOfOneCondition) {
   std::vector<Finding> thresholds = thresholds_with({threshold_below_levels()});
-  thresholds[0].key = "p1|wood";
-  thresholds[4].key = "p5|wood";
+  thresholds[0].key = {"p1", "wood"};
+  thresholds[4].key = {"p5", "wood"};
   EXPECT_EQ(left_out_thresholds(thresholds, "jnd", "wood").of, 2U);
   EXPECT_EQ(left_out_thresholds(thresholds, "jnd", "wood").below, 1U);
   EXPECT_EQ(left_out_thresholds(thresholds, "jnd", "all").missing(), 0U);

@@ -139,7 +139,8 @@ TEST(Magnitudes, KeepAPairWithoutAPeakInTheFamily) {
         return (is_small ? -1.0 : 1.0) * away * away;
       });
   const Table& tests = table_of(outcome, "tests").table;
-  EXPECT_EQ(cell_named(tests, {"peaks"}, "about"), Cell{"small|large"});
+  EXPECT_EQ(cell_named(tests, {"peaks"}, "first"), Cell{"small"});
+  EXPECT_EQ(cell_named(tests, {"peaks"}, "second"), Cell{"large"});
   EXPECT_EQ(cell_named(tests, {"peaks"}, "status"),
             Cell{"at least one condition has no interior maximum"});
 }
@@ -174,7 +175,7 @@ TEST(Magnitudes, StandInTheOrderOfConditionsThatTheProtocolLists) {
       std::find_if(outcome.findings.begin(), outcome.findings.end(),
                    [](const Finding& finding) { return finding.quantity == "geomean"; });
   ASSERT_NE(curve, outcome.findings.end());
-  EXPECT_THAT(curve->key, testing::StartsWith("small|"));
+  EXPECT_EQ(curve->key[0], "small");
 }
 
 TEST(Magnitudes, AreTestedInTheDeclaredFamily) {

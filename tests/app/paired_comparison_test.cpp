@@ -96,7 +96,9 @@ TEST_F(Pairs, AreTestedByTheParticipants) {
 TEST_F(Pairs, AreStatedWithTheMeansOfTheirOwnComparisons) {
   const AnalysisOutcome outcome = outcome_of_pairs(made_);
   const auto sentence = std::find_if(outcome.test_sentences.begin(), outcome.test_sentences.end(),
-                                     [](const TestSentence& each) { return each.about == "a|b"; });
+                                     [](const TestSentence& each) {
+                                       return each.about == TestSubject{"a", "b"};
+                                     });
   ASSERT_NE(sentence, outcome.test_sentences.end());
   EXPECT_THAT(sentence->text, testing::ContainsRegex("means: 100 %.* for a and 0 %.* for b"));
 }

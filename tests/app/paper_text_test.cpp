@@ -55,7 +55,7 @@ std::string paragraph(const Report& report, const std::string& heading) {
 
 /// The texts of the section "Results".
 std::string results_of(MadeUpStudy& made) {
-  const Report report = study_report(made.study(), {});
+  const Report report = study_report(made.study());
   std::string text{};
   for (const ReportSection& section : report.chapters.at(1).sections) {
     if (section.heading != "Results") continue;
@@ -118,7 +118,7 @@ Report report_of_choices(const std::vector<int>& height_map,
     }
     made.add_session(label, protocol, trials);
   }
-  return study_report(made.study(), {});
+  return study_report(made.study());
 }
 
 /// Of eight participants, made once in this process.
@@ -169,7 +169,7 @@ TEST(PaperText, CountsManyTestsOfOneKind) {
     }
     made.add_session(label, protocol, trials);
   }
-  const std::string results = paragraph(study_report(made.study(), {}), "Results");
+  const std::string results = paragraph(study_report(made.study()), "Results");
   EXPECT_THAT(results, HasSubstr("14 of the 15 tests of pairs were significant (largest of "
                                  "these p values, Holm-corrected: .007). The table of tests "
                                  "contains them with their effect sizes."));
@@ -199,7 +199,7 @@ TEST(PaperText, CountsAllExploratoryTestsOfOneKind) {
     }
     made.add_session(label, protocol, trials);
   }
-  const std::string results = paragraph(study_report(made.study(), {}), "Results");
+  const std::string results = paragraph(study_report(made.study()), "Results");
   EXPECT_THAT(results, HasSubstr(" of the 30 exploratory tests of pairs of items were below .05 "));
   EXPECT_THAT(results, Not(HasSubstr("further test")));
   EXPECT_THAT(results, HasSubstr("on the scale “hard”")) << "the tests of other kinds follow";
@@ -291,7 +291,7 @@ TEST(PaperText, StatesThatNoneOfManyTestsCouldBeSignificant) {
     made.add_person(label, "");
     made.add_session(label, protocol, trials);
   }
-  EXPECT_THAT(paragraph(study_report(made.study(), {}), "Results"),
+  EXPECT_THAT(paragraph(study_report(made.study()), "Results"),
               HasSubstr("; with these participants none of them could be significant: the smallest "
                         "attainable p is .469, and at least 10 participants whose difference is "
                         "not zero are required"));
@@ -303,7 +303,7 @@ TEST(PaperText, StatesThatNothingWasAnalysed) {
   const std::int64_t session = made.add_session("p1", made.add_protocol("which", "selection"),
                                                 {one_of_two("sinusoid"), one_of_two("sinusoid")});
   made.study().add_decision(session, {.verdict = Verdict::exclude, .reason = "fire alarm"});
-  const std::string methods = paragraph(study_report(made.study(), {}), "Methods");
+  const std::string methods = paragraph(study_report(made.study()), "Methods");
   EXPECT_THAT(methods, HasSubstr("One session was excluded from the analysis (fire alarm)."));
   EXPECT_THAT(methods, HasSubstr("None of the 2 attempts at trials was included in the analysis."));
 }
@@ -318,7 +318,7 @@ TEST(PaperText, StatesThatFilesInTwoLanguagesDifferInTextsOnly) {
                      {one_of_two("sinusoid"), one_of_two("height_map")});
   };
   const auto design = [&made] {
-    const ReportSection section = study_report(made.study(), {}).chapters.at(1).sections.front();
+    const ReportSection section = study_report(made.study()).chapters.at(1).sections.front();
     return std::get<ReportText>(section.parts.front()).text;
   };
   add(R"({"language": "en", "title": "Which?"})");
@@ -347,7 +347,7 @@ TEST(PaperText, StatesThatScalesInTwoLanguagesWereNotCompared) {
                      {one_of_two("sinusoid"), one_of_two("height_map")});
   };
   const auto design = [&made] {
-    const ReportSection section = study_report(made.study(), {}).chapters.at(1).sections.front();
+    const ReportSection section = study_report(made.study()).chapters.at(1).sections.front();
     return std::get<ReportText>(section.parts.front()).text;
   };
   add("en", "none");
@@ -372,7 +372,7 @@ TEST(PaperText, DoesNotCallUndeclaredWhatFilesDeclareDifferently) {
       made.add_session(label, id, {one_of_two("sinusoid"), one_of_two("height_map")});
     }
   }
-  const std::string methods = paragraph(study_report(made.study(), {}), "Methods");
+  const std::string methods = paragraph(study_report(made.study()), "Methods");
   EXPECT_THAT(methods, HasSubstr("The files of the protocol declare different tests"));
   EXPECT_THAT(methods, Not(HasSubstr("No test was declared")));
 }
@@ -414,7 +414,7 @@ TEST(PaperText, StatesIncompleteSessionsAndWhoseDataWereAnalysed) {
   made.add_session("p2", protocol, trials);
   const std::int64_t third = made.add_session("p3", protocol, trials);
   made.study().add_decision(third, {.verdict = Verdict::exclude, .reason = "fire alarm"});
-  const std::string methods = paragraph(study_report(made.study(), {}), "Methods");
+  const std::string methods = paragraph(study_report(made.study()), "Methods");
   EXPECT_THAT(methods, HasSubstr(" took part in one session each. Two sessions were not completed "
                                  "(stopped). One session "
                                  "was excluded from the analysis (fire alarm)."));
@@ -432,7 +432,7 @@ TEST(PaperText, StatesTheChanceLevelOfProportions) {
     made.add_person(label, "F");
     made.add_session(label, protocol, {matched(i < 4), matched(true)});
   }
-  const std::string results = paragraph(study_report(made.study(), {}), "Results");
+  const std::string results = paragraph(study_report(made.study()), "Results");
   EXPECT_THAT(results, HasSubstr(" the proportion of correctly matched items was"));
   EXPECT_THAT(results, HasSubstr(" above the chance level of 50 %: "));
 }
@@ -454,7 +454,7 @@ TEST(PaperText, NamesFactorsLevelsAndTheTask) {
   made.add_person("p1", "F");
   made.add_session("p1", made.add_protocol("tools_matching", "matching", std::string(tools->text)),
                    {trial, trial});
-  const std::string methods = paragraph(study_report(made.study(), {}), "Methods");
+  const std::string methods = paragraph(study_report(made.study()), "Methods");
   EXPECT_THAT(
       methods,
       HasSubstr(" The factor was file (fine, medium and coarse). In each trial, three "
@@ -491,7 +491,7 @@ std::string methods_of_discrimination(const std::string& name, const nlohmann::j
   trial.right = {"comparison"};
   trial.answers = {"comparison"};
   made.add_session("p1", made.add_protocol(name, "discrimination", source.dump()), {trial, trial});
-  return paragraph(study_report(made.study(), {}), "Methods");
+  return paragraph(study_report(made.study()), "Methods");
 }
 
 const std::string& methods_of_amplitude_jnd() {
@@ -524,7 +524,7 @@ TEST(PaperText, StatesTheParametersOfTheProtocolAndListsAllInATable) {
   made.add_session(
       "p1", made.add_protocol("amplitude_jnd", "discrimination", library_text("amplitude_jnd")),
       {trial, trial});
-  const Report report = study_report(made.study(), {});
+  const Report report = study_report(made.study());
   const std::string methods = paragraph(report, "Methods");
   EXPECT_THAT(methods,
               HasSubstr("The parameters of the force model were: amplitude 50 µm and 60 µm, "
@@ -744,7 +744,7 @@ TEST(PaperText, StatesThePointsOfScalesAndNamesBlocks) {
   trial.answers = {"2"};
   made.add_person("p1", "F");
   made.add_session("p1", made.add_protocol("attributes", "rating", source.dump()), {trial, trial});
-  const std::string methods = paragraph(study_report(made.study(), {}), "Methods");
+  const std::string methods = paragraph(study_report(made.study()), "Methods");
   EXPECT_THAT(methods, HasSubstr("ratings were given on five scales with 7 points from −3 to 3."));
   EXPECT_THAT(methods, HasSubstr("Each response of the absolute identification was accompanied by "
                                  "ratings on one continuous scale from 0 to 100."));
@@ -758,7 +758,7 @@ TEST(PaperText, HasWordsForEveryTestAndEntriesForEverySource) {
   for (const ExperimentKind* const kind : experiment_kinds()) {
     for (const KindTest& named : kind->tests) {
       StudyTests::Test test{
-          .name = std::string(named.name), .about = "a|b", .made_by = test_method("p")};
+          .name = std::string(named.name), .about = {"a", "b"}, .made_by = test_method("p")};
       test.n = 7;
       for (const double p : {0.01, 0.5}) {
         test.p = p;

@@ -83,7 +83,7 @@ class PluginBuilds : public testing::Test {
   /// The text of every section and table of the report.
   std::string report() {
     std::string text{};
-    for (const ReportChapter& chapter : study_report(made_.study(), {}).chapters) {
+    for (const ReportChapter& chapter : study_report(made_.study()).chapters) {
       for (const ReportSection& section : chapter.sections) {
         for (const ReportPart& part : section.parts) {
           if (const auto* words = std::get_if<ReportText>(&part)) text += words->text + '\n';

@@ -254,9 +254,10 @@ TEST(RatedPairs, StateHowManyEqualRatingsWereLeftOut) {
   }
   const auto outcomes = analyze_study(made.study(), std::nullopt, {});
   const AnalysisOutcome& ratings = outcome_of_kind(outcomes, "rating");
-  const auto sentence =
-      std::find_if(ratings.test_sentences.begin(), ratings.test_sentences.end(),
-                   [](const TestSentence& each) { return each.about == "hard: stone|wood"; });
+  const auto sentence = std::find_if(ratings.test_sentences.begin(), ratings.test_sentences.end(),
+                                     [](const TestSentence& each) {
+                                       return each.about == TestSubject{"stone", "wood", "hard"};
+                                     });
   ASSERT_NE(sentence, ratings.test_sentences.end());
   // Exploratory, and therefore without a claim: p = 2/2⁵ of the five others, who agree.
   EXPECT_THAT(sentence->text,
@@ -278,9 +279,10 @@ TEST(RatedPairs, AreNotTestedWhereOnlyOneParticipantHasADifference) {
   }
   const auto outcomes = analyze_study(made.study(), std::nullopt, {});
   const AnalysisOutcome& ratings = outcome_of_kind(outcomes, "rating");
-  const auto sentence =
-      std::find_if(ratings.test_sentences.begin(), ratings.test_sentences.end(),
-                   [](const TestSentence& each) { return each.about == "hard: stone|wood"; });
+  const auto sentence = std::find_if(ratings.test_sentences.begin(), ratings.test_sentences.end(),
+                                     [](const TestSentence& each) {
+                                       return each.about == TestSubject{"stone", "wood", "hard"};
+                                     });
   ASSERT_NE(sentence, ratings.test_sentences.end());
   EXPECT_TRUE(sentence->is_untested);
   EXPECT_THAT(sentence->text, HasSubstr("only one participant has a difference that is not zero"));
@@ -389,7 +391,7 @@ TEST(AccompanyingScale, IsNotAnalysedAsAnAttributeOfItems) {
       ratings_with_confidence(kWithConfidence, R"({"family": ["ratings", "right"]})");
   const StoredTable* const means = find_table(ratings, "ratings");
   ASSERT_NE(means, nullptr);
-  for (const char* const name : {"ratings", "agreement", "components", "tests"}) {
+  for (const char* const name : {"ratings", "agreement", "components"}) {
     const StoredTable* const table = find_table(ratings, name);
     ASSERT_NE(table, nullptr) << name;
     for (const auto& row : table->table.rows) {
@@ -400,6 +402,9 @@ TEST(AccompanyingScale, IsNotAnalysedAsAnAttributeOfItems) {
   EXPECT_EQ(std::count_if(ratings.test_sentences.begin(), ratings.test_sentences.end(),
                           [](const auto& each) { return each.role == TestRole::confirmatory; }),
             2);
+  for (const TestSentence& each : ratings.test_sentences) {
+    EXPECT_TRUE(each.role != TestRole::confirmatory || each.about.of != "sure") << each.text;
+  }
   EXPECT_NE(find_table(ratings, "accompanying"), nullptr);
   // The scales as shown, including that of the confidence.
   EXPECT_EQ(find_table(ratings, "scales")->table.rows.size(), 3U);
@@ -664,11 +669,11 @@ TEST(RatingComponents, HaveLoadingsForOneComponentPerFiveItems) {
               HasSubstr("at least five items per component, and 4 items"));
   const AnalysisOutcome nine = profiles_of_items(9);
   for (const Finding* const loading : FoundNumbers(nine.findings).all("loading")) {
-    EXPECT_TRUE(loading->key.ends_with("|C1")) << loading->key;
+    EXPECT_TRUE(loading->key.last() == "C1") << loading->key;
     EXPECT_FALSE(loading->low || loading->high) << loading->key;
   }
   for (const Finding* const corrected : FoundNumbers(nine.findings).all("loading.corrected")) {
-    EXPECT_TRUE(corrected->key.ends_with("|C1")) << corrected->key;
+    EXPECT_TRUE(corrected->key.last() == "C1") << corrected->key;
     EXPECT_TRUE(corrected->value && !corrected->low && !corrected->high) << corrected->key;
     EXPECT_THAT(corrected->method, HasSubstr(span_of_coverage("components", "loading.corrected")));
   }

@@ -124,7 +124,7 @@ class Conditions : public testing::Test {
   }
 
   const ReportChapter& chapter() {
-    report_ = study_report(made_.study(), {});
+    report_ = study_report(made_.study());
     return report_.chapters.at(1);
   }
   std::string conditions() { return words_of(section(chapter(), "Apparatus and conditions")); }

@@ -52,7 +52,7 @@ const TemporaryFolder& simulated() {
   return *kFolder;
 }
 
-Finding found(const std::string& quantity, const std::string& key, double value,
+Finding found(const std::string& quantity, const FindingKey& key, double value,
               const std::string& method = "") {
   Finding finding{};
   finding.quantity = quantity;
@@ -65,7 +65,7 @@ Finding found(const std::string& quantity, const std::string& key, double value,
 
 TEST(StudyReport, TellsFurtherNumbersOnceInWordsAndWhereTheRestIs) {
   const Study study = Study::open(simulated().path() / "study", Access::read_only);
-  const Report report = study_report(study, {});
+  const Report report = study_report(study);
   ASSERT_EQ(report.chapters.size(), 3U);
   EXPECT_EQ(report.chapters[2].heading, "Appendix to " + report.chapters[1].heading);
   const ReportSection& numbers = section(report.chapters[2], "Further tests and numbers");
@@ -109,7 +109,7 @@ TEST(ReportNumbers, WriteCountsAsCountsAndNumbersWithTheirUnit) {
 
 TEST(StudyReport, TellsDesignAndMakingOfARealStudy) {
   const Study study = Study::open(simulated().path() / "study", Access::read_only);
-  const Report report = study_report(study, {});
+  const Report report = study_report(study);
   EXPECT_EQ(report.subtitle, "Data from sessions on a simulated clock, which has no date");
   const std::string design = words_of(section(report.chapters[1], "Design"));
   EXPECT_THAT(design, HasSubstr("A few short trials"));
@@ -133,8 +133,8 @@ TEST(StudyReport, TellsDesignAndMakingOfARealStudy) {
 
 TEST(StudyReport, IsTheSameOfTheSameStudyAndNumbersItsTables) {
   const Study study = Study::open(simulated().path() / "study", Access::read_only);
-  const Report once = study_report(study, {});
-  const Report again = study_report(study, {});
+  const Report once = study_report(study);
+  const Report again = study_report(study);
   int number = 0;
   for (std::size_t i = 0; i < once.chapters.size(); ++i) {
     EXPECT_EQ(words_of(once.chapters[i]), words_of(again.chapters.at(i)));
@@ -154,12 +154,12 @@ TEST(StudyReport, EndsEarlyWhenItIsAskedTo) {
   const Study study = Study::open(simulated().path() / "study", Access::read_only);
   std::stop_source source{};
   source.request_stop();
-  EXPECT_TRUE(study_report(study, {}, {}, source.get_token()).chapters.empty());
+  EXPECT_TRUE(study_report(study, {}, source.get_token()).chapters.empty());
 }
 
 TEST(StudyReport, RefusesAProtocolThatTheStudyHasNoSessionOf) {
   const Study study = Study::open(simulated().path() / "study", Access::read_only);
-  EXPECT_THROW(study_report(study, {}, "another"), ResultsError);
+  EXPECT_THROW(study_report(study, "another"), ResultsError);
 }
 
 TEST(ReportTests, PutsStatisticDegreesAndAdjustedPTogether) {
@@ -215,8 +215,8 @@ TEST(ReportTests, TellsWholesFromTheirParts) {
 // Both p are alike; a test is identified by its name.
 TEST(ReportResults, ListsATestThatNoTableHasWhateverItsP) {
   AnalysisOutcome outcome{};
-  outcome.findings = {found("signflip.p.two", "a|b", 0.25, "sign flips"),
-                      found("signflip.p.two", "a|c", 0.25, "other sign flips")};
+  outcome.findings = {found("signflip.p.two", {"a", "b"}, 0.25, "sign flips"),
+                      found("signflip.p.two", {"a", "c"}, 0.25, "other sign flips")};
   outcome.tables.push_back(
       result_of({.name = "tests", .table = {{"test", "p"}, {{std::string("x"), 0.25}}}}));
   outcome.tests_in_tables.insert(name_of(outcome.findings[0]));

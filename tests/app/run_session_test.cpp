@@ -323,7 +323,7 @@ TEST_F(RunSession, HasAReportThatClaimsNoGuidanceWhichNobodySaw) {
   write_file(inputs_.protocol, text, Overwrite::allow);
   EXPECT_EQ(run().state, SessionState::completed);
   std::string words{};
-  const Report report = study_report(study(), {});
+  const Report report = study_report(study());
   for (const ReportChapter& chapter : report.chapters) {
     for (const ReportSection& section : chapter.sections) {
       for (const ReportPart& part : section.parts) {

@@ -196,7 +196,8 @@ TEST(Selection, FlipsSignsWithinPersons) {
   const AnalysisOutcome outcome = analyze_pairs("{}");
   EXPECT_DOUBLE_EQ(finding_of(outcome, "choice", "signflip.p.two", "new|old").value.value(),
                    2.0 / 32.0);
-  EXPECT_DOUBLE_EQ(number(table_of(outcome, "tests").table, {"pairs", "new|old"}, "p"), 2.0 / 32.0);
+  EXPECT_DOUBLE_EQ(number(table_of(outcome, "tests").table, {"pairs", "", "new", "old"}, "p"),
+                   2.0 / 32.0);
   // 20 wins to 4: Bradley and Terry's distance is ln 5.
   EXPECT_NEAR(number(table_of(outcome, "scale").table, {"new"}, "log_worth"), std::log(5.0) / 2.0,
               1e-9);

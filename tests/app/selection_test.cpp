@@ -80,7 +80,8 @@ TEST(PairedSelection, TestsEachPairOnTheTrialsThatPresentedBoth) {
   std::vector<std::string> abouts{};
   for (const std::vector<Cell>& row : tests.rows) {
     if (row[0] != Cell{"pairs"}) continue;
-    abouts.push_back(std::get<std::string>(row[1]));
+    abouts.push_back(std::get<std::string>(cell(row, "first")) + '|' +
+                     std::get<std::string>(cell(row, "second")));
     EXPECT_EQ(cell(row, "n"), Cell{std::int64_t{10}});
     EXPECT_EQ(cell(row, "unit"), Cell{"participants"});
     EXPECT_EQ(cell(row, "family"), Cell{"pairs"});
@@ -146,9 +147,10 @@ TEST(PairedSelection, StatesNothingThatOnlyACompleteDesignCouldLack) {
   EXPECT_EQ(find_table(all_pairs(), "persons"), nullptr);
   const Table& persons = table_of(all_pairs(), "persons_by_pair").table;
   ASSERT_EQ(persons.rows.size(), 6U);
-  EXPECT_EQ(persons.rows[0][0], Cell{"a|b"});
-  EXPECT_EQ(persons.rows[0][2], Cell{1.0});
-  EXPECT_EQ(persons.rows[1][2], Cell{0.5});
+  EXPECT_EQ(persons.rows[0][0], Cell{"a"});
+  EXPECT_EQ(persons.rows[0][1], Cell{"b"});
+  EXPECT_EQ(persons.rows[0][3], Cell{1.0});
+  EXPECT_EQ(persons.rows[1][3], Cell{0.5});
 }
 
 // A declared test that needs every model in every trial keeps its place in the family, with the reason.
@@ -172,7 +174,7 @@ TEST(PairedSelection, LeavesOutTheChoiceOfAThirdModel) {
   std::map<std::string, double> differences{};
   for (const Finding& finding : outcome.findings) {
     if (finding.analysis == "choice" && finding.quantity == "signflip.diff") {
-      differences[finding.key] = finding.value.value();
+      differences[finding.key.text()] = finding.value.value();
     }
   }
   EXPECT_EQ(differences.at("a|b"), 6.0);
@@ -371,7 +373,7 @@ TEST(WordsOfConditions, HaveTheUnitsOfTheirNumbers) {
   EXPECT_EQ(words_of_condition("amplitude (wavelength_m 0.0025)"), "amplitude (wavelength 2.5 mm)");
   EXPECT_EQ(words_of_condition("grit 80"), "grit 80");
   EXPECT_EQ(words_of_condition("in_m of 2"), "in_m of 2");
-  EXPECT_EQ(words_of_about("wavelength_m 0.001|wavelength_m 0.002").english(),
+  EXPECT_EQ(words_of_subject({"wavelength_m 0.001", "wavelength_m 0.002"}).english(),
             "wavelength 1 mm / wavelength 2 mm");
   EXPECT_EQ(words_of_condition_or_all("all").english(), "all trials");
 }

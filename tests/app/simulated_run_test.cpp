@@ -181,8 +181,10 @@ void expect_same_tests(const std::string& name, const StatedValues& stated, int 
       ASSERT_LT(next, tests.size());
       const StudyTest& test = tests[next++];
       EXPECT_EQ(test.name, cell_text(table, row, "test"));
-      EXPECT_EQ(test.about, cell_text(table, row, "about"));
-      EXPECT_EQ(test.p, cell_number(table, row, "p")) << test.name << ' ' << test.about;
+      EXPECT_EQ(test.about,
+                (TestSubject{cell_text(table, row, "first"), cell_text(table, row, "second"),
+                             cell_text(table, row, "about")}));
+      EXPECT_EQ(test.p, cell_number(table, row, "p")) << test.name << ' ' << test.about.text();
       EXPECT_EQ(test.adjusted, cell_number(table, row, "p_holm"));
       ++compared;
     }

@@ -56,7 +56,7 @@ TEST(ReportNotes, HaveSessionTimeAndTrial) {
                                       .verdict = Verdict::exclude,
                                       .reason = "wrong hand",
                                       .decided_by = "MK"});
-  const Report report = study_report(made.study(), {});
+  const Report report = study_report(made.study());
   const ReportSection& notes = section(report.chapters.back(), "Notes and decisions");
   ASSERT_EQ(notes.parts.size(), 1U);
   const std::string time = fixed(static_cast<double>(second_ns - 5'000'000'000) * 1e-9, 1);
@@ -93,7 +93,7 @@ void add_person(MadeUpStudy& made, const std::string& label, std::optional<doubl
 
 TEST(StudyReport, SaysOfAnEmptyStudyThatThereIsNothing) {
   MadeUpStudy made;
-  const Report report = study_report(made.study(), {});
+  const Report report = study_report(made.study());
   ASSERT_EQ(report.chapters.size(), 1U);
   EXPECT_THAT(words_of(report.chapters[0]), HasSubstr("no sessions yet"));
   EXPECT_EQ(report.chapters[0].mark, "");
@@ -109,7 +109,7 @@ TEST(StudyReport, CountsPeopleByAgeSexAndHandednessAsTheyAreStored) {
   for (const char* label : {"p1", "p2", "p3", "p4"}) {
     made.add_session(label, protocol, choices(1, 2));
   }
-  const Report report = study_report(made.study(), {});
+  const Report report = study_report(made.study());
   const std::string words = words_of(section(report.chapters.at(1), "Participants"));
   EXPECT_THAT(words, HasSubstr("Four participants took part."));
   EXPECT_THAT(words, HasSubstr("Sex: 2 female, 1 male and 1 not reported."));
@@ -124,7 +124,7 @@ TEST(StudyReport, SaysOfOneParticipantWhatItCan) {
   const std::int64_t protocol = made.add_protocol("which", "selection");
   add_person(made, "p1", 31.0, "X", "");
   made.add_session("p1", protocol, choices(1, 1));
-  const Report report = study_report(made.study(), {});
+  const Report report = study_report(made.study());
   const std::string words = words_of(report.chapters.at(1));
   EXPECT_THAT(words, HasSubstr("One participant took part."));
   EXPECT_THAT(words, HasSubstr("Age: 31 years."));
@@ -156,7 +156,7 @@ TEST(StudyReport, NamesSessionsThatWereExcludedOrNotFinishedAndWhy) {
   const std::int64_t unfinished = made.study().add_session(stopped, {trial});
   made.study().end_session(unfinished, SessionState::stopped, "2001-02-03T05:05:06Z");
 
-  const Report report = study_report(made.study(), {});
+  const Report report = study_report(made.study());
   const std::string words = words_of(section(report.chapters.at(1), "Sessions and exclusions"));
   EXPECT_THAT(words,
               HasSubstr("Three participants began four sessions, three of which were completed."));
@@ -177,7 +177,7 @@ TEST(StudyReport, SaysWhatBecameOfAttemptsThatDoNotCountAndWhichAreFlagged) {
   trials[2].valid = false;
   trials[3].phase = "practice";
   made.add_session("p1", protocol, trials);
-  const Report report = study_report(made.study(), {});
+  const Report report = study_report(made.study());
   const std::string words = words_of(section(report.chapters.at(1), "Sessions and exclusions"));
   EXPECT_THAT(words, HasSubstr("3 attempts at trials of the main phase are stored; 2 count. Not "
                                "counted: one was answered but invalid. One attempt that counts is "
@@ -199,7 +199,7 @@ TEST(StudyReport, CountsAnchorsWithPracticeAndNotWithWhatCounts) {
   }
   trials[0].repetition = 0;
   made.add_session("p1", protocol, trials);
-  const Report report = study_report(made.study(), {});
+  const Report report = study_report(made.study());
   const std::string words = words_of(section(report.chapters.at(1), "Sessions and exclusions"));
   EXPECT_THAT(words, HasSubstr("2 attempts at trials of the main phase are stored; both count."));
   EXPECT_THAT(words,
@@ -216,7 +216,7 @@ TEST(StudyReport, SaysSoWhereNothingOfTheMainPhaseWasAnswered) {
   std::vector<MadeUpTrial> trials = choices(1, 1);
   trials[0].phase = "practice";
   made.add_session("p1", protocol, trials);
-  const Report report = study_report(made.study(), {});
+  const Report report = study_report(made.study());
   EXPECT_THAT(words_of(report.chapters.at(1)),
               HasSubstr("There are no responses yet; run a session first."));
   EXPECT_THAT(words_of(report.chapters.at(1)),
@@ -234,7 +234,7 @@ TEST(StudyReport, GivesPeoplePilotsAndVirtualOnesMarkedChaptersOfTheirOwn) {
   made.add_session("p1", protocol, choices(1, 1));
   made.add_session("p2", protocol, choices(1, 1), SessionMode::pilot);
   made.add_session("virtual0001", protocol, choices(1, 1), SessionMode::simulate);
-  const Report report = study_report(made.study(), {});
+  const Report report = study_report(made.study());
   std::vector<std::string> marks{};
   for (const ReportChapter& chapter : report.chapters) marks.push_back(chapter.mark);
   // The appendices follow in the same order.
@@ -252,7 +252,7 @@ TEST(StudyReport, HoldsResultsBackWhileAPersonIsRunThroughTheProtocol) {
   made.add_person("p1", "F");
   made.add_person("p2", "F");
   made.add_session("p1", protocol, choices(2, 3));
-  EXPECT_THAT(words_of(study_report(made.study(), {}).chapters.at(1)),
+  EXPECT_THAT(words_of(study_report(made.study()).chapters.at(1)),
               HasSubstr("eight_map was chosen most often"));
   SessionRow running = made.study().sessions().front();
   running.participant = "p2";
@@ -261,11 +261,11 @@ TEST(StudyReport, HoldsResultsBackWhileAPersonIsRunThroughTheProtocol) {
   running.ended_utc.reset();
   made.study().add_session(running, {});
   const auto lock = std::make_unique<StudyLock>(made.folder(), Study::session_lock_name("p2"));
-  const std::string words = words_of(study_report(made.study(), {}).chapters.at(1));
+  const std::string words = words_of(study_report(made.study()).chapters.at(1));
   EXPECT_THAT(words, HasSubstr("its experimenter is blind"));
   EXPECT_THAT(words, Not(HasSubstr("was chosen")));
   EXPECT_THAT(words, Not(HasSubstr("proportion chosen")));
-  const std::string appendix = words_of(study_report(made.study(), {}).chapters.at(2));
+  const std::string appendix = words_of(study_report(made.study()).chapters.at(2));
   EXPECT_THAT(appendix, Not(HasSubstr("height_map")));
   EXPECT_THAT(appendix, HasSubstr("Every session"));
 }
@@ -327,7 +327,7 @@ TEST(StudyReport, CountsWhatDidNotComeAsItWasMeant) {
     attempt.compliance = {force};
     made.study().add_attempt(session, attempt);
   }
-  const Report report = study_report(made.study(), {});
+  const Report report = study_report(made.study());
   const std::string words = words_of(section(report.chapters.at(1), "Presentation"));
   EXPECT_THAT(words, HasSubstr("at most 30 µs late; in the worst attempt, 40 µs"));
   EXPECT_THAT(words, AllOf(HasSubstr("The servo loop was set to 1000 Hz; it ran 12"),

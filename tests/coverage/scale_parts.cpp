@@ -252,7 +252,7 @@ std::vector<Finding> findings_of_stimuli(const TidyInput& input) {
 std::vector<CheckedInterval> exponent_intervals(const CoverageSetting& setting) {
   return {{.quantity = "exponent.mean", .key = "P", .truth = setting.effect},
           {.quantity = "geomean",
-           .key = cell_key("P", kGreatestStimulus),
+           .key = FindingKey{"P", kGreatestStimulus}.text(),
            .truth = std::pow(kPredictors.back(), setting.effect)}};
 }
 

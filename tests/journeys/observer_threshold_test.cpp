@@ -13,8 +13,8 @@
 
 #include "analysis/psychometric/psychometric_maximum.h"
 #include "app/findings/methods/discrimination/thresholds/discrimination_thresholds.h"
-#include "app/findings/study/analyze_study.h"
 #include "app/findings/outcome/found_numbers.h"
+#include "app/findings/study/analyze_study.h"
 #include "app/session/rig/recording_columns.h"
 #include "renderers/offline/recorded_force.h"
 #include "results_schema/analysis_use.h"
@@ -139,8 +139,8 @@ std::string interval_text(const Finding& finding) {
   const auto micrometres = [](double value_m) {
     return std::to_string(static_cast<int>(std::lround(1e6 * value_m)));
   };
-  return finding.key + ": " + micrometres(*finding.value) + " µm [" + micrometres(*finding.low) +
-         ", " + micrometres(*finding.high) + "]";
+  return finding.key.text() + ": " + micrometres(*finding.value) + " µm [" +
+         micrometres(*finding.low) + ", " + micrometres(*finding.high) + "]";
 }
 
 class ObserverThreshold : public testing::TestWithParam<JudgedProtocol> {

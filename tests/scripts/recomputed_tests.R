@@ -189,7 +189,7 @@ selection <- function(answers, felt, of) {
     counts <- count_by(rows, factor(choice, if (all_offered) items else pair), answers)
     counts <- counts[rowSums(counts) > 0, , drop = FALSE]
     test <- if ("target_pairs" %in% of_family && of$target %in% pair) "target_pairs" else "pairs"
-    about <- paste(pair, collapse = "|")
+    about <- paste(pair, collapse = " / ")
     if (nrow(counts) < 2) { no_test(test, about); next }
     difference <- counts[, pair[1]] - counts[, pair[2]]
     null <- sign_flips(difference)
@@ -213,12 +213,12 @@ of_groups <- function(means) {
   sex <- tables$participants$sex[match(names(means), tables$participants$participant)]
   a <- means[sex %in% "F"]
   b <- means[sex %in% "M"]
-  if (!length(a) || !length(b)) return(no_test("sexes", "F|M"))
+  if (!length(a) || !length(b)) return(no_test("sexes", "F / M"))
   whole <- 2520  # a multiple of every number of trials up to ten
   stopifnot(all(abs(c(a, b) * whole - round(c(a, b) * whole)) < 1e-6))
   numbers <- round(c(a, b) * whole)
   divisor <- Reduce(function(x, y) { while (y > 0) { r <- x %% y; x <- y; y <- r }; x }, c(whole, numbers))
-  test_row("sexes", "F|M", mean(a) - mean(b),
+  test_row("sexes", "F / M", mean(a) - mean(b),
            split_into_groups(round(a * whole / divisor), round(b * whole / divisor)), length(a) + length(b), hedges_g(a, b))
 }
 
@@ -365,7 +365,7 @@ peaks <- function(cells, n) {
     # of the difference of both peaks -b / (2 c), by the two b and c
     gradient <- unlist(lapply(curves[pair], function(b) c(-1, mean(b[, 2]) / mean(b[, 3])) / (2 * mean(b[, 3])))) * c(1, 1, -1, -1)
     variance <- drop(gradient %*% (cov(do.call(cbind, lapply(curves[pair], function(b) b[, 2:3]))) / n) %*% gradient)
-    about <- paste(pair, collapse = "|")
+    about <- paste(pair, collapse = " / ")
     if (!all(is_interior[pair])) { no_test("peaks", about); next }
     apart <- top[[1]] - top[[2]]
     test_row("peaks", about, apart / sqrt(variance), 2 * pt(-abs(apart) / sqrt(variance), n - 1), n,

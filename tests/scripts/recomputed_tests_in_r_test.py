@@ -72,8 +72,9 @@ def check_study(study, folder):
         for row in rows:
             draws = 0 if row["permutations"] in (None, "exact") else int(row["permutations"])
             drawn += bool(draws)
+            about = " / ".join(row[name] for name in ("about", "first", "second") if row[name])
             for column in NUMBERS:
-                place = (outcome["protocol"], outcome["group"], row["test"], row["about"] or "", column)
+                place = (outcome["protocol"], outcome["group"], row["test"], about, column)
                 if row["p"] is None:
                     assert row[column] is None or column in ("n", "left_out"), place
                     continue

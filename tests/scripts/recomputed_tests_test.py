@@ -303,7 +303,7 @@ def selection(answers, rows):
         differences = [count(who, a) - count(who, b) for who in choosers]
         if differences:
             made = result("D", sum(differences), sign_flip(differences), paired_d(differences), len(differences))
-            tests["pairs", f"{a}|{b}"] = tests["target_pairs", f"{a}|{b}"] = made
+            tests["pairs", (a, b)] = tests["target_pairs", (a, b)] = made
     tests["preference", None] = within_participants(
         [[sum(t["replies"][0]["answer"] == item for t in answers.of(who)) for item in items] for who in answers.people])
     places = max(len(trial["felt"]) for trial in answers.trials.values())
@@ -317,9 +317,8 @@ def selection(answers, rows):
               for texture in textures] for who in answers.people])
     for row in rows:
         if row["test"] == "textures":
-            target = next(test["about"].split("|") for test in rows if test["test"] == "target_pairs")
-            pairs = [set(test["about"].split("|")) for test in rows if test["test"] == "target_pairs"]
-            tests["textures", None] = tests["textures " + (set.intersection(*pairs) if pairs else set(target)).pop(), None]
+            pairs = [set(subject(test)) for test in rows if test["test"] == "target_pairs"]
+            tests["textures", None] = tests["textures " + set.intersection(*pairs).pop(), None]
     return tests
 
 
@@ -381,7 +380,7 @@ def matching(answers, _):
                                          cohen_h(hits[felt], shown[felt], 1 / m), people)
     means = {who: mean([sum(felt["item"] == reply["answer"] for felt, reply in zip(t["felt"], t["replies"]))
                         for t in answers.of(who)]) for who in answers.people}
-    tests["sexes", "F|M"] = of_sexes(answers, means)
+    tests["sexes", ("F", "M")] = of_sexes(answers, means)
     return tests
 
 
@@ -440,7 +439,7 @@ def recognition(answers, _):
             hits = table[label, label]
             tests["textures", label] = result("k", hits, binomial_above(hits, felt[label], 1 / m),
                                               cohen_h(hits, felt[label], 1 / m), felt[label])
-    tests["sexes", "F|M"] = of_sexes(answers, dict(zip(answers.people, shares)))
+    tests["sexes", ("F", "M")] = of_sexes(answers, dict(zip(answers.people, shares)))
     return tests
 
 
@@ -515,6 +514,11 @@ def agree(where, ours, theirs):
     compared += 1
 
 
+def subject(row):
+    """Of a row of the table of tests: one name, two, or none."""
+    return row["about"] or (row["first"] and (row["first"], row["second"]))
+
+
 def check(outcome, tables):
     rows = next((table["rows"] for table in outcome["tables"] if table["name"] == "tests"), None)
     if rows is None:
@@ -524,13 +528,13 @@ def check(outcome, tables):
     family = [row["p"] if row["p"] is not None else 1.0 for row in rows if row["family"]]
     adjusted = iter(holm(family))
     for row in rows:
-        place = (*where, row["test"], row["about"])
+        place = (*where, row["test"], subject(row))
         own = next(adjusted) if row["family"] else None
         assert row["role"] == "exploratory" or (row["role"] == "confirmatory" and row["family"]), place
         if row["p"] is None:
             assert row["status"] and row["value"] is None and row["effect"] is None and row["p_holm"] is None, place
             continue
-        test = tests[row["test"], row["about"]]
+        test = tests[row["test"], subject(row)]
         assert row["statistic"] == test["statistic"] and row["n"] == test["n"], (place, row, test)
         if row["permutations"] in (None, "exact"):
             agree((*place, "p"), row["p"], test["p"])

@@ -67,7 +67,7 @@ Json json_of(const ResultTable& result) {
 
 Json json_of(const Finding& finding) {
   return {{"quantity", finding.quantity},
-          {"key", finding.key},
+          {"key", finding.key.text()},
           {"value", json_of(finding.value)},
           {"word", finding.word.empty() ? Json(nullptr) : Json(finding.word)},
           {"unit", finding.unit},

@@ -124,11 +124,12 @@ std::vector<Column> columns_of(std::span<const Finding> findings) {
     if (first) columns.push_back({.name = name});
     Column& column = columns[known->second];
     const std::string value = display_value(finding);
-    if (is_end && !end->is_lower && !column.keys.empty() && column.keys.back() == finding.key) {
+    if (is_end && !end->is_lower && !column.keys.empty() &&
+        column.keys.back() == finding.key.text()) {
       column.values.back() += ", " + value + ']';
       continue;
     }
-    column.keys.push_back(finding.key);
+    column.keys.push_back(finding.key.text());
     column.values.push_back((is_end ? "[" : "") + value);
     column.intervals.push_back(is_end ? "" : interval_of(finding));
   }
@@ -200,7 +201,8 @@ std::string display_text_of(const TableFindings& findings) {
   for (const Finding& finding : findings.findings) {
     if (finding.status == "ok") continue;
     // An empty word is that of an empty result, which the number with its key names.
-    const std::string name = finding.quantity + (finding.key.empty() ? "" : ' ' + finding.key);
+    const std::string name =
+        finding.quantity + (finding.key.empty() ? "" : ' ' + finding.key.text());
     const std::string sentence =
         (finding.word.empty() ? name : finding.word) + ": " + finding.status;
     if (said.insert(sentence).second) text += "! " + sentence + '\n';

@@ -49,10 +49,29 @@ enum class TestRole {
   exploratory,
 };
 
+/// Which of several comparisons of one name a test makes: that of a scale, condition, texture or property, that of two items, that
+/// of two items on a scale, or that of correct and incorrect responses by a scale and its question; empty for the only one.
+struct TestSubject {
+  TestSubject() = default;
+  TestSubject(std::string one) : of(std::move(one)) {}
+  TestSubject(const char* one) : of(one) {}
+  TestSubject(std::string one, std::string other, std::string scale = {})
+      : of(std::move(scale)), first(std::move(one)), second(std::move(other)) {}
+
+  bool empty() const noexcept { return of.empty() && first.empty(); }
+  /// In keys of findings and in files of power: "wood", "a|b", "rough: a|b".
+  std::string text() const;
+  bool operator==(const TestSubject&) const = default;
+
+  std::string of{};
+  std::string first{};
+  std::string second{};
+};
+
 /// The result of a test in English, as printed in a paper.
 struct TestSentence {
-  std::string test{};   ///< the name of a KindTest
-  std::string about{};  ///< which of several comparisons; may be empty
+  std::string test{};  ///< the name of a KindTest
+  TestSubject about{};
   TestRole role = TestRole::exploratory;
   bool is_untested = false;
   bool has_mean_interval = false;  ///< the 95 % CI is that of a mean proportion
@@ -71,7 +90,7 @@ struct TestSentence {
 struct FindingName {
   std::string analysis{};
   std::string quantity{};
-  std::string key{};
+  FindingKey key{};
 
   auto operator<=>(const FindingName&) const = default;
 };

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "analysis/numbers/unit_of_name.h"
+#include "app/findings/outcome/analysis_outcome.h"
 #include "app/findings/outcome/display_number.h"
 #include "app/findings/outcome/test_methods.h"
 #include "app/records/felt_octaves.h"
@@ -359,13 +360,6 @@ const CellWords& words_of_sexes() {
 
 }  // namespace
 
-std::string with_strokes(const std::string& text) {
-  std::string shown{};
-  for (const char letter : text)
-    shown += letter == '|' ? std::string(" / ") : std::string(1, letter);
-  return shown;
-}
-
 std::string words_of_parameter(const std::string& key) {
   std::string words(named_quantity(key).quantity);
   std::replace(words.begin(), words.end(), '_', ' ');
@@ -413,9 +407,9 @@ Phrase words_of_property(const std::string& code) { return word_in(words_of_prop
 
 Phrase words_of_test(const std::string& name) { return word_in(words_of_test_names(), name); }
 
-Phrase words_of_test(const std::string& name, const std::string& about) {
+Phrase words_of_test(const std::string& name, const TestSubject& about) {
   if (about.empty()) return words_of_test(name);
-  return phrase("CellWords", "%1: %2").with(words_of_test(name), words_of_about(about));
+  return phrase("CellWords", "%1: %2").with(words_of_test(name), words_of_subject(about));
 }
 
 Phrase words_of_tests(const std::string& names) {
@@ -429,16 +423,20 @@ Phrase words_of_tests(const std::string& names) {
   return all;
 }
 
-Phrase words_of_about(const std::string& about) {
-  if (about == "F|M") return phrase("CellWords", "women, men");
-  if (const auto property = words_of_properties().find(about);
+Phrase words_of_subject(const TestSubject& about) {
+  const auto& [of, first, second] = about;
+  if (of.empty() && first == "F" && second == "M") return phrase("CellWords", "women, men");
+  if (!first.empty()) {
+    return words_of_condition((of.empty() ? "" : of + ": ") + first + " / " + second);
+  }
+  if (const auto property = words_of_properties().find(of);
       property != words_of_properties().end()) {
     return property->second;
   }
-  if (!unit_of_parameter(about).empty() && about.find_first_of(" |") == std::string::npos) {
-    return words_of_parameter(about);
+  if (!unit_of_parameter(of).empty() && of.find(' ') == std::string::npos) {
+    return words_of_parameter(of);
   }
-  return words_of_name(words_of_condition(with_strokes(about)));
+  return words_of_name(words_of_condition(of));
 }
 
 Phrase words_of_method(const std::string& code, const std::string& permutations) {

@@ -9,6 +9,8 @@
 
 namespace asperity {
 
+struct TestSubject;
+
 /// Codes of the measures in the table of anchors by place: of estimates the change is a ratio, of the others a difference.
 inline constexpr const char* kAnchorEstimate = "anchor_estimate";
 inline constexpr const char* kAnchorRating = "anchor_rating";
@@ -25,11 +27,11 @@ Phrase words_of_property(const std::string& code);
 /// "pairs"
 Phrase words_of_test(const std::string& name);
 /// "pairs: a / b", also without a subject.
-Phrase words_of_test(const std::string& name, const std::string& about);
+Phrase words_of_test(const std::string& name, const TestSubject& about);
 /// "pairs, preference" for names that are separated by commas.
 Phrase words_of_tests(const std::string& names);
-/// "a / b" for `a|b`, "women, men" for `F|M`: the subject of a test.
-Phrase words_of_about(const std::string& about);
+/// "a / b", "rough: a / b", "women, men", "amplitude".
+Phrase words_of_subject(const TestSubject& about);
 /// "sign-flip test, exact"; `permutations`: empty, "exact" or their number.
 Phrase words_of_method(const std::string& code, const std::string& permutations);
 /// "20 participants"
@@ -52,9 +54,6 @@ Phrase words_of_item(const std::string& item);
 Phrase words_of_sex(const std::string& sex);
 /// The level of the factor `column`, or "all".
 Phrase words_of_repetition(const std::string& level);
-
-/// "a / b" for `a|b`: the parts of a stored name, as text.
-std::string with_strokes(const std::string& text);
 
 /// "strong, wavelength 2.5 mm" for the condition "strong, wavelength_m 0.0025": numbers after the name of a parameter or
 /// factor with a unit are written with this unit.

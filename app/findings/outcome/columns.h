@@ -22,7 +22,7 @@ inline const ResultColumn kRepetition{
     .id = "column", .heading = phrase("AnalysisWords", "repetition"), .words = words_of_repetition};
 inline const ResultColumn kTexture{.id = "texture", .heading = phrase("AnalysisWords", "texture")};
 inline const ResultColumn kPair{
-    .id = "pair", .heading = phrase("AnalysisWords", "pair"), .words = words_of_about};
+    .id = "pair", .heading = phrase("AnalysisWords", "pair"), .stored_as = {"first", "second"}};
 inline const ResultColumn kCondition{.id = "condition",
                                      .heading = phrase("AnalysisWords", "condition"),
                                      .words = words_of_condition_or_all};

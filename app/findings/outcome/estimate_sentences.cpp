@@ -41,7 +41,7 @@ std::vector<const Finding*> estimates_among(const AnalysisOutcome& outcome,
                                             std::string_view analysis, QuantityName quantity) {
   std::vector<const Finding*> found = numbers_among(outcome, analysis, quantity);
   // The key of a pair consists of both names.
-  std::erase_if(found, [](const Finding* one) { return one->key.find('|') != std::string::npos; });
+  std::erase_if(found, [](const Finding* one) { return one->key.size() > 1; });
   return found;
 }
 
@@ -50,7 +50,7 @@ std::string all_estimates(const std::vector<const Finding*>& estimates, const st
   std::string text{};
   for (std::size_t i = 0; i < estimates.size(); ++i) {
     if (i > 0) text += i + 1 == estimates.size() ? " and " : ", ";
-    const std::string& key = estimates[i]->key;
+    const std::string key = estimates[i]->key.text();
     text += one_estimate(*estimates[i], key == only_key ? "" : key, shown);
   }
   return text + ", N = " + display_count(estimates.front()->n);
@@ -96,9 +96,9 @@ void state_means_of_items(AnalysisOutcome& outcome, const MeansOfItems& means) {
   const auto text_of = [&](const std::vector<std::string>& items, bool is_pair) {
     std::vector<std::string> parts{};
     for (const std::string& item : items) {
-      std::string key = means.scale.empty() ? item : means.scale + '|' + item;
+      FindingKey key{means.scale, item};
       if (is_pair && means.within_pairs) {
-        key += '|' + (item == items.front() ? items.back() : items.front());
+        key = {key, item == items.front() ? items.back() : items.front()};
       }
       const auto found = std::find_if(
           outcome.findings.begin(), outcome.findings.end(), [&](const Finding& finding) {
@@ -110,7 +110,7 @@ void state_means_of_items(AnalysisOutcome& outcome, const MeansOfItems& means) {
     }
     return "means: " + listed(parts);
   };
-  const auto state = [&](const std::string& test, const std::string& about,
+  const auto state = [&](const std::string& test, const TestSubject& about,
                          const std::vector<std::string>& items, bool is_pair) {
     const std::string text = text_of(items, is_pair);
     if (!text.empty()) state_means(outcome, test, text, about);
@@ -120,11 +120,9 @@ void state_means_of_items(AnalysisOutcome& outcome, const MeansOfItems& means) {
     for (std::size_t a = 0; a < means.items.size(); ++a) {
       for (std::size_t b = 0; b < means.items.size(); ++b) {
         if (a == b) continue;
-        const std::string pair = means.items[a] + '|' + means.items[b];
-        state(test, pair, {means.items[a], means.items[b]}, true);
-        if (!means.scale.empty()) {
-          state(test, means.scale + ": " + pair, {means.items[a], means.items[b]}, true);
-        }
+        const std::vector<std::string> pair{means.items[a], means.items[b]};
+        state(test, {pair[0], pair[1]}, pair, true);
+        if (!means.scale.empty()) state(test, {pair[0], pair[1], means.scale}, pair, true);
       }
     }
   }

@@ -21,16 +21,16 @@ FoundNumbers::FoundNumbers(std::span<const Finding> findings, std::string_view a
 
 void FoundNumbers::add(const Finding& finding) {
   in_order_.push_back(&finding);
-  findings_.emplace(std::pair<std::string_view, std::string_view>(finding.quantity, finding.key),
+  findings_.emplace(std::pair<std::string_view, FindingKey>(finding.quantity, finding.key),
                     &finding);
 }
 
-const Finding* FoundNumbers::find(QuantityName quantity, std::string_view key) const {
+const Finding* FoundNumbers::find(QuantityName quantity, const FindingKey& key) const {
   const auto found = findings_.find({quantity, key});
   return found == findings_.end() ? nullptr : found->second;
 }
 
-std::optional<double> FoundNumbers::value(QuantityName quantity, std::string_view key) const {
+std::optional<double> FoundNumbers::value(QuantityName quantity, const FindingKey& key) const {
   const Finding* finding = find(quantity, key);
   return finding == nullptr ? std::nullopt : finding->value;
 }
@@ -42,16 +42,16 @@ std::vector<const Finding*> FoundNumbers::all(QuantityName quantity) const {
   return found;
 }
 
-ResultCell FoundNumbers::cell(QuantityName quantity, std::string_view key) const {
+ResultCell FoundNumbers::cell(QuantityName quantity, const FindingKey& key) const {
   return cell_of(value(quantity, key));
 }
 
-ResultCell FoundNumbers::count(QuantityName quantity, std::string_view key) const {
+ResultCell FoundNumbers::count(QuantityName quantity, const FindingKey& key) const {
   const std::optional<double> number = value(quantity, key);
   return number ? ResultCell{static_cast<std::int64_t>(std::llround(*number))} : ResultCell{};
 }
 
-ResultCell FoundNumbers::interval(QuantityName quantity, std::string_view key) const {
+ResultCell FoundNumbers::interval(QuantityName quantity, const FindingKey& key) const {
   const Finding* finding = find(quantity, key);
   return finding == nullptr ? ResultCell{} : interval_cell(finding->low, finding->high);
 }

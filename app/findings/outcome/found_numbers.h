@@ -27,23 +27,23 @@ class FoundNumbers final {
   bool empty() const noexcept { return in_order_.empty(); }
 
   /// Null where there is none.
-  const Finding* find(QuantityName quantity, std::string_view key = {}) const;
+  const Finding* find(QuantityName quantity, const FindingKey& key = {}) const;
   /// Nothing where there is no number.
-  std::optional<double> value(QuantityName quantity, std::string_view key = {}) const;
+  std::optional<double> value(QuantityName quantity, const FindingKey& key = {}) const;
   /// All findings of a quantity, in their order.
   std::vector<const Finding*> all(QuantityName quantity) const;
   /// The number as a cell of a table.
-  ResultCell cell(QuantityName quantity, std::string_view key = {}) const;
+  ResultCell cell(QuantityName quantity, const FindingKey& key = {}) const;
   /// The number rounded to a whole one, as a count.
-  ResultCell count(QuantityName quantity, std::string_view key = {}) const;
+  ResultCell count(QuantityName quantity, const FindingKey& key = {}) const;
   /// The interval of a number; missing where it has no limits.
-  ResultCell interval(QuantityName quantity, std::string_view key = {}) const;
+  ResultCell interval(QuantityName quantity, const FindingKey& key = {}) const;
 
  private:
   void add(const Finding& finding);
 
   std::vector<const Finding*> in_order_{};
-  std::map<std::pair<std::string_view, std::string_view>, const Finding*> findings_{};
+  std::map<std::pair<std::string_view, FindingKey>, const Finding*> findings_{};
 };
 
 }  // namespace asperity

@@ -163,7 +163,7 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
   for (const Finding* mean : means) {
     add_row_of(
         *mean,
-        phrase("Figures", "%1 (n = %2)").with(word_of_group(mean->key), std::to_string(mean->n)),
+        phrase("Figures", "%1 (n = %2)").with(word_of_group(mean->key[0]), std::to_string(mean->n)),
         both);
   }
   if (!choice.are_shares) add_room(both);
@@ -177,10 +177,11 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
         phrase("Figures", "Points are means of the participants' own results; there are no CIs.");
   }
   if (choice.are_shares) add_singles(means, found, both);
-  less.x = {.name = phrase("Figures", "%1 − %2, with its %3 % CI")
-                        .with(word_of_group(means[0]->key), word_of_group(means[1]->key), percent),
-            .low = 0.0,
-            .high = 0.0};
+  less.x = {
+      .name = phrase("Figures", "%1 − %2, with its %3 % CI")
+                  .with(word_of_group(means[0]->key[0]), word_of_group(means[1]->key[0]), percent),
+      .low = 0.0,
+      .high = 0.0};
   if (const auto of_means = found.all(choice.difference); !of_means.empty()) {
     if (of_means.front()->value) {
       add_row_of(*of_means.front(), phrase("Figures", "means of the participants"), less);
@@ -202,7 +203,7 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
     less.note =
         phrase("Figures", "The point is the difference of the participants' means; it has no CI.");
     less.x.name = phrase("Figures", "%1 − %2")
-                      .with(word_of_group(means[0]->key), word_of_group(means[1]->key));
+                      .with(word_of_group(means[0]->key[0]), word_of_group(means[1]->key[0]));
   }
   // A difference of 0 is in the centre, so that the sign is visible.
   less.x.high = std::max(less.x.high, -less.x.low);

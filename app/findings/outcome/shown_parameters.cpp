@@ -14,9 +14,9 @@ namespace {
 /// The responses to the question as numbers, in cells.
 std::vector<CellNumber> cell_numbers(
     const GatheredAnswers& gathered, const TabulatedQuestion& asked,
-    const std::function<std::string(const GatheredAnswer&)>& cell_of,
+    const std::function<FindingKey(const GatheredAnswer&)>& cell_of,
     const std::function<std::optional<double>(double)>& value_of) {
-  std::map<std::string, std::size_t> cells{};
+  std::map<FindingKey, std::size_t> cells{};
   std::vector<CellNumber> numbers{};
   for (const GatheredAnswer& answer : gathered.answers) {
     const bool is_asked = gathered.word(answer.block) == asked.block.name &&
@@ -35,7 +35,7 @@ std::vector<CellNumber> cell_numbers(
 
 std::optional<VarianceComponents> add_shown_components(
     const GatheredAnswers& gathered, const TabulatedQuestion& asked,
-    const std::function<std::string(const GatheredAnswer&)>& cell_of,
+    const std::function<FindingKey(const GatheredAnswer&)>& cell_of,
     const std::function<std::optional<double>(double)>& value_of, ShownParameters& shown) {
   const auto components = variance_components(cell_numbers(gathered, asked, cell_of, value_of));
   if (!components) return std::nullopt;

@@ -21,7 +21,7 @@ using ShownParameters = std::map<std::string, double, std::less<>>;
 /// where there are too few (variance_components).
 std::optional<VarianceComponents> add_shown_components(
     const GatheredAnswers& gathered, const TabulatedQuestion& asked,
-    const std::function<std::string(const GatheredAnswer&)>& cell_of,
+    const std::function<FindingKey(const GatheredAnswer&)>& cell_of,
     const std::function<std::optional<double>(double)>& value_of, ShownParameters& shown);
 
 }  // namespace asperity

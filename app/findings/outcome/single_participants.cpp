@@ -63,9 +63,7 @@ SinglesByCondition singles_by_condition(std::span<const Finding* const> findings
   SinglesByCondition singles{};
   for (const Finding* one : findings) {
     if (!one->value) continue;
-    const std::size_t bar = one->key.find('|');
-    singles[bar == std::string::npos ? std::string() : one->key.substr(bar + 1)].push_back(
-        *one->value);
+    singles[one->key.without_first()].push_back(*one->value);
   }
   return singles;
 }

@@ -27,9 +27,8 @@ struct SingleValues {
   std::vector<double> values{};
 };
 
-/// Values of single participants by the part of their key after the participant: "texture=wood" for
-/// "P01|texture=wood", empty for "P01".
-using SinglesByCondition = std::map<std::string, std::vector<double>>;
+/// Values of single participants by the names of their key after the participant.
+using SinglesByCondition = std::map<FindingKey, std::vector<double>>;
 SinglesByCondition singles_by_condition(std::span<const Finding* const> findings);
 
 /// Marks in rows, with the values along the horizontal axis `x`. None where there are too many for

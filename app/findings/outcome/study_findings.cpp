@@ -39,7 +39,13 @@ Phrase counted_units(std::size_t n, CountedUnit unit) {
 }  // namespace
 
 std::vector<Finding> analysis_of(const char* analysis, const char* family, TidyInput input) {
-  return analysis_of(analysis, [&] { return tidy_family(family).findings(input); });
+  std::vector<Finding> findings =
+      analysis_of(analysis, [&] { return tidy_family(family).findings(input); });
+  for (Finding& finding : findings) {
+    const auto several = input.keys.find(finding.key[0]);
+    if (several != input.keys.end()) finding.key = {several->second, finding.key.without_first()};
+  }
+  return findings;
 }
 
 std::vector<Finding> analysis_of(const char* analysis,
@@ -132,7 +138,8 @@ ResultTable* add_persons(const FoundNumbers& found, std::span<const PersonsRow> 
     has_interval = has_interval || mean->low;
     Finding finding = *mean;
     finding.quantity = "mean_of_persons_" + quantity;
-    finding.key = key_column.id + '=' + row.name;
+    const auto* const word = std::get_if<std::string>(&row.name);
+    finding.key = key_column.id + '=' + (word == nullptr ? row.key.text() : *word);
     finding.analysis.clear();
     outcome.findings.push_back(std::move(finding));
   }

@@ -60,8 +60,8 @@ inline constexpr const char* kPersonMeans = "persons";
 /// Appends the table `name` from subj.mean, subj.sd, subj.minimum, subj.median and subj.maximum of
 /// these keys, and the same numbers as findings `mean_of_persons_QUANTITY`. Null: there are no means, and no table.
 struct PersonsRow {
-  std::string name{};  ///< in the table
-  std::string key{};   ///< of the findings
+  ResultCell name{};  ///< in the table
+  FindingKey key{};   ///< of the findings
 };
 ResultTable* add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
                          const ResultColumn& key_column, const std::string& quantity,

@@ -18,8 +18,8 @@ struct StudyTest {
   /// The level of significance.
   static constexpr double kLevel = 0.05;
 
-  std::string name{};   ///< the name of a KindTest
-  std::string about{};  ///< which of several comparisons is tested; may be empty
+  std::string name{};  ///< the name of a KindTest
+  TestSubject about{};
   const TestMethod* made_by = nullptr;
   std::string method{};
   std::size_t n = 0;  ///< of the units that contributed

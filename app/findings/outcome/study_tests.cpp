@@ -20,12 +20,17 @@
 
 namespace asperity {
 
+std::string TestSubject::text() const {
+  return FindingKey{(of.empty() || first.empty() ? of : of + ": ") + first, second}.text();
+}
+
 namespace {
 
 Finding finding_of(const StudyTests::Test& test) {
   Finding finding{};
   finding.quantity = "p";
-  finding.key = "test=" + test.name + (test.about.empty() ? "" : " about=" + test.about);
+  finding.key = "test=" + test.name;
+  if (!test.about.empty()) finding.key = finding.key.text() + " about=" + test.about.text();
   finding.value = test.p;
   finding.unit = "1";
   finding.method = test.method;
@@ -36,7 +41,7 @@ Finding finding_of(const StudyTests::Test& test) {
 }
 
 std::optional<StudyTests::Test::Effect> effect_in(const FoundNumbers& found, QuantityName quantity,
-                                                  std::string_view key) {
+                                                  const FindingKey& key) {
   const Finding* finding = found.find(quantity, key);
   if (finding == nullptr || !finding->value) return std::nullopt;
   return StudyTests::Test::Effect{
@@ -45,7 +50,7 @@ std::optional<StudyTests::Test::Effect> effect_in(const FoundNumbers& found, Qua
 
 /// Marks an effect size that treats single trials as independent in a test of participants; with
 /// one participant its interval would not generalise to participants.
-void judge_effect(const FoundNumbers& found, std::string_view key, StudyTests::Test& test) {
+void judge_effect(const FoundNumbers& found, const FindingKey& key, StudyTests::Test& test) {
   if (!test.effect || test.unit != kUnitOfParticipants) return;
   const Finding* finding = found.find(test.made_by->effect, key);
   test.effect->takes_trials_as_independent = finding->n != test.n;
@@ -79,8 +84,9 @@ std::string reason_for(const std::string& name) {
   return std::string(known == kReasons.end() ? "no_responses" : known->second);
 }
 
-const ResultColumn kTest{
-    .id = "test", .heading = phrase("AnalysisWords", "test"), .stored_as = {"test", "about"}};
+const ResultColumn kTest{.id = "test",
+                         .heading = phrase("AnalysisWords", "test"),
+                         .stored_as = {"test", "about", "first", "second"}};
 const ResultColumn kMethod{
     .id = "method", .heading = phrase("AnalysisWords", "method"), .stored_as = {"method"}};
 const ResultColumn kN{
@@ -106,7 +112,10 @@ Cell stored(const std::optional<double>& number) { return number ? Cell{*number}
 
 /// "pairs: a / b"
 ResultCell test_cell(const StudyTests::Test& test) {
-  return JoinedCell{{stored(test.name), stored(test.about)}, words_of_test(test.name, test.about)};
+  const TestSubject& about = test.about;
+  return JoinedCell{
+      {stored(test.name), stored(about.of), stored(about.first), stored(about.second)},
+      words_of_test(test.name, about)};
 }
 
 /// "sign-flip test, exact"
@@ -232,8 +241,8 @@ bool StudyTests::is_in_family(std::string_view name) const {
   return std::find(family_.begin(), family_.end(), name) != family_.end();
 }
 
-void StudyTests::add(const std::string& name, const std::string& about, const FoundNumbers& found,
-                     QuantityName p, std::string_view key) {
+void StudyTests::add(const std::string& name, const TestSubject& about, const FoundNumbers& found,
+                     QuantityName p, const FindingKey& key) {
   const Finding* finding = found.find(p, key);
   if (finding == nullptr) {
     add_untested(name, about, reason_for(name));
@@ -279,7 +288,7 @@ void StudyTests::add(const std::string& name, const std::string& about, const Fo
   }
 }
 
-void StudyTests::add_untested(const std::string& name, const std::string& about,
+void StudyTests::add_untested(const std::string& name, const TestSubject& about,
                               const std::string& reason) {
   tests_.push_back(Test{.name = name, .about = about, .status = reason});
 }
@@ -324,7 +333,7 @@ void StudyTests::leave_out(std::size_t participants, const Phrase& why) {
   tests_.back().why_left_out = why;
 }
 
-const StudyTests::Test* StudyTests::find(std::string_view name, std::string_view about) const {
+const StudyTests::Test* StudyTests::find(std::string_view name, const TestSubject& about) const {
   const auto found = std::find_if(tests_.begin(), tests_.end(), [&](const Test& test) {
     return test.name == name && test.about == about;
   });

@@ -42,10 +42,10 @@ class StudyTests final {
 
   /// Adds the test whose p is the quantity `p` with this key. A p that is not a number is the
   /// reason that there is no test; within the study's family such a test counts as p = 1.
-  void add(const std::string& name, const std::string& about, const FoundNumbers& found,
-           QuantityName p, std::string_view key = {});
+  void add(const std::string& name, const TestSubject& about, const FoundNumbers& found,
+           QuantityName p, const FindingKey& key = {});
   /// A test that cannot be made. `reason`: a code of cell_words.h, or a sentence.
-  void add_untested(const std::string& name, const std::string& about, const std::string& reason);
+  void add_untested(const std::string& name, const TestSubject& about, const std::string& reason);
   /// Sets the number of participants left out of the test that was added last. `why`: a sentence without its end, which
   /// the number follows in the note below the table; may be empty.
   void leave_out(std::size_t participants, const Phrase& why);
@@ -72,7 +72,7 @@ class StudyTests final {
   /// them, without tables and sentences.
   std::vector<Test> take_family() &&;
 
-  const Test* find(std::string_view name, std::string_view about = {}) const;
+  const Test* find(std::string_view name, const TestSubject& about = {}) const;
   std::span<const Test> tests() const noexcept { return tests_; }
   bool is_in_family(std::string_view name) const;
   const std::string& family() const noexcept { return name_; }

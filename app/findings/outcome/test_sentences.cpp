@@ -49,25 +49,18 @@ std::string claim_of(const StudyTest& test, std::string_view kind) {
   const std::string_view words = !test.is_significant() ? claim->nothing
                                  : is_negative          ? claim->lower
                                                         : claim->higher;
-  // "rough: brick|metal" compares two items on a scale.
-  std::string_view about = test.about;
-  std::string on_scale{};
-  std::string of_these{};
-  if (const std::size_t colon = about.find(": "); colon != std::string_view::npos) {
-    on_scale = " on the scale “" + std::string(about.substr(0, colon)) + "”";
-    of_these = " (" + words_of_condition(std::string(about.substr(0, colon))) + ')';
-    about.remove_prefix(colon + 2);
-  }
-  const std::size_t bar = about.find('|');
-  const std::string first(about.substr(0, bar));
-  const std::string second(bar == std::string_view::npos ? "" : about.substr(bar + 1));
+  const auto& [of, one, second] = test.about;
+  const bool is_pair_of_scale = !of.empty() && !one.empty();
+  const std::string on_scale = is_pair_of_scale ? " on the scale “" + of + "”" : "";
+  const std::string of_these = is_pair_of_scale ? " (" + words_of_condition(of) + ')' : "";
+  const std::string& first = one.empty() ? of : one;
   const std::string chance = !test.chance ? ""
                                           : " of " + display_percent(*test.chance) +
                                                 (test.chance_varies ? " on average" : "");
   const std::string chosen = qualified_claim(test, std::string(words));
   std::string named = test.name == "properties" ? words_of_property(first).english() : first;
   // The predictor: a parameter, or a property, whose unit follows a comma.
-  if (test.name == "exponent") named = words_of_about(first).english();
+  if (test.name == "exponent") named = words_of_subject(first).english();
   for (const std::string_view unit : {", N", ", m/s"}) {
     if (test.name == "exponent" && named.ends_with(unit)) named.erase(named.size() - unit.size());
   }
@@ -179,7 +172,7 @@ TestSentence sentence_of_test(const StudyTest& test, std::string_view kind) {
 }
 
 void state_means(AnalysisOutcome& outcome, std::string_view test, const std::string& means,
-                 std::string_view about) {
+                 const TestSubject& about) {
   for (TestSentence& one : outcome.test_sentences) {
     const bool is_stated = one.test == test && one.about == about &&
                            one.role == TestRole::confirmatory && !one.is_untested;

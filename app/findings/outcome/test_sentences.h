@@ -38,7 +38,7 @@ TestSentence sentence_of_test(const StudyTest& test, std::string_view kind);
 
 /// Adds to the sentence of a confirmatory test, before its full stop, the means that show the direction of its effect.
 void state_means(AnalysisOutcome& outcome, std::string_view test, const std::string& means,
-                 std::string_view about);
+                 const TestSubject& about);
 
 /// "p = .031, uncorrected"; for the family "p = .062, Holm-corrected", or "p = .062, the only
 /// confirmatory test". Where no p of 5 % could be attained, with the smallest attainable one and, where it is known, the

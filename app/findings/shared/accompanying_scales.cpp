@@ -96,11 +96,11 @@ TidyInput pairs_of_means(const GatheredAnswers& gathered, const SummedRatings& c
 }
 
 /// The means of both columns, over the same participants as the difference.
-std::vector<Finding> means_of_pairs(const TidyInput& pairs, const std::string& about) {
+std::vector<Finding> means_of_pairs(const TidyInput& pairs, const FindingKey& key) {
   FindingList list{};
   for (const auto& [column, level] :
        {std::pair{"a", kCorrectLevel}, std::pair{"b", kIncorrectLevel}}) {
-    add_mean_of_group(kComparedMean, both(about, level), pairs.table().all_numbers(column),
+    add_mean_of_group(kComparedMean, {key, level}, pairs.table().all_numbers(column),
                       {.of = "mean of the participants with correct and incorrect responses"},
                       list);
   }
@@ -115,7 +115,7 @@ bool is_of_paired_test(const Finding& finding) {
          is(finding, "t") || is(finding, "t.p.two");
 }
 
-std::vector<Finding> paired_test(TidyInput input, const std::string& key) {
+std::vector<Finding> paired_test(TidyInput input, const FindingKey& key) {
   std::vector<Finding> findings = analysis_of(kAccompanying, "equivalence", std::move(input));
   std::erase_if(findings, [](const Finding& finding) { return !is_of_paired_test(finding); });
   for (Finding& finding : findings) {
@@ -135,8 +135,8 @@ Phrase rating_text(const Finding& mean) {
       .with(value, display_signed(*mean.low, kDecimals), display_signed(*mean.high, kDecimals));
 }
 
-std::string AccompanyingScales::Scale::Group::key(const Scale& scale) const {
-  return scale.about() + '|' + by + (level.empty() ? "" : '|' + level);
+FindingKey AccompanyingScales::Scale::Group::key(const Scale& scale) const {
+  return {scale.key(), by, level};
 }
 
 AccompanyingScales::AccompanyingScales(const GatheredAnswers& gathered) {
@@ -168,8 +168,8 @@ AccompanyingScales::AccompanyingScales(const GatheredAnswers& gathered) {
     const std::size_t both = pairs.table().rows();
     scale.left_out = groups.begin()->second.of_people.size() - both;
     if (both == 0) continue;
-    scale.compared_means = means_of_pairs(pairs, scale.about());
-    scale.comparison = paired_test(std::move(pairs), scale.about());
+    scale.compared_means = means_of_pairs(pairs, scale.key());
+    scale.comparison = paired_test(std::move(pairs), scale.key());
   }
   // In the order of the protocol; the questions of the protocol have each name once.
   const auto place = [&gathered](const Scale& scale) {
@@ -209,13 +209,13 @@ void AccompanyingScales::add_tests(StudyTests& tests) const {
                                            [](const auto& one) { return one.by == "correctness"; });
     if (!has_responses) continue;
     const FoundNumbers found(scale.comparison);
-    if (found.find("t.p.two", scale.about()) == nullptr) {
+    if (found.find("t.p.two", scale.key()) == nullptr) {
       tests.add_untested(kAccompanyingTest, scale.about(),
                          scale.comparison.empty() ? "not_both_correct_and_incorrect"
                                                   : "no_variance_of_differences");
       continue;
     }
-    tests.add(kAccompanyingTest, scale.about(), found, "t.p.two", scale.about());
+    tests.add(kAccompanyingTest, scale.about(), found, "t.p.two", scale.key());
     if (scale.left_out > 0) {
       tests.leave_out(scale.left_out,
                       phrase("Analysis",
@@ -243,14 +243,14 @@ Phrase AccompanyingScales::answer_text(const Scale& scale, const StudyTests& tes
   }
   const FoundNumbers of_both(scale.compared_means);
   const auto compared_mean = [&](const char* level, const Finding* own) {
-    const Finding* const found = of_both.find(kComparedMean, both(scale.about(), level));
+    const Finding* const found = of_both.find(kComparedMean, {scale.key(), level});
     return rating_text(found == nullptr ? *own : *found);
   };
   const Phrase means_text =
       phrase("Analysis", "The mean rating is %1 for correct responses and %2 for incorrect ones.")
           .with(compared_mean(kCorrectLevel, correct), compared_mean(kIncorrectLevel, incorrect));
   const FoundNumbers compared(scale.comparison);
-  const Finding* const difference = compared.find("diff", scale.about());
+  const Finding* const difference = compared.find("diff", scale.key());
   const StudyTests::Test* const test = tests.find(kAccompanyingTest, scale.about());
   if (difference == nullptr || test == nullptr || !test->p) {
     return phrase("Analysis", "%1 The difference could not be tested.").with(means_text);
@@ -280,7 +280,7 @@ void AccompanyingScales::report(const StudyTests& tests, AnalysisOutcome& outcom
     const FoundNumbers compared(scale.comparison);
     const auto add_row = [&](const std::string& by, const std::string& level, ResultCell responses,
                              const FoundNumbers& numbers, QuantityName quantity,
-                             const std::string& key) {
+                             const FindingKey& key) {
       const Finding* const mean = numbers.find(quantity, key);
       if (mean == nullptr) return;
       table.add({scale.name, scale.question, by, word_cell(level), count_cell(mean->n),
@@ -294,7 +294,7 @@ void AccompanyingScales::report(const StudyTests& tests, AnalysisOutcome& outcom
           group.by == "correctness" &&
           (i + 1 == scale.groups.size() || scale.groups[i + 1].by != group.by);
       if (is_last_of_correctness) {
-        add_row("difference", "", {}, compared, "diff", scale.about());
+        add_row("difference", "", {}, compared, "diff", scale.key());
       }
     }
     keep_findings(scale.findings, outcome);
@@ -318,7 +318,7 @@ void AccompanyingScales::report(const StudyTests& tests, AnalysisOutcome& outcom
                "Means of the participants' mean ratings, with t-based CIs; a paired t test "
                "compares correct and incorrect responses."),
         kAccompanying,
-        has_comparison ? FoundNumbers(scale.comparison).find("diff", scale.about())
+        has_comparison ? FoundNumbers(scale.comparison).find("diff", scale.key())
                        : FoundNumbers(scale.findings)
                              .find(kMeanOfScale, Scale::Group{.by = "all"}.key(scale)));
   }
@@ -327,8 +327,8 @@ void AccompanyingScales::report(const StudyTests& tests, AnalysisOutcome& outcom
 
 void AccompanyingScales::state_means_of(const Scale& scale, AnalysisOutcome& outcome) {
   const FoundNumbers found(scale.compared_means);
-  const Finding* const correct = found.find(kComparedMean, both(scale.about(), kCorrectLevel));
-  const Finding* const incorrect = found.find(kComparedMean, both(scale.about(), kIncorrectLevel));
+  const Finding* const correct = found.find(kComparedMean, {scale.key(), kCorrectLevel});
+  const Finding* const incorrect = found.find(kComparedMean, {scale.key(), kIncorrectLevel});
   if (correct == nullptr || incorrect == nullptr) return;
   state_means(outcome, kAccompanyingTest,
               "means: " + rating_text(*correct).english() + " for correct responses and " +

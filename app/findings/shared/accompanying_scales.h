@@ -51,12 +51,13 @@ class AccompanyingScales final {
       std::string level{};  ///< empty for all trials
       std::size_t responses = 0;
 
-      std::string key(const Scale& scale) const;
+      FindingKey key(const Scale& scale) const;
     };
     std::vector<Group> groups{};
 
-    /// The subject of its test: "confidence|recognised".
-    std::string about() const { return name + '|' + question; }
+    FindingKey key() const { return {name, question}; }
+    /// The subject of its test, which compares correct and incorrect responses.
+    TestSubject about() const { return {name, question}; }
   };
   static Phrase answer_text(const Scale& scale, const StudyTests& tests);
   /// In the sentence of its test.

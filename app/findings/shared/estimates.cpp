@@ -213,7 +213,7 @@ GroupProfile profile_of_estimates(const ComparedEstimates& compared) {
   for (const auto& [of, logarithms] : all) {
     const auto& [person, condition, stimulus] = of;
     const std::string cell =
-        are_groups || compared.conditions.size() < 2 ? stimulus : cell_key(condition, stimulus);
+        are_groups || compared.conditions.size() < 2 ? stimulus : condition + " / " + stimulus;
     profile.values[{person, cell}] =
         mean_logarithm(logarithms) - mean_logarithm(of_condition.at({person, condition}));
     cells.insert(cell);
@@ -230,7 +230,7 @@ void ask_reliability_of_estimates(const ComparedEstimates& compared, AnalysisOut
   std::vector<RepeatedEstimate> repeated{};
   for (const Estimated& one : compared.estimates) {
     repeated.push_back({.person = one.person,
-                        .surface = cell_key(one.condition, one.spacing),
+                        .surface = one.condition + " / " + one.spacing,
                         .repetition = one.repetition,
                         .value = std::log10(one.estimate)});
   }
@@ -349,10 +349,6 @@ TidyInput anova_table(const ComparedEstimates& compared, const std::string& fact
   within.emplace_back(factor, compared.stimuli);
   input.options.set("within", within);
   return input;
-}
-
-std::string cell_key(const std::string& condition, const std::string& spacing) {
-  return condition + '|' + spacing;
 }
 
 }  // namespace asperity

@@ -77,7 +77,4 @@ Phrase normalisation_note(const EstimationDeclaration& estimation,
 /// free modulus its variance would be in the denominator of generalised η², which would then measure the choice of numbers.
 TidyInput anova_table(const ComparedEstimates& compared, const std::string& factor = "spacing");
 
-/// "CONDITION|SPACING", the key of a cell in findings.
-std::string cell_key(const std::string& condition, const std::string& spacing);
-
 }  // namespace asperity

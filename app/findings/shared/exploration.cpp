@@ -85,8 +85,7 @@ std::vector<Finding> described(const GatheredAnswers& gathered, const ExploredRo
 /// "force_N|texture=wood" for "texture=wood"; of a participant "force_N|p1|texture=wood".
 void name_quantity(const char* quantity, std::vector<Finding>& findings) {
   for (Finding& finding : findings) {
-    finding.key =
-        finding.key.empty() ? std::string(quantity) : std::string(quantity) + '|' + finding.key;
+    finding.key = {quantity, finding.key};
   }
 }
 
@@ -158,8 +157,7 @@ class ExplorationTable final {
     }
     for (const ExploredFactor& one : rows.factors()) {
       for (const std::string& level : one.levels) {
-        add_row(quantity, one.name, level,
-                std::string(quantity.name) + '|' + one.name + '=' + level, found);
+        add_row(quantity, one.name, level, {quantity.name, one.name + '=' + level}, found);
       }
     }
   }
@@ -186,7 +184,7 @@ class ExplorationTable final {
   }
 
   void add_row(const ExploredQuantity& quantity, const std::string& factor,
-               const std::string& level, const std::string& key, const FoundNumbers& found) {
+               const std::string& level, const FindingKey& key, const FoundNumbers& found) {
     const Finding* measured = found.find("measurements", key);
     if (measured == nullptr || (measured->n == 0 && factor != "all")) return;
     const auto where = [&](bool is_shown, QuantityName of) {

@@ -187,7 +187,7 @@ class ModelTable final {
     row(times, found, {factor.name, {}, {}}, nullptr, test_of_factor(factor.name, found), {});
     std::optional<std::string> reference{};
     for (const std::string& level : factor.levels) {
-      const std::string key = factor.name + '|' + level;
+      const FindingKey key{factor.name, level};
       const Finding* ratio = found.find("lmm.ratio", key);
       if (ratio == nullptr) {
         // The first level with measurements; those without any have a word in place of β.

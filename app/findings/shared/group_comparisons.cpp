@@ -246,7 +246,7 @@ void GroupComparisons::ask_profile(const Compared& one, const StudyTests& tests,
       phrase("Analysis",
              "the largest difference (%1 − %2), each participant's mean removed, is "
              "that of %3, %4")
-          .with(one.pair.first, one.pair.second, words_of_item(with_strokes(greatest.key)),
+          .with(one.pair.first, one.pair.second, words_of_item(greatest.key.text()),
                 display_signed(*greatest.value, 2));
   const auto with_left_out = [&](const Phrase& answer) {
     const auto missing = static_cast<std::size_t>(found.value("profile.incomplete").value_or(0.0));
@@ -319,9 +319,9 @@ void GroupComparisons::add_table_of_profiles(AnalysisOutcome& outcome) const {
     const FoundNumbers found(one.findings);
     for (const std::string& item : one.items) {
       if (found.find("profile.diff", item) == nullptr) continue;
-      table.add({word_cell(one.name), one.pair.first + " − " + one.pair.second, with_strokes(item),
-                 found.cell("profile.mean", one.pair.first + '|' + item),
-                 found.cell("profile.mean", one.pair.second + '|' + item),
+      table.add({word_cell(one.name), one.pair.first + " − " + one.pair.second, item,
+                 found.cell("profile.mean", {one.pair.first, item}),
+                 found.cell("profile.mean", {one.pair.second, item}),
                  found.cell("profile.diff", item), found.interval("profile.diff", item)});
     }
   }

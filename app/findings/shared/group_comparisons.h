@@ -70,8 +70,7 @@ class GroupComparisons final {
     std::vector<Finding> findings{};
 
     const char* test() const { return is_profile ? kGroupProfilesTest : kGroupsTest; }
-    /// "A|B", of several measures "NAME: A|B".
-    std::string about() const { return (name.empty() ? "" : name + ": ") + pair.about(); }
+    TestSubject about() const { return {pair.first, pair.second, name}; }
     std::string analysis() const;
   };
   void ask_measure(const Compared& one, const StudyTests& tests, AnalysisOutcome& outcome) const;

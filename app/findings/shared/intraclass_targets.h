@@ -13,7 +13,7 @@ namespace asperity {
 /// participants rated".
 struct IntraclassTargets {
   std::string counted{};
-  std::string key{};  ///< of the status
+  FindingKey key{};  ///< of the status
 };
 
 /// Replaces the correlations among the findings of the family `icc` with the status `too_few_items`, or the

@@ -115,7 +115,7 @@ void add_trial_blocks(const FoundNumbers& times, const FoundNumbers& correct, Re
   std::vector<const Finding*> blocks = correct.all("block");
   if (blocks.empty()) blocks = times.all("block");
   for (const Finding* block : blocks) {
-    table.add({range_text(block->key), count_cell(block->n), times.cell("block", block->key),
+    table.add({range_text(block->key.last()), count_cell(block->n), times.cell("block", block->key),
                times.interval("block", block->key), correct.cell("block", block->key),
                correct.interval("block", block->key)});
   }

@@ -37,7 +37,7 @@ Phrase roughest_of(const char* factor, const std::vector<std::string>& levels, b
   std::pair<std::string, std::string> names{};
   for (std::size_t i = 0; i < levels.size(); ++i) {
     for (std::size_t j = i + 1; j < levels.size(); ++j) {
-      const Finding* one = found.find("pair.diff", both(factor, both(levels[i], levels[j])));
+      const Finding* one = found.find("pair.diff", {factor, levels[i], levels[j]});
       if (one == nullptr || !one->value) continue;
       if (most != nullptr && std::abs(*one->value) <= std::abs(*most->value)) continue;
       most = one;

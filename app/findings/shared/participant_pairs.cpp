@@ -159,7 +159,8 @@ std::vector<ParticipantPair> pairs_of_groups(const GatheredAnswers& gathered) {
           .equivalence_question = phrase("Analysis", "Are the groups %1 and %2 equivalent?")
                                       .with(groups[i], groups[j])};
       if (groups.size() > 2) {  // every pair has findings of the same names
-        for (std::string* name : {&pair.analysis, &pair.equivalence}) *name += ':' + pair.about();
+        for (std::string* name : {&pair.analysis, &pair.equivalence})
+          *name += ':' + pair.about().text();
       }
       for (const AnsweringPerson& person : gathered.people) {
         const std::string group = person.group.value_or("");
@@ -236,7 +237,7 @@ void PairComparisons::ask(PairScale scale, const std::string& target, const Stud
                           AnalysisOutcome& outcome) const {
   for (const Compared& one : compared_) {
     const FoundNumbers found(one.findings);
-    const auto of = [&found](QuantityName quantity, const std::string& key) {
+    const auto of = [&found](QuantityName quantity, const FindingKey& key) {
       const Finding* finding = found.find(quantity, key);
       return finding == nullptr ? std::nullopt : std::optional(*finding);
     };

@@ -33,7 +33,7 @@ struct ParticipantPair {
   /// Likewise AnsweringPerson::block; empty where labels are exchanged between all.
   std::vector<std::string> blocks{};
 
-  std::string about() const { return first + '|' + second; }
+  TestSubject about() const { return {first, second}; }
 };
 
 /// The table for a family that compares the two levels of a pair, filled row by row.

@@ -144,7 +144,7 @@ std::vector<Finding> findings_of(const char* analysis, const char* family, const
                                  TidyInput input) {
   std::vector<Finding> findings = analysis_of(analysis, family, std::move(input));
   for (Finding& finding : findings) {
-    finding.key = scale.name + (finding.key.empty() ? "" : "|" + finding.key);
+    finding.key = {scale.name, finding.key};
   }
   return findings;
 }

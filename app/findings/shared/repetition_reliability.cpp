@@ -133,7 +133,7 @@ class SharedRepetitions final {
 /// nothing where no target is repeated, and where all participants who have three respond alike to them.
 std::optional<OwnReliability> own_reliability(const GatheredAnswers& gathered,
                                               std::span<const RepeatedEstimate> estimates,
-                                              const std::string& key, const std::string& what,
+                                              const FindingKey& key, const std::string& what,
                                               const IntraclassTargets& rated) {
   const SharedRepetitions shared(estimates);
   if (shared.repetitions() == 0) return {};
@@ -302,7 +302,7 @@ void ask_reliability_of_ratings(const GatheredAnswers& gathered, const std::stri
                                 std::span<const RepeatedEstimate> ratings,
                                 AnalysisOutcome& outcome) {
   const std::optional<OwnReliability> own = own_reliability(
-      gathered, ratings, both(scale, "ICC3"),
+      gathered, ratings, {scale, "ICC3"},
       "mean of the participants' own intraclass correlations ICC3, items by repetitions",
       {.counted = "items with all repetitions", .key = scale});
   if (!own) return;

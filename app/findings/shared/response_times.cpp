@@ -124,7 +124,7 @@ void add_response_times(const GatheredAnswers& gathered, AnalysisOutcome& outcom
                    {kFactor, kFactorLevel, kPersons, kTrials, kTime, interval_of(kTime)},
                    {}};
   for (const auto& [factor, level] : rows) {
-    const std::string key = level.empty() ? std::string() : factor + '=' + level;
+    const FindingKey key = level.empty() ? std::string() : factor + '=' + level;
     const Finding* trials = found.find("responses", key);
     if (trials == nullptr) continue;
     made.add({factor, word_cell(level), count_cell(trials->n),

@@ -168,7 +168,8 @@ std::vector<Finding> pair_findings(const char* analysis, const Selection& select
       if (!is_of_one && !is_of_pair) continue;
       // over one pair; the table of tests has the correction over all
       if (quantity.ends_with(".holm")) continue;
-      if (is_of_one) finding.key = finding.key == first ? both(first, second) : both(second, first);
+      if (is_of_one)
+        finding.key = finding.key == first ? FindingKey{first, second} : FindingKey{second, first};
       finding.method += "; of the trials in which both were presented";
       of_pairs.push_back(std::move(finding));
     }

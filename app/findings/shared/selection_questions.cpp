@@ -170,8 +170,7 @@ std::vector<const StudyTests::Test*> smallest_p(const std::string& name, const S
 
 /// "a / b"
 std::string pair_text(const StudyTests::Test& test) {
-  const std::size_t bar = test.about.find('|');
-  return test.about.substr(0, bar) + " / " + test.about.substr(bar + 1);
+  return test.about.first + " / " + test.about.second;
 }
 
 /// "the smallest p is that of a / b (p = .012, Holm-corrected)"
@@ -199,11 +198,9 @@ Phrase smallest_text(const std::vector<const StudyTests::Test*>& smallest) {
 /// "a over b (p = .012, Holm-corrected)"; with the proportion among the choices between the two,
 /// where `found` has it.
 Phrase preference_in(const StudyTests::Test& test, const FoundNumbers& found) {
-  const std::size_t bar = test.about.find('|');
-  std::string more = test.about.substr(0, bar);
-  std::string less = test.about.substr(bar + 1);
-  if (found.value("signflip.diff", test.about).value_or(0.0) < 0.0) std::swap(more, less);
-  const Finding* mean = found.find("subj.mean", more + '|' + less);
+  auto [of, more, less] = test.about;
+  if (found.value("signflip.diff", {more, less}).value_or(0.0) < 0.0) std::swap(more, less);
+  const Finding* mean = found.find("subj.mean", {more, less});
   if (mean == nullptr || !mean->value) {
     return phrase("Analysis", "%1 over %2 (%3)").with(more, less, p_text(test));
   }
@@ -276,8 +273,7 @@ TargetChoosers target_choosers(const Selection& selection) {
 
 }  // namespace
 
-void state_share_of_pair(const FoundNumbers& found, const std::string& of_first,
-                         StudyTests& tests) {
+void state_share_of_pair(const FoundNumbers& found, const FindingKey& of_first, StudyTests& tests) {
   const Finding* const mean = found.find("subj.mean", of_first);
   const TestMethod* const method = tests.tests().back().made_by;
   if (mean == nullptr || !mean->value || method == nullptr) return;
@@ -453,7 +449,7 @@ void ask_pairs(const PairWords& words, const StudyTests& tests, const FoundNumbe
   const Phrase answer = said_of(least, statements_of(least, stated));
   add_question(outcome, "pairs", words.question,
                is_only_pair ? with_zero_differences(answer, least) : answer, words.method, "pairs",
-               found.find("signflip.p.two", least.about));
+               found.find("signflip.p.two", {least.about.first, least.about.second}));
 }
 
 void ask_position(std::size_t positions, const Phrase& method, const FoundNumbers& found,

@@ -19,7 +19,7 @@ inline constexpr TestClaim kClaimOfChosenItems{
 
 /// Of the last test, which compares how often two are chosen: holds the participants' mean proportion of choices of the first
 /// against it. `of_first`: the key of this proportion, which `found` need not have.
-void state_share_of_pair(const FoundNumbers& found, const std::string& of_first, StudyTests& tests);
+void state_share_of_pair(const FoundNumbers& found, const FindingKey& of_first, StudyTests& tests);
 
 /// The log worths of the items: of the Bradley–Terry model where trials offer two of them, otherwise of the Plackett–Luce model.
 QuantityName scale_quantity(const Selection& selection);

@@ -115,7 +115,7 @@ Eigen::ArrayXd add_bayesian_track(const ParameterGrid& grid, const TidyTable& re
   Eigen::ArrayXd weights = table.uniform();
   double gap = std::numeric_limits<double>::infinity();
   for (std::size_t trial = 0; trial < answered.size(); ++trial) {
-    const std::string key = std::to_string(trial + 1);
+    const FindingKey key = std::to_string(trial + 1);
     const std::vector<double> entropies = table.expected_entropies(weights);
     const std::size_t level = place_of_least(entropies);
     if (entropies.size() > 1) gap = std::min(gap, gap_of_least(entropies));
@@ -126,7 +126,7 @@ Eigen::ArrayXd add_bayesian_track(const ParameterGrid& grid, const TidyTable& re
     try {
       table.respond(weights, level, answered[trial]);
     } catch (const std::invalid_argument& error) {
-      throw std::runtime_error("trial " + key + ": " + error.what());
+      throw std::runtime_error("trial " + key.text() + ": " + error.what());
     }
     findings.number("entropy", key, table.entropy(weights),
                     {.n = 1, .method = "after the response, in nats, of " + of_what});

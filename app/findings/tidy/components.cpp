@@ -117,7 +117,7 @@ std::vector<Finding> components_findings(const TidyInput& input) {
   const std::string method_of_corrected = basis.method +
                                           "; without the variance that the participants' "
                                           "deviations add to observed means";
-  const auto add_proportion = [&](const std::string& key,
+  const auto add_proportion = [&](const FindingKey& key,
                                   const std::optional<ComponentEstimate>& estimate) {
     if (!estimate) return;
     findings.number(
@@ -128,7 +128,7 @@ std::vector<Finding> components_findings(const TidyInput& input) {
          .interval = estimate->interval,
          .confidence = confidence});
   };
-  const auto add_loading = [&](const std::string& key,
+  const auto add_loading = [&](const FindingKey& key,
                                const std::optional<ComponentEstimate>& estimate) {
     if (!estimate) return;
     findings.number("loading.corrected", key, estimate->corrected,
@@ -146,12 +146,12 @@ std::vector<Finding> components_findings(const TidyInput& input) {
     findings.number("parallel.limit", name, noise.limits(component), limit);
     for (Eigen::Index scale = 0; scale < columns; ++scale) {
       const auto of_scale = static_cast<std::size_t>(scale);
-      const std::string key = both(scales[of_scale], name);
+      const FindingKey key{scales[of_scale], name};
       findings.number("loading", key, found->loadings(scale, component), basis);
       if (corrected_of) add_loading(key, corrected_of->loadings[of_scale][place]);
     }
     for (Eigen::Index item = 0; item < rows; ++item) {
-      findings.number("score", both(items[static_cast<std::size_t>(item)], name),
+      findings.number("score", {items[static_cast<std::size_t>(item)], name},
                       found->scores(item, component), basis);
     }
   }

@@ -26,7 +26,7 @@ double own_average(OwnAverage average, std::vector<double>& measurements);
 
 /// Those with a measurement, in the order of the participants.
 struct DescribedCondition {
-  std::string key{};  ///< of the findings
+  FindingKey key{};  ///< of the findings
   std::span<const OwnValue> own{};
 };
 

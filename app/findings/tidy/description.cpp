@@ -41,7 +41,7 @@ std::vector<OwnValue> own_values(OwnAverage average, MeasuredByPerson measured) 
 
 void add_described(const DescribedCondition& condition, const Description& description,
                    FindingList& findings) {
-  const std::string& key = condition.key;
+  const FindingKey& key = condition.key;
   const bool has_means = description.average == OwnAverage::mean;
   std::size_t measurements = 0;
   std::vector<double> own{};
@@ -53,7 +53,7 @@ void add_described(const DescribedCondition& condition, const Description& descr
   if (own.empty()) return;
   for (const OwnValue& one : condition.own) {
     const std::string& name = description.participants[one.participant];
-    findings.number("subject.value", key.empty() ? name : both(name, key), one.value,
+    findings.number("subject.value", {name, key}, one.value,
                     {.n = 1,
                      .method = has_means ? "mean of a participant's measurements"
                                          : "median of a participant's measurements"});
@@ -104,8 +104,8 @@ std::vector<Finding> description_findings(const TidyInput& input) {
   Description description{.average = own_average_of(input.options),
                           .participants = participants.names,
                           .described = participants.names.size()};
-  std::vector<std::pair<std::string, std::vector<OwnValue>>> conditions{};
-  const auto add_condition = [&](std::string key, MeasuredByPerson measured) {
+  std::vector<std::pair<FindingKey, std::vector<OwnValue>>> conditions{};
+  const auto add_condition = [&](FindingKey key, MeasuredByPerson measured) {
     conditions.emplace_back(std::move(key), own_values(description.average, std::move(measured)));
   };
   MeasuredByPerson all(participants.names.size());

@@ -27,7 +27,7 @@ namespace {
 
 /// One row of the table.
 struct CountedTask {
-  std::string key{};
+  FindingKey key{};
   DetectionCounts counts{};
   std::size_t alternatives = 0;  ///< of the design mafc
   double confidence = 0.95;
@@ -335,7 +335,7 @@ std::vector<Finding> dprime_findings(const TidyInput& input) {
     const CountedDesign& design = counted_design(table, row, designs[row]);
     const std::string& id = ids.names[ids.codes[row]];
     CountedTask task{
-        .key = has_participants ? both(id, participants.names[participants.codes[row]]) : id,
+        .key = has_participants ? FindingKey{id, participants.names[participants.codes[row]]} : id,
         .confidence = confidence};
     task.counts.signal =
         hits_in(table, "signal_yes", row, count_in(table, "signal_yes", row, signal_yes),

@@ -14,7 +14,7 @@
 
 namespace asperity {
 
-Finding& FindingList::add(std::string quantity, std::string key, Basis&& basis) {
+Finding& FindingList::add(std::string quantity, FindingKey key, Basis&& basis) {
   Finding& finding = findings_.emplace_back();
   finding.quantity = std::move(quantity);
   finding.key = std::move(key);
@@ -29,7 +29,7 @@ Finding& FindingList::add(std::string quantity, std::string key, Basis&& basis) 
   return finding;
 }
 
-void FindingList::number(std::string quantity, std::string key, double value, Basis basis) {
+void FindingList::number(std::string quantity, FindingKey key, double value, Basis basis) {
   std::string why = basis.undefined.empty() ? kNotDefined : std::move(basis.undefined);
   Finding& finding = add(std::move(quantity), std::move(key), std::move(basis));
   if (std::isnan(value)) {
@@ -43,15 +43,15 @@ void FindingList::number(std::string quantity, std::string key, double value, Ba
   }
 }
 
-void FindingList::count(std::string quantity, std::string key, std::uint64_t value, Basis basis) {
+void FindingList::count(std::string quantity, FindingKey key, std::uint64_t value, Basis basis) {
   number(std::move(quantity), std::move(key), static_cast<double>(value), std::move(basis));
 }
 
-void FindingList::truth(std::string quantity, std::string key, bool value, Basis basis) {
+void FindingList::truth(std::string quantity, FindingKey key, bool value, Basis basis) {
   word(std::move(quantity), std::move(key), value ? "TRUE" : "FALSE", "ok", std::move(basis));
 }
 
-void FindingList::word(std::string quantity, std::string key, std::string word, std::string status,
+void FindingList::word(std::string quantity, FindingKey key, std::string word, std::string status,
                        Basis basis) {
   Finding& finding = add(std::move(quantity), std::move(key), std::move(basis));
   finding.word = std::move(word);
@@ -61,7 +61,7 @@ void FindingList::word(std::string quantity, std::string key, std::string word, 
 void drop_intervals(
     std::vector<Finding>& findings,
     const std::function<std::optional<std::string>(const Finding&)>& reason_against) {
-  std::set<std::pair<std::string, std::string>> limits{};  // quantities and keys
+  std::set<std::pair<std::string, FindingKey>> limits{};  // quantities and keys
   for (Finding& finding : findings) {
     const std::optional<std::string> reason = reason_against(finding);
     if (!reason) continue;
@@ -82,7 +82,7 @@ void drop_intervals(
   });
 }
 
-void add_spread(const std::string& key, std::span<const double> shares, FindingList& findings) {
+void add_spread(const FindingKey& key, std::span<const double> shares, FindingList& findings) {
   const std::optional<Summary> summary = summary_of(shares);
   if (!summary) return;
   const Basis basis{.n = summary->n, .method = "of the participants' proportions"};
@@ -96,7 +96,7 @@ std::string way_of_counting(std::size_t drawn) {
   return "random (" + std::to_string(drawn) + " draws, seed " + std::to_string(kSeedOfTests) + ")";
 }
 
-void add_mean_share(const std::string& quantity, const std::string& key,
+void add_mean_share(const std::string& quantity, const FindingKey& key,
                     std::span<const HitCount> participants, const std::string& method,
                     const MeanShareQuestion& question, FindingList& findings) {
   Basis basis{.n = participants.size(),
@@ -116,7 +116,7 @@ void add_mean_share(const std::string& quantity, const std::string& key,
   findings.number(quantity, key, mean, basis);
 }
 
-bool add_geometric_mean(const std::string& quantity, const std::string& key,
+bool add_geometric_mean(const std::string& quantity, const FindingKey& key,
                         std::span<const double> of_participants, const GeometricScale& scale,
                         FindingList& findings) {
   const GeometricMean mean = geometric_mean(of_participants, scale.confidence);
@@ -134,7 +134,7 @@ bool add_geometric_mean(const std::string& quantity, const std::string& key,
   return true;
 }
 
-void add_no_interval(const std::string& quantity, const std::string& key, std::size_t n,
+void add_no_interval(const std::string& quantity, const FindingKey& key, std::size_t n,
                      FindingList& findings) {
   const bool is_alone = n < 2;
   findings.word(
@@ -144,8 +144,8 @@ void add_no_interval(const std::string& quantity, const std::string& key, std::s
       {.n = n, .method = "interval of a mean over participants"});
 }
 
-void add_cohen_h(std::string quantity, std::string key, const HitCount& count,
-                 const ChanceOfHit& of, FindingList& findings) {
+void add_cohen_h(std::string quantity, FindingKey key, const HitCount& count, const ChanceOfHit& of,
+                 FindingList& findings) {
   const ConfidenceInterval limits = wilson_interval(count, of.confidence);
   const auto h = [&of](double share) {
     return 2.0 * std::asin(std::sqrt(share)) - 2.0 * std::asin(std::sqrt(of.chance));
@@ -157,7 +157,7 @@ void add_cohen_h(std::string quantity, std::string key, const HitCount& count,
                    .confidence = of.confidence});
 }
 
-void add_splits(const std::string& name, const std::string& key, const SplitTest& test,
+void add_splits(const std::string& name, const FindingKey& key, const SplitTest& test,
                 std::size_t n, FindingList& findings) {
   findings.count(
       name + ".draws", key, test.exact ? 0 : kRandomSplits,
@@ -165,7 +165,7 @@ void add_splits(const std::string& name, const std::string& key, const SplitTest
        .method = "permutations of the group labels drawn at random; 0 if all were enumerated"});
 }
 
-void add_mean_of_group(const std::string& quantity, const std::string& key,
+void add_mean_of_group(const std::string& quantity, const FindingKey& key,
                        std::span<const double> of_participants, const GroupScale& scale,
                        FindingList& findings) {
   const OneSampleT t = one_sample_t(of_participants, {.confidence = scale.confidence});
@@ -178,7 +178,7 @@ void add_mean_of_group(const std::string& quantity, const std::string& key,
   findings.number(quantity, key, t.mean, basis);
 }
 
-void add_difference_of_means(const std::string& quantity, const std::string& key,
+void add_difference_of_means(const std::string& quantity, const FindingKey& key,
                              const TwoSamples& samples, const GroupScale& scale,
                              FindingList& findings) {
   Basis basis{.n = samples.first.size() + samples.second.size(),

@@ -19,9 +19,6 @@
 
 namespace asperity {
 
-/// The key of a number that belongs to two items.
-inline std::string both(const std::string& a, const std::string& b) { return a + '|' + b; }
-
 /// A number that is not defined for these data.
 inline constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
@@ -44,12 +41,12 @@ struct Basis {
 class FindingList final {
  public:
   /// A number; `NA` with the status "not defined" where it is NaN, `Inf` and `-Inf`.
-  void number(std::string quantity, std::string key, double value, Basis basis = {});
-  void count(std::string quantity, std::string key, std::uint64_t value, Basis basis = {});
-  void truth(std::string quantity, std::string key, bool value, Basis basis = {});
+  void number(std::string quantity, FindingKey key, double value, Basis basis = {});
+  void count(std::string quantity, FindingKey key, std::uint64_t value, Basis basis = {});
+  void truth(std::string quantity, FindingKey key, bool value, Basis basis = {});
   /// A word instead of a number. `status`: the sentence that states why, and what to do; "ok" where
   /// the word is the result.
-  void word(std::string quantity, std::string key, std::string word, std::string status,
+  void word(std::string quantity, FindingKey key, std::string word, std::string status,
             Basis basis = {});
 
   /// A finding of another list.
@@ -58,7 +55,7 @@ class FindingList final {
   std::vector<Finding> take() { return std::move(findings_); }
 
  private:
-  Finding& add(std::string quantity, std::string key, Basis&& basis);
+  Finding& add(std::string quantity, FindingKey key, Basis&& basis);
   std::vector<Finding> findings_{};
 };
 
@@ -71,7 +68,7 @@ void drop_intervals(
 
 /// The spread of the participants' proportions: `subj.minimum`, `subj.median`, `subj.maximum`. Adds
 /// nothing without participants.
-void add_spread(const std::string& key, std::span<const double> shares, FindingList& findings);
+void add_spread(const FindingKey& key, std::span<const double> shares, FindingList& findings);
 
 /// "exact", or "random (9999 draws, seed 1)", for a method; `drawn` of 0 is exact.
 std::string way_of_counting(std::size_t drawn);
@@ -79,7 +76,7 @@ std::string way_of_counting(std::size_t drawn);
 /// The mean of participants' proportions, usually `subj.mean`, with its interval
 /// (`mean_share_interval`) where there are two participants. `method`: the quantity that is
 /// averaged. All displays of the interval of a mean proportion take it from here.
-void add_mean_share(const std::string& quantity, const std::string& key,
+void add_mean_share(const std::string& quantity, const FindingKey& key,
                     std::span<const HitCount> participants, const std::string& method,
                     const MeanShareQuestion& question, FindingList& findings);
 
@@ -91,12 +88,12 @@ struct GeometricScale {
   std::string method{};    ///< the quantity that is averaged
   std::string coverage{};  ///< of the interval, as `simulated_coverage`
 };
-bool add_geometric_mean(const std::string& quantity, const std::string& key,
+bool add_geometric_mean(const std::string& quantity, const FindingKey& key,
                         std::span<const double> of_participants, const GeometricScale& scale,
                         FindingList& findings);
 /// `QUANTITY.status`: why a mean over this many participants has no interval (too_few_participants,
 /// undefined_zero_variance).
-void add_no_interval(const std::string& quantity, const std::string& key, std::size_t n,
+void add_no_interval(const std::string& quantity, const FindingKey& key, std::size_t n,
                      FindingList& findings);
 
 /// Cohen's h of a proportion against chance, with Wilson's limits on the same scale, on which their
@@ -105,8 +102,8 @@ struct ChanceOfHit {
   double chance = 0.5;
   double confidence = 0.95;
 };
-void add_cohen_h(std::string quantity, std::string key, const HitCount& count,
-                 const ChanceOfHit& of, FindingList& findings);
+void add_cohen_h(std::string quantity, FindingKey key, const HitCount& count, const ChanceOfHit& of,
+                 FindingList& findings);
 
 /// The numbers of single participants, with their bounds where there are any.
 struct GroupScale {
@@ -117,17 +114,17 @@ struct GroupScale {
       coverage_of_difference{};  ///< of the interval of a difference, as `simulated_coverage`
 };
 /// The mean of a group's participants with Student's interval, where there is one.
-void add_mean_of_group(const std::string& quantity, const std::string& key,
+void add_mean_of_group(const std::string& quantity, const FindingKey& key,
                        std::span<const double> of_participants, const GroupScale& scale,
                        FindingList& findings);
 /// The means of two groups, first minus second, with Welch's interval, where there is one.
-void add_difference_of_means(const std::string& quantity, const std::string& key,
+void add_difference_of_means(const std::string& quantity, const FindingKey& key,
                              const TwoSamples& samples, const GroupScale& scale,
                              FindingList& findings);
 
 /// The report of the permutation test of two groups: the number of random permutations
 /// (`NAME.draws`; 0 where all were enumerated).
-void add_splits(const std::string& name, const std::string& key, const SplitTest& test,
+void add_splits(const std::string& name, const FindingKey& key, const SplitTest& test,
                 std::size_t n, FindingList& findings);
 
 }  // namespace asperity

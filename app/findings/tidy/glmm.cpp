@@ -22,7 +22,7 @@ namespace {
 /// the first; a covariate has one column.
 struct FixedEffect {
   std::string name{};
-  std::vector<std::string> keys{};
+  std::vector<FindingKey> keys{};
   std::vector<std::string> levels{};  ///< of a factor; the first has no column
   Eigen::Index first_column = 1;
 
@@ -117,9 +117,9 @@ class EffectsDesign final {
                                "; name at least two levels of each factor");
     }
     const LabelColumn codes = table_.labels(name, levels);
-    std::vector<std::string> keys{};
+    std::vector<FindingKey> keys{};
     for (std::size_t level = 1; level < levels.size(); ++level) {
-      keys.push_back(both(name, levels[level]));
+      keys.push_back({name, levels[level]});
     }
     begin(name, std::move(keys));
     effects_.back().levels = levels;
@@ -153,7 +153,7 @@ class EffectsDesign final {
   }
 
  private:
-  void begin(const std::string& name, std::vector<std::string> keys) {
+  void begin(const std::string& name, std::vector<FindingKey> keys) {
     effects_.push_back({.name = name,
                         .keys = std::move(keys),
                         .first_column = static_cast<Eigen::Index>(columns_.size())});
@@ -345,13 +345,13 @@ class CrossedFindings final {
   Basis basis(std::string method) const {
     return {.n = table_.participants, .method = std::move(method)};
   }
-  void number(const char* quantity, const std::string& key, double value, std::string method) {
+  void number(const char* quantity, const FindingKey& key, double value, std::string method) {
     list_.number(quantity, key, value, basis(std::move(method)));
   }
 
   void coefficients(const CrossedFit& fit) {
     const double z = normal_limit(confidence_);
-    const auto add = [&](const std::string& key, Eigen::Index at, double null,
+    const auto add = [&](const FindingKey& key, Eigen::Index at, double null,
                          const std::string& size) {
       const double beta = fit.beta(at);
       const double error = fit.standard_error(at);

@@ -106,7 +106,7 @@ class GroupComparison final {
   Basis basis(std::string method) const {
     return {.n = groups_.participants.size(), .method = std::move(method)};
   }
-  void number(const char* quantity, const std::string& key, double value, std::string method) {
+  void number(const char* quantity, const FindingKey& key, double value, std::string method) {
     list_.number(quantity, key, value, basis(std::move(method)));
   }
   void number(const char* quantity, double value, std::string method) {
@@ -189,7 +189,7 @@ class GroupComparison final {
     for (std::size_t i = 0; i < groups_.participants.size(); ++i) {
       const GroupedHits& one = groups_.participants[i];
       list_.number("subject.share",
-                   both(groups_.participant_names[i], groups_.names[one.second_group ? 1 : 0]),
+                   {groups_.participant_names[i], groups_.names[one.second_group ? 1 : 0]},
                    proportion(one.count), {.n = 1, .method = "proportion of a participant"});
     }
     const std::optional<WelchT> welch = welch_t(samples, confidence_);
@@ -242,7 +242,7 @@ class GroupComparison final {
     }
     coefficients("glm.beta", fixed->beta, "logistic regression, trials treated as independent");
     coefficients("glm.se", fixed->standard_error, "trials treated as independent");
-    const auto clustered = [this](const std::string& key, double error) {
+    const auto clustered = [this](const FindingKey& key, double error) {
       Basis own = basis("participants as clusters (CR0)");
       own.undefined =
           "a group has one participant, and a standard error over participants needs two in each "

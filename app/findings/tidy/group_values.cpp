@@ -240,8 +240,8 @@ std::vector<Finding> profiles_of(const std::array<GroupOfProfiles, 2>& groups,
   for (std::size_t item = 0; item < items.size(); ++item) {
     const std::vector<double> first = groups[0].of_item(item);
     const std::vector<double> second = groups[1].of_item(item);
-    add_mean_of_group("profile.mean", both(groups[0].name, items[item]), first, scale, list);
-    add_mean_of_group("profile.mean", both(groups[1].name, items[item]), second, scale, list);
+    add_mean_of_group("profile.mean", {groups[0].name, items[item]}, first, scale, list);
+    add_mean_of_group("profile.mean", {groups[1].name, items[item]}, second, scale, list);
     add_difference_of_means("profile.diff", items[item], {.first = first, .second = second}, scale,
                             list);
   }

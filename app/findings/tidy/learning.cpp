@@ -143,7 +143,7 @@ std::vector<Finding> times_over_trials(const TidyTable& table, const FamilyOptio
   std::vector<double> slopes{};
   std::vector<std::vector<double>> of_blocks(blocks.count());
   FindingList single{};
-  const auto add_single = [&single](const char* quantity, const std::string& key, double value,
+  const auto add_single = [&single](const char* quantity, const FindingKey& key, double value,
                                     const char* method, const char* unit = "1") {
     single.number(quantity, key, value, {.n = 1, .method = method, .unit = unit});
   };
@@ -166,7 +166,7 @@ std::vector<Finding> times_over_trials(const TidyTable& table, const FamilyOptio
     for (std::size_t block = 0; block < by_block.size(); ++block) {
       if (by_block[block].empty()) continue;
       of_blocks[block].push_back(geometric_mean_of(by_block[block], logarithms));
-      add_single("subject.block", both(name, blocks.name(block)), of_blocks[block].back(),
+      add_single("subject.block", {name, blocks.name(block)}, of_blocks[block].back(),
                  "geometric mean of a participant's response times in a range of trials", "s");
     }
   }
@@ -174,7 +174,7 @@ std::vector<Finding> times_over_trials(const TidyTable& table, const FamilyOptio
   findings.count("n.untimed", "",
                  static_cast<std::uint64_t>(std::count(is_timed.begin(), is_timed.end(), false)),
                  {.n = ordered.participants.size(), .method = "responses without a response time"});
-  const auto add_time = [&](const char* quantity, const std::string& key,
+  const auto add_time = [&](const char* quantity, const FindingKey& key,
                             const std::vector<double>& of, const char* method) {
     if (of.empty()) return;
     add_geometric_mean(quantity, key, of, {.confidence = confidence, .unit = "s", .method = method},
@@ -282,13 +282,13 @@ std::vector<Finding> proportions_over_trials(const TidyTable& table, const Famil
     for (std::size_t block = 0; block < by_block.size(); ++block) {
       if (by_block[block].empty()) continue;
       of_blocks[block].push_back(hits_of(by_block[block], results));
-      single.number("subject.block", both(name, blocks.name(block)),
+      single.number("subject.block", {name, blocks.name(block)},
                     proportion(of_blocks[block].back()),
                     {.n = 1, .method = "proportion correct of a participant in a range of trials"});
     }
   }
   FindingList findings{};
-  const auto add_mean = [&](const char* quantity, const std::string& key,
+  const auto add_mean = [&](const char* quantity, const FindingKey& key,
                             const std::vector<HitCount>& of, const char* method) {
     if (of.empty()) return;
     add_mean_share(quantity, key, of, method, {.confidence = confidence}, findings);

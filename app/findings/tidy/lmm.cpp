@@ -24,7 +24,7 @@ namespace {
 /// A factor with treatment contrasts, or a covariate: adjacent columns of the design.
 struct MixedTerm {
   std::string name{};
-  std::vector<std::string> keys{};  ///< of its columns: "texture|wood", "trial"
+  std::vector<FindingKey> keys{};  ///< of its columns: "texture|wood", "trial"
   LinearMixedFit::Columns columns{};
   bool is_factor = false;
 };
@@ -35,7 +35,7 @@ struct MixedTable {
   /// Terms that cannot be distinguished from the terms before them, and are not in the design.
   std::vector<std::string> dependent{};
   /// Levels without a measurement, as keys.
-  std::vector<std::string> without_rows{};
+  std::vector<FindingKey> without_rows{};
   std::size_t participants = 0;
   std::size_t left_out = 0;  ///< rows without a measurement, a level or the number of a covariate
   bool is_logarithmic = false;
@@ -84,9 +84,9 @@ CompleteRows count_complete(const MixedRows& rows) {
 /// The terms with their columns, as if all could be distinguished; levels without a row are left out.
 std::vector<MixedTerm> terms_of(const MixedRows& rows, const CompleteRows& complete,
                                 std::vector<DesignColumn>& columns,
-                                std::vector<std::string>& without_rows) {
+                                std::vector<FindingKey>& without_rows) {
   std::vector<MixedTerm> terms{};
-  const auto add_column = [&](const std::string& key, const DesignColumn& column) {
+  const auto add_column = [&](const FindingKey& key, const DesignColumn& column) {
     terms.back().keys.push_back(key);
     ++terms.back().columns.count;
     columns.push_back(column);
@@ -99,11 +99,11 @@ std::vector<MixedTerm> terms_of(const MixedRows& rows, const CompleteRows& compl
     bool is_reference = true;
     for (std::size_t level = 0; level < levels.size(); ++level) {
       if (complete.by_level[factor][level] == 0) {
-        without_rows.push_back(both(name, levels[level]));
+        without_rows.push_back({name, levels[level]});
         continue;
       }
       if (!std::exchange(is_reference, false)) {
-        add_column(both(name, levels[level]), {.factor = factor, .level = level});
+        add_column({name, levels[level]}, {.factor = factor, .level = level});
       }
     }
     if (terms.back().keys.empty()) terms.pop_back();  // one level: there is nothing to compare
@@ -230,7 +230,7 @@ class MixedFindings final {
           "not in the model: remove it, or one of the effects before it",
           basis(method_));
     }
-    for (const std::string& key : table_.without_rows) {
+    for (const FindingKey& key : table_.without_rows) {
       list_.word("lmm.beta", key, "no_data",
                  "the level has no measurement: add one, or remove the level", basis(method_));
     }
@@ -263,7 +263,7 @@ class MixedFindings final {
   Basis basis(std::string method) const {
     return {.n = table_.participants, .method = std::move(method)};
   }
-  void number(const char* quantity, const std::string& key, double value, std::string method) {
+  void number(const char* quantity, const FindingKey& key, double value, std::string method) {
     list_.number(quantity, key, value, basis(std::move(method)));
   }
 
@@ -273,7 +273,7 @@ class MixedFindings final {
            text_of(CoverageSpan{68, 90}) + " where they vary over participants";
   }
 
-  void coefficient(const LinearMixedFit& fit, const std::string& key, Eigen::Index column,
+  void coefficient(const LinearMixedFit& fit, const FindingKey& key, Eigen::Index column,
                    const std::string& coverage) {
     const LinearMixedFit::Combination effect = fit.effect(column, confidence_);
     const std::string interval = "; interval with Satterthwaite's degrees of freedom" + coverage;

@@ -243,11 +243,11 @@ class MagnitudeList final {
 
  private:
   Basis basis(std::string method) const { return {.n = n_, .method = std::move(method)}; }
-  void number(const std::string& quantity, const std::string& key, double value,
+  void number(const std::string& quantity, const FindingKey& key, double value,
               std::string method) {
     list_.number(quantity, key, value, basis(std::move(method)));
   }
-  void number(const std::string& quantity, const std::string& key,
+  void number(const std::string& quantity, const FindingKey& key,
               const std::optional<double>& value, std::string method) {
     number(quantity, key, value.value_or(kUndefined), std::move(method));
   }
@@ -288,7 +288,7 @@ class MagnitudeList final {
       for (std::size_t probe = 0; probe < probes; ++probe) {
         for (std::size_t level = 0; level < spacings; ++level) {
           rows.push_back({.participant = read_.participants[one],
-                          .cell = cell_key(probe, level),
+                          .cell = cell_key(probe, level).text(),
                           .rows = estimates[(one * probes + probe) * spacings + level]});
         }
       }
@@ -332,15 +332,15 @@ class MagnitudeList final {
     return static_cast<std::size_t>(found - read_.stimuli.begin());
   }
 
-  std::string cell_key(std::size_t probe, std::size_t spacing) const {
-    return read_.probes[probe] + '|' + read_.stimuli[spacing].name;
+  FindingKey cell_key(std::size_t probe, std::size_t spacing) const {
+    return {read_.probes[probe], read_.stimuli[spacing].name};
   }
 
   void means(const std::vector<Eigen::MatrixXd>& normalised) {
     for (std::size_t i = 0; i < n_; ++i) {
       for (std::size_t probe = 0; probe < normalised.size(); ++probe) {
         for (std::size_t level = 0; level < read_.stimuli.size(); ++level) {
-          number("norm.estimate", names_[i] + '|' + cell_key(probe, level),
+          number("norm.estimate", {names_[i], cell_key(probe, level)},
                  std::pow(10.0, normalised[probe](static_cast<Eigen::Index>(i),
                                                   static_cast<Eigen::Index>(level))),
                  "normalised estimate");
@@ -353,7 +353,7 @@ class MagnitudeList final {
       const CellMeans cell = cell_means(normalised[probe], confidence_);
       for (std::size_t level = 0; level < read_.stimuli.size(); ++level) {
         const auto column = static_cast<Eigen::Index>(level);
-        const std::string key = cell_key(probe, level);
+        const FindingKey key = cell_key(probe, level);
         const double mean = cell.mean(column);
         // With a single cell, every participant's normalised estimate is the grand mean.
         const bool has_spread =
@@ -435,14 +435,14 @@ class MagnitudeList final {
     }
     for (std::size_t a = 0; a < fits.size(); ++a) {
       for (std::size_t b = a + 1; b < fits.size(); ++b) {
-        shift(read_.probes[a] + '|' + read_.probes[b], fits[a], fits[b]);
+        shift({read_.probes[a], read_.probes[b]}, fits[a], fits[b]);
       }
     }
   }
 
   void line(const std::string& probe, const PowerLaw& law) {
     for (std::size_t i = 0; i < n_; ++i) {
-      number("exponent.subject", probe + '|' + names_[i], law.exponents[i],
+      number("exponent.subject", {probe, names_[i]}, law.exponents[i],
              "least squares on logarithms");
     }
     Basis mean = basis("mean exponent over participants; t interval");
@@ -479,9 +479,9 @@ class MagnitudeList final {
     const std::array<std::string, 3> names{"a", "b", "c"};
     const std::array<double, 3> mean{fit.mean.a, fit.mean.b, fit.mean.c};
     for (std::size_t i = 0; i < 3; ++i) {
-      number("quad.coef", probe + '|' + names[i], mean[i], "a + bx + cx², mean over participants");
+      number("quad.coef", {probe, names[i]}, mean[i], "a + bx + cx², mean over participants");
       for (std::size_t j = 0; j < 3; ++j) {
-        number("quad.cov", probe + '|' + names[i] + '|' + names[j],
+        number("quad.cov", {probe, names[i], names[j]},
                fit.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)),
                "covariance of the mean coefficients, from the differences between participants");
       }
@@ -608,7 +608,7 @@ class MagnitudeList final {
     }
   }
 
-  void shift(const std::string& key, const QuadraticFit& first, const QuadraticFit& second) {
+  void shift(const FindingKey& key, const QuadraticFit& first, const QuadraticFit& second) {
     const std::optional<PeakShift> found =
         peak_shift({.first = first, .second = second, .confidence = confidence_});
     if (!found) return;

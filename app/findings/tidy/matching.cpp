@@ -328,7 +328,7 @@ std::vector<RelabelledMatching> relabelled_participants(const Matching& read,
 
 /// A one-sided test of a count, with the participant as the unit. `quantity` ends in ".p.greater";
 /// the smallest attainable p is added with the suffix ".smallest".
-void add_relabelling_test(const std::string& quantity, const std::string& key, std::uint64_t count,
+void add_relabelling_test(const std::string& quantity, const FindingKey& key, std::uint64_t count,
                           std::span<const IntegerDistribution> participants, const std::string& of,
                           FindingList& findings) {
   const IntegerDistribution chance = sum_of_all(participants);
@@ -438,7 +438,7 @@ void add_textures(const Matching& read, FindingList& findings) {
   }
   for (const std::size_t felt : read.felt) {
     for (const std::size_t chosen : read.felt) {
-      findings.count("confusion", both(read.labels[felt], read.labels[chosen]),
+      findings.count("confusion", {read.labels[felt], read.labels[chosen]},
                      counts.chosen[felt * read.labels.size() + chosen],
                      {.n = read.trials_in_all(), .method = "stimulus | response, all trials"});
     }
@@ -507,7 +507,7 @@ void add_groups(const Matching& read, const std::vector<double>& means,
     }
   }
   const TwoSamples samples{.first = first, .second = second};
-  const std::string key = names[0] + '-' + names[1];
+  const FindingKey key = names[0] + '-' + names[1];
   std::size_t most = 0;  // items of a trial, the maximum of a participant's mean
   for (const TidyTrial& trial : read.trials) most = std::max(most, trial.items);
   const GroupScale scale{

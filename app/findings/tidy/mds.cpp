@@ -73,7 +73,7 @@ void add_distances(const std::string& quantity, const ScaledTable& table,
   const Dissimilarities distances = factor * distances_between(points);
   for (std::size_t i = 0; i < table.items.size(); ++i) {
     for (std::size_t j = i + 1; j < table.items.size(); ++j) {
-      findings.number(quantity, both(table.items[i], table.items[j]),
+      findings.number(quantity, {table.items[i], table.items[j]},
                       distances(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)),
                       {.n = table.items.size(), .method = method});
     }

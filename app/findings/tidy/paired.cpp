@@ -95,7 +95,7 @@ void add_bradley_terry(const Paired& read, const BradleyTerry& fit, FindingList&
   const std::size_t n = read.participants.size();
   const auto items = static_cast<Eigen::Index>(read.items.size());
   const std::string method = "Bradley–Terry, ties left out";
-  const auto number = [&](const char* quantity, const std::string& key, double value,
+  const auto number = [&](const char* quantity, const FindingKey& key, double value,
                           const std::string& how) {
     findings.number(quantity, key, value, {.n = n, .method = how});
   };
@@ -138,8 +138,8 @@ void add_bradley_terry(const Paired& read, const BradleyTerry& fit, FindingList&
   for (Eigen::Index i = 0; i < items; ++i) {
     for (Eigen::Index j = i + 1; j < items; ++j) {
       if (read.counts.wins(i, j) + read.counts.wins(j, i) == 0.0) continue;
-      const std::string key =
-          both(read.items[static_cast<std::size_t>(i)], read.items[static_cast<std::size_t>(j)]);
+      const FindingKey key{read.items[static_cast<std::size_t>(i)],
+                           read.items[static_cast<std::size_t>(j)]};
       const Eigen::MatrixXd& v = fit.abilities.covariance;
       const double difference = fit.abilities.value(i) - fit.abilities.value(j);
       number("bt.diff", key, difference, method);
@@ -310,7 +310,7 @@ std::vector<Finding> paired_findings(const TidyInput& input) {
       if (i == j) continue;
       findings.number(
           "wins",
-          both(read.items[static_cast<std::size_t>(i)], read.items[static_cast<std::size_t>(j)]),
+          {read.items[static_cast<std::size_t>(i)], read.items[static_cast<std::size_t>(j)]},
           read.counts.wins(i, j), {.n = n, .method = "wins of the first over the second item"});
     }
   }

@@ -47,7 +47,7 @@ std::vector<Finding> proportion_findings(const TidyInput& input) {
       table.has("conf") ? table.all_numbers("conf")
                         : std::vector<double>(table.rows(), input.options.confidence());
   FindingList findings{};
-  std::vector<std::string> keys{};
+  std::vector<FindingKey> keys{};
   std::vector<double> p{};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const std::string id(ids[row]);

@@ -189,7 +189,7 @@ class PsychometricList final {
     both.insert(both.end(), second.blocks.begin(), second.blocks.end());
     const double ratio =
         2.0 * (separate - maximise_psychometric(both, question_.model).log_likelihood);
-    key_ = first.name + '|' + second.name;
+    key_ = {first.name, second.name};
     number("lr.same.function", ratio, "likelihood-ratio statistic against shared α and β");
     number("lr.same.function.p",
            upper_tail(ChiSquaredStatistic{.value = ratio, .df = 2.0}).value_or(kUndefined),
@@ -388,7 +388,7 @@ class PsychometricList final {
   PsychometricQuestion question_{};
   std::size_t draws_ = 0;
   FindingList list_{};
-  std::string key_{};
+  FindingKey key_{};
   std::size_t n_ = 0;
 };
 

@@ -69,13 +69,12 @@ void add_left_out(const Scores& scores, FindingList& findings) {
 
 void add_pairs(const std::vector<std::string>& items, const Eigen::MatrixXd& scores,
                FindingList& findings) {
-  std::vector<std::string> pairs{};
+  std::vector<FindingKey> pairs{};
   std::vector<double> p{};
   const std::string method = "Wilcoxon signed-rank test, equal ratings dropped";
   for (Eigen::Index a = 0; a < scores.cols(); ++a) {
     for (Eigen::Index b = a + 1; b < scores.cols(); ++b) {
-      const std::string key =
-          items[static_cast<std::size_t>(a)] + '|' + items[static_cast<std::size_t>(b)];
+      const FindingKey key{items[static_cast<std::size_t>(a)], items[static_cast<std::size_t>(b)]};
       const Eigen::VectorXd differences = scores.col(a) - scores.col(b);
       const SignedRankTest test = signed_rank_test(
           std::span(differences.data(), static_cast<std::size_t>(differences.size())));

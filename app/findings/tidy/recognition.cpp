@@ -109,14 +109,14 @@ class Recognition final {
   Basis of_trials(std::string method) const {
     return {.n = right_.trials, .method = std::move(method)};
   }
-  void number(const char* quantity, const std::string& key, double value, std::string method) {
+  void number(const char* quantity, const FindingKey& key, double value, std::string method) {
     list_.number(quantity, key, value, basis(std::move(method)));
   }
   double chance() const { return 1.0 / static_cast<double>(trials_.labels.size()); }
   const std::string& label(Eigen::Index i) const {
     return trials_.labels[static_cast<std::size_t>(i)];
   }
-  std::string pair(Eigen::Index i, Eigen::Index j) const { return label(i) + '|' + label(j); }
+  FindingKey pair(Eigen::Index i, Eigen::Index j) const { return {label(i), label(j)}; }
   void of_pairs(const std::string& quantity, const Eigen::MatrixXd& matrix,
                 const std::string& method) {
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
@@ -210,7 +210,7 @@ class Recognition final {
 
   void labels() {
     for (std::size_t i = 0; i < trials_.labels.size(); ++i) {
-      const std::string& key = trials_.labels[i];
+      const FindingKey& key = trials_.labels[i];
       const std::optional<HitCount> hits = recall(trials_.counts, i);
       if (!hits) {
         Basis never = basis("proportion correct of the trials with this stimulus");

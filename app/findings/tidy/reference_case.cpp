@@ -52,7 +52,7 @@ ReferenceCase read_reference_case(const std::filesystem::path& folder) {
 std::string case_csv_of(std::span<const Finding> findings) {
   std::string text = "quantity,key,value\n";
   for (const Finding& finding : findings) {
-    text += csv_cell(finding.quantity) + ',' + csv_cell(finding.key) + ',' +
+    text += csv_cell(finding.quantity) + ',' + csv_cell(finding.key.text()) + ',' +
             (finding.value ? number_text(*finding.value) : csv_cell(finding.word)) + '\n';
   }
   return text;

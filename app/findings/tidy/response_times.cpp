@@ -38,7 +38,7 @@ class LogTimes final {
   std::size_t responses_ = 0;
 };
 
-void add_condition(const std::string& key, const std::vector<std::string>& participants,
+void add_condition(const FindingKey& key, const std::vector<std::string>& participants,
                    const LogTimes& times, double confidence, FindingList& findings) {
   std::vector<double> means{};
   for (std::size_t i = 0; i < participants.size(); ++i) {
@@ -60,7 +60,7 @@ void add_condition(const std::string& key, const std::vector<std::string>& parti
     const std::optional<double> own = times.geometric_mean_of(i);
     if (!own) continue;
     findings.number(
-        "subject.geomean", key.empty() ? participants[i] : both(participants[i], key), *own,
+        "subject.geomean", {participants[i], key}, *own,
         {.n = 1, .method = "geometric mean of a participant's response times", .unit = "s"});
   }
 }

@@ -30,7 +30,7 @@ using DesignFactor = std::pair<std::string, std::vector<std::string>>;
 struct Design {
   std::vector<DesignFactor> within{};
   std::vector<DesignFactor> between{};  ///< none or one
-  std::vector<std::string> cells{};
+  std::vector<FindingKey> cells{};
   std::vector<std::string> participants{};  ///< with all cells
   std::vector<std::string> dropped{};
   std::vector<CellRows> rows{};  ///< of the participants with all cells
@@ -74,13 +74,13 @@ std::vector<std::size_t> codes_of(const TidyTable& table, const DesignFactor& fa
   return codes;
 }
 
-std::vector<std::string> cell_names(const std::vector<DesignFactor>& within) {
-  std::vector<std::string> cells{""};
+std::vector<FindingKey> cell_names(const std::vector<DesignFactor>& within) {
+  std::vector<FindingKey> cells{FindingKey{}};
   for (const auto& [name, levels] : within) {
-    std::vector<std::string> longer{};
-    for (const std::string& cell : cells) {
+    std::vector<FindingKey> longer{};
+    for (const FindingKey& cell : cells) {
       for (const std::string& level : levels) {
-        longer.push_back(cell.empty() ? level : cell + '|' + level);
+        longer.push_back({cell, level});
       }
     }
     cells = std::move(longer);
@@ -158,7 +158,7 @@ Design read_design(const TidyInput& input) {
       design.data.y(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(cell)) =
           person.sums[cell] / static_cast<double>(person.counts[cell]);
       design.rows.push_back({.participant = design.participants[i],
-                             .cell = design.cells[cell],
+                             .cell = design.cells[cell].text(),
                              .rows = person.counts[cell]});
     }
     design.data.group.push_back(person.group);
@@ -231,7 +231,7 @@ class AnovaList final {
   Basis basis(std::string method) const {
     return {.n = design_.participants.size(), .method = std::move(method)};
   }
-  void number(const char* quantity, const std::string& key, const std::optional<double>& value,
+  void number(const char* quantity, const FindingKey& key, const std::optional<double>& value,
               std::string method) {
     Basis shown = basis(std::move(method));
     shown.undefined = undefined_;
@@ -259,7 +259,7 @@ class AnovaList final {
         confidence_);
   }
 
-  void effect_size(const std::string& quantity, const std::string& key,
+  void effect_size(const std::string& quantity, const FindingKey& key,
                    const std::optional<double>& value,
                    const std::optional<ConfidenceInterval>& interval, const std::string& method) {
     Basis shown = basis(method);
@@ -274,7 +274,7 @@ class AnovaList final {
   }
 
   void effect(const AnovaEffect& effect, double all_errors) {
-    const std::string key = name_of(effect);
+    const FindingKey key = name_of(effect);
     undefined_ = effect.error_sum_of_squares > 0.0 ? "" : kNoErrorVariance;
     number("SS", key, effect.sum_of_squares, "sum of squares");
     number("SS.error", key, effect.error_sum_of_squares,
@@ -307,7 +307,7 @@ class AnovaList final {
     undefined_.clear();
   }
 
-  void sphericity(const std::string& key, const AnovaEffect::Sphericity& of) {
+  void sphericity(const FindingKey& key, const AnovaEffect::Sphericity& of) {
     number("eps.GG", key, of.gg, "Greenhouse–Geisser ε");
     number("eps.lower", key, of.lower_bound, "lower bound of ε");
     number("eps.HF.lecoutre", key, of.hf_lecoutre, "Huynh–Feldt ε, Lecoutre's correction");
@@ -354,7 +354,7 @@ class AnovaList final {
       const CellMeans means = cell_means(design_.data.y(rows, Eigen::all), confidence_);
       for (std::size_t cell = 0; cell < design_.cells.size(); ++cell) {
         const auto i = static_cast<Eigen::Index>(cell);
-        const std::string key = groups[group] + '|' + design_.cells[cell];
+        const FindingKey key{groups[group], design_.cells[cell]};
         Basis shown{.n = rows.size(), .method = "mean of the participants; t interval"};
         if (means.half_width) {
           shown.interval = ConfidenceInterval{.low = means.mean(i) - (*means.half_width)(i),
@@ -404,13 +404,13 @@ class AnovaList final {
       const OneSampleT t =
           one_sample_t(scores(marginal * polynomials.col(static_cast<Eigen::Index>(degree))),
                        {.confidence = confidence_});
-      test(factor.first + '|' + names[degree], t, "trend",
+      test({factor.first, names[degree]}, t, "trend",
            "orthonormal polynomial on the scaled levels, over participants");
     }
   }
 
   /// The mean under NAME.estimate or NAME.diff, t and p.
-  void test(const std::string& key, const OneSampleT& t, const std::string& name,
+  void test(const FindingKey& key, const OneSampleT& t, const std::string& name,
             const std::string& method) {
     const bool is_pair = name == "pair";
     Basis shown = basis(method + "; t interval");
@@ -430,13 +430,13 @@ class AnovaList final {
   }
 
   void pairs(const DesignFactor& factor, const Eigen::MatrixXd& marginal) {
-    std::vector<std::string> keys{};
+    std::vector<FindingKey> keys{};
     std::vector<double> p{};
     const std::string method = "difference of marginal means; paired t test over participants";
     for (Eigen::Index a = 0; a < marginal.cols(); ++a) {
       for (Eigen::Index b = a + 1; b < marginal.cols(); ++b) {
-        const std::string key = factor.first + '|' + factor.second[static_cast<std::size_t>(a)] +
-                                '|' + factor.second[static_cast<std::size_t>(b)];
+        const FindingKey key{factor.first, factor.second[static_cast<std::size_t>(a)],
+                             factor.second[static_cast<std::size_t>(b)]};
         const OneSampleT t =
             one_sample_t(scores(marginal.col(a) - marginal.col(b)), {.confidence = confidence_});
         test(key, t, "pair", method);

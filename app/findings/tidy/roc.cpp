@@ -120,8 +120,8 @@ class RocList final {
     return {.n = static_cast<std::size_t>(totals_.noise + totals_.signal),
             .method = std::move(method)};
   }
-  std::string key_of(std::size_t rating) const {
-    return both(condition_.name, number_text(condition_.ratings[rating]));
+  FindingKey key_of(std::size_t rating) const {
+    return {condition_.name, number_text(condition_.ratings[rating])};
   }
 
   void add_points() {

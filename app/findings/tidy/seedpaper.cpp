@@ -36,7 +36,7 @@ constexpr std::uint64_t kMostChoices = 1'000'000;  ///< in a cell; each becomes 
 constexpr std::size_t kPictures = 6;               ///< in the recognition experiment
 
 /// A proportion with both intervals, named as in a table.
-void add_share(const std::string& table, const std::string& key, const HitCount& count,
+void add_share(const std::string& table, const FindingKey& key, const HitCount& count,
                FindingList& findings) {
   const ConfidenceInterval wilson = wilson_interval(count, kConfidence);
   const ConfidenceInterval cp = clopper_pearson_interval(count, kConfidence);
@@ -88,7 +88,7 @@ void add_choices(const ChoiceTable& table, const std::string& block,
   const auto n = static_cast<std::uint64_t>(column.sum());
   const std::size_t renderers = counts.size();
   for (std::size_t j = 0; j < renderers; ++j) {
-    const std::string key = both(block, table.renderers[j]);
+    const FindingKey key{block, table.renderers[j]};
     findings.count("t1.count", key, counts[j], {.n = n});
     if (n > 0) add_share("t1", key, {.hits = counts[j], .trials = n}, findings);
   }
@@ -113,7 +113,7 @@ void add_choices(const ChoiceTable& table, const std::string& block,
   }
   for (std::size_t a = 0; a < renderers; ++a) {
     for (std::size_t b = a + 1; b < renderers; ++b) {
-      findings.number("t1.pair.p.two", both(block, both(table.renderers[a], table.renderers[b])),
+      findings.number("t1.pair.p.two", {block, table.renderers[a], table.renderers[b]},
                       mcnemar_test({.only_first = counts[a], .only_second = counts[b]}),
                       {.n = static_cast<std::size_t>(counts[a] + counts[b]),
                        .method = "exact binomial test, two-sided, choices treated as independent"});
@@ -188,7 +188,7 @@ void add_table_1(const ChoiceTable& table, FindingList& findings) {
   const auto needed =
       decisive_choices({.preference = preference, .error = 0.05, .power = 0.8, .least = 20});
   findings.number(
-      "t1.n.decisive.for80", both(kTarget, table.renderers[static_cast<std::size_t>(rival)]),
+      "t1.n.decisive.for80", {kTarget, table.renderers[static_cast<std::size_t>(rival)]},
       needed ? static_cast<double>(*needed) : std::numeric_limits<double>::infinity(),
       {.n = n,
        .method = "number of independent choices of either renderer with which the two-sided "
@@ -250,7 +250,7 @@ void add_right_answers(const std::string& table, const RightAnswers& right,
     if (n == 0) continue;
     add_share(table, block, all, findings);
     for (const Chance& chance : chances) {
-      findings.number(table + ".p.greater", block + "|chance=" + chance.name,
+      findings.number(table + ".p.greater", {block, std::string("chance=") + chance.name},
                       binomial_upper_tail(all, chance.value),
                       {.n = n, .method = "exact binomial test, one-sided"});
     }

@@ -66,7 +66,7 @@ double add_block(const Choices& read, const std::string& block,
                  const std::vector<std::uint64_t>& counts, bool pooled, FindingList& findings) {
   std::uint64_t n = 0;
   for (const std::uint64_t count : counts) n += count;
-  const auto number = [&](const char* quantity, const std::string& key, double value,
+  const auto number = [&](const char* quantity, const FindingKey& key, double value,
                           const std::string& method) {
     findings.number(quantity, key, value,
                     {.n = n, .method = method, .undefined = n == 0 ? kNothingChosen : ""});
@@ -77,7 +77,7 @@ double add_block(const Choices& read, const std::string& block,
   }
   const std::string independent = pooled ? ", choices treated as independent" : "";
   for (std::size_t j = 0; j < counts.size(); ++j) {
-    const std::string key = both(block, read.renderers[j]);
+    const FindingKey key{block, read.renderers[j]};
     const HitCount count{.hits = counts[j], .trials = n};
     const ConfidenceInterval none{.low = kNoNumber, .high = kNoNumber};
     const ConfidenceInterval wilson = n > 0 ? wilson_interval(count, read.confidence) : none;
@@ -98,7 +98,7 @@ double add_block(const Choices& read, const std::string& block,
   }
   const std::vector<ConfidenceInterval> goodman = goodman_intervals(counts, read.confidence);
   for (std::size_t j = 0; j < counts.size(); ++j) {
-    const std::string key = both(block, read.renderers[j]);
+    const FindingKey key{block, read.renderers[j]};
     number("goodman.lower", key, goodman[j].low, "Goodman's simultaneous intervals" + independent);
     number("goodman.upper", key, goodman[j].high, "Goodman's simultaneous intervals" + independent);
   }
@@ -131,14 +131,14 @@ double add_block(const Choices& read, const std::string& block,
                  {.n = n, .method = "whether ½ was added to every count because one is 0"});
   for (std::size_t j = 0; j < counts.size(); ++j) {
     if (j == read.target) continue;
-    const std::string key = both(block, read.renderers[j]);
+    const FindingKey key{block, read.renderers[j]};
     number("luce.logworth", key, n > 0 ? luce.log_worth[j] : kNoNumber,
            "Luce's log-worth relative to " + read.renderers[read.target]);
     number("luce.se", key, n > 0 ? luce.standard_error[j] : kNoNumber, "");
   }
   const std::vector<double> means = first_choice_means(luce.share);
   for (std::size_t j = 0; j < counts.size(); ++j) {
-    number("thurstone.firstchoice.mu", both(block, read.renderers[j]), n > 0 ? means[j] : kNoNumber,
+    number("thurstone.firstchoice.mu", {block, read.renderers[j]}, n > 0 ? means[j] : kNoNumber,
            "Thurstone scale value of first choices, mean 0");
   }
   return p;
@@ -205,7 +205,7 @@ void add_person_shares(const Choices& read, const CountMatrix& counts, std::size
                                            "from one participant: add participants"
                                          : "all participants have the same proportion: add "
                                            "participants";
-  const auto number = [&](const char* quantity, const std::string& key, double value,
+  const auto number = [&](const char* quantity, const FindingKey& key, double value,
                           const std::string& method) {
     findings.number(quantity, key, value, {.n = n, .method = method, .undefined = undefined});
   };
@@ -254,7 +254,7 @@ void add_own_shares(const Choices& read, FindingList& findings) {
     const auto own = counts.row(static_cast<Eigen::Index>(person));
     if (own.sum() == 0) continue;
     for (std::size_t item = 0; item < read.renderers.size(); ++item) {
-      findings.number("subject.share", both(read.participants.names[person], read.renderers[item]),
+      findings.number("subject.share", {read.participants.names[person], read.renderers[item]},
                       static_cast<double>(own(static_cast<Eigen::Index>(item))) /
                           static_cast<double>(own.sum()),
                       {.n = 1, .method = "proportion of a participant's choices"});
@@ -263,7 +263,7 @@ void add_own_shares(const Choices& read, FindingList& findings) {
 }
 
 /// d_z of the participants' differences, which the sign-flip test compares with 0.
-void add_effect_of_pair(const std::string& key, std::span<const std::int64_t> differences,
+void add_effect_of_pair(const FindingKey& key, std::span<const std::int64_t> differences,
                         double confidence, FindingList& findings) {
   const std::vector<double> numbers(differences.begin(), differences.end());
   const OneSampleT t = one_sample_t(numbers);
@@ -307,13 +307,13 @@ void add_concordance(const CountMatrix& counts, double confidence, FindingList& 
 
 void add_sign_flip_tests(const Choices& read, const CountMatrix& counts, FindingList& findings) {
   const auto n = static_cast<std::size_t>(counts.rows());
-  std::vector<std::string> pairs{};
+  std::vector<FindingKey> pairs{};
   std::vector<double> p{};
   const std::string method = "sign-flip test: both labels exchanged within a participant";
   for (Eigen::Index a = 0; a < counts.cols(); ++a) {
     for (Eigen::Index b = a + 1; b < counts.cols(); ++b) {
-      const std::string key = both(read.renderers[static_cast<std::size_t>(a)],
-                                   read.renderers[static_cast<std::size_t>(b)]);
+      const FindingKey key{read.renderers[static_cast<std::size_t>(a)],
+                           read.renderers[static_cast<std::size_t>(b)]};
       std::vector<std::int64_t> differences{};
       for (Eigen::Index person = 0; person < counts.rows(); ++person) {
         differences.push_back(counts(person, a) - counts(person, b));
@@ -455,8 +455,8 @@ void add_cochran(const Choices& read, FindingList& findings) {
         if (answers(person, a) > answers(person, b)) ++discordance.only_first;
         if (answers(person, a) < answers(person, b)) ++discordance.only_second;
       }
-      const std::string key = both(read.samples.names[static_cast<std::size_t>(a)],
-                                   read.samples.names[static_cast<std::size_t>(b)]);
+      const FindingKey key{read.samples.names[static_cast<std::size_t>(a)],
+                           read.samples.names[static_cast<std::size_t>(b)]};
       const Basis mcnemar{.n = first.size(), .method = "exact McNemar test" + first_only};
       findings.count("mcnemar.b", key, discordance.only_first, mcnemar);
       findings.count("mcnemar.c", key, discordance.only_second, mcnemar);

@@ -148,7 +148,7 @@ class SimilarityFindings {
 
  private:
   Basis basis(const std::string& method) const { return {.n = raters_.size(), .method = method}; }
-  std::string pair_key(Eigen::Index i, Eigen::Index j) const { return both(item(i), item(j)); }
+  FindingKey pair_key(Eigen::Index i, Eigen::Index j) const { return {item(i), item(j)}; }
   const std::string& item(Eigen::Index i) const {
     return judged_.items[static_cast<std::size_t>(i)];
   }
@@ -263,7 +263,7 @@ class SimilarityFindings {
     list_.number("hclust.average.cophcor", "", tree.cophenetic_correlation.value_or(kUndefined),
                  basis("correlation of cophenetic with mean dissimilarities"));
     for (std::size_t join = 0; join < tree.joins.size(); ++join) {
-      const std::string key = std::to_string(join + 1);
+      const FindingKey key = std::to_string(join + 1);
       list_.word("hclust.average.first", key, judged_.items[tree.joins[join].first], "ok", of_tree);
       list_.word("hclust.average.second", key, judged_.items[tree.joins[join].second], "ok",
                  of_tree);
@@ -330,7 +330,7 @@ class SimilarityFindings {
         "leave-one-participant-out cross-validation: root mean square error of the prediction");
     if (choice) {
       for (const DimensionError& error : choice->errors) {
-        const std::string key = axis_name(error.dimensions - 1);
+        const FindingKey key = axis_name(error.dimensions - 1);
         list_.number("cv.error", key, error.error, cross);
         list_.number("cv.above", key, error.above_best,
                      basis("mean square error minus that of the best number of dimensions"));
@@ -363,10 +363,10 @@ class SimilarityFindings {
                   : "non-metric scaling (SMACOF), principal axes, mean square distance 1");
     for (Eigen::Index i = 0; i < items(); ++i) {
       for (Eigen::Index axis = 0; axis < dimensions_; ++axis)
-        list_.number("position", both(item(i), axis_name(axis)), map.points(i, axis), of_map);
+        list_.number("position", {item(i), axis_name(axis)}, map.points(i, axis), of_map);
     }
     for (const ShepardPoint& pair : shepard_diagram(mean_, map.points, level_)) {
-      const std::string key = pair_key(pair.first, pair.second);
+      const FindingKey key = pair_key(pair.first, pair.second);
       list_.number("distance", key, pair.distance, of_map);
       list_.number(
           "disparity", key, pair.disparity,
@@ -444,13 +444,13 @@ class SimilarityFindings {
           {.n = complete.size(),
            .method = "INDSCAL: proportion of the participant's scalar products that is fitted"});
       for (Eigen::Index axis = 0; axis < dimensions_; ++axis)
-        list_.number("indscal.weight", both(names[s], axis_name(axis)), found->weights(row, axis),
+        list_.number("indscal.weight", {names[s], axis_name(axis)}, found->weights(row, axis),
                      {.n = complete.size(), .method = "INDSCAL: weight of the dimension"});
     }
     for (Eigen::Index i = 0; i < items(); ++i) {
       for (Eigen::Index axis = 0; axis < dimensions_; ++axis)
         list_.number(
-            "indscal.position", both(item(i), axis_name(axis)), found->points(i, axis),
+            "indscal.position", {item(i), axis_name(axis)}, found->points(i, axis),
             {.n = complete.size(), .method = "INDSCAL: common configuration, sum of squares 1"});
     }
   }
@@ -488,8 +488,8 @@ class SimilarityFindings {
       list_.number("property.perm.p", property.name, fit->p, regression);
       list_.count("property.draws", property.name, fit->drawn, regression);
       for (Eigen::Index axis = 0; axis < dimensions_; ++axis)
-        list_.number("property.direction", both(property.name, axis_name(axis)),
-                     fit->direction(axis), regression);
+        list_.number("property.direction", {property.name, axis_name(axis)}, fit->direction(axis),
+                     regression);
       tested.push_back(property.name);
       p.push_back(fit->p);
       const Eigen::VectorXd centred = values.array() - values.mean();

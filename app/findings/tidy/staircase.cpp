@@ -177,7 +177,7 @@ class TrackFindings final {
 
   void levels() {
     for (std::size_t i = 0; i < track_.trials.size(); ++i) {
-      findings_.number("level", both(answered_.name, std::to_string(answered_.trials[i])),
+      findings_.number("level", {answered_.name, std::to_string(answered_.trials[i])},
                        track_.trials[i].level,
                        {.n = 1, .method = "level of a trial, from the rule and the responses"});
     }

@@ -220,6 +220,12 @@ void refuse_further_tables(const TidyFamily& family, const TidyInput& input) {
                                                     : "; leave out the further tables"));
 }
 
+std::string TidyInput::label_of(const FindingKey& key) {
+  const std::string label = key.text();
+  if (key.size() > 1) keys.emplace(label, key);
+  return label;
+}
+
 const TidyTable& TidyInput::table(std::size_t index) const {
   if (index < tables.size()) return tables[index];
   throw std::runtime_error("this analysis needs at least " + counted(index + 1, "table", "tables") +

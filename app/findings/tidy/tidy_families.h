@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,6 +19,11 @@ namespace asperity {
 struct TidyInput {
   std::vector<TidyTable> tables{};
   FamilyOptions options{};
+  /// The keys of labels that stand for several names.
+  std::map<std::string, FindingKey> keys{};
+
+  /// The label of a key in a table; the findings about it have the key.
+  std::string label_of(const FindingKey& key);
 
   /// Throws std::runtime_error where there are fewer.
   const TidyTable& table(std::size_t index = 0) const;
@@ -35,7 +41,7 @@ struct TidyInput {
 /// 2. `app/findings/tidy/NAME.cpp` with `std::vector<Finding> NAME_findings(const TidyInput&)`:
 ///    requests its columns from TidyTable and its options from FamilyOptions (both report problems
 ///    in sentences), calls 1., and writes one finding per number with FindingList: `quantity` and
-///    `key` are the fixed names on which scripts depend, parts of a key joined by `|`; `n` counts
+///    `key` are the fixed names on which scripts depend, a key has the names of its parts; `n` counts
 ///    independent units (participants, where there are any), `method` states what was computed in
 ///    words; the main estimate has its interval as well. Word and status where there is no number.
 ///    A quantity that anything reads by name is added to quantity_name.h.

@@ -15,7 +15,7 @@ namespace asperity {
 
 /// Responses of one condition to a choice between `alternatives`.
 struct UnforcedData {
-  std::string key{};
+  FindingKey key{};
   std::vector<UnforcedBlock> blocks{};
   std::size_t alternatives = 2;
 };

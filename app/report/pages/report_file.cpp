@@ -7,7 +7,6 @@
 #include <unistd.h>
 #include <vector>
 
-#include "app/findings/outcome/figures_of.h"
 #include "app/report/pages/html_report.h"
 #include "app/report/pages/pdf_report.h"
 #include "app/report/text/study_report.h"
@@ -61,9 +60,7 @@ bool write_report(const Study& study, const std::filesystem::path& path, Overwri
       if (progress) progress(from + (to - from) * fraction);
     };
   };
-  const Report report = study_report(
-      study, [](const AnalysisOutcome& outcome) { return figures_of(outcome); }, protocol, stop,
-      told(0.0, kReadingShare));
+  const Report report = study_report(study, protocol, stop, told(0.0, kReadingShare));
   const std::string bytes = is_pdf(path) ? pdf_of(report, stop, told(kReadingShare, 1.0))
                                          : html_of(report, stop, told(kReadingShare, 1.0));
   if (stop.stop_requested()) return false;

@@ -14,6 +14,7 @@
 #include "app/findings/outcome/display_number.h"
 #include "app/findings/shared/group_equivalence.h"
 #include "app/findings/tidy/quantity_name.h"
+#include "app/words/text_parts.h"
 
 namespace asperity {
 
@@ -140,12 +141,15 @@ std::string words_of_analysis(const std::string& analysis) {
   const std::string name = analysis.substr(0, analysis.find(':'));  // before a pair of groups
   const auto found = kWords.find(name);
   const std::string words = found == kWords.end() ? name : found->second;
-  return words + (name.size() < analysis.size()
-                      ? ": " + words_of_key(analysis.substr(name.size() + 1))
-                      : "");
+  if (name.size() == analysis.size()) return words;
+  FindingKey subject{};
+  for (const std::string& part : parts_of(analysis.substr(name.size() + 1), '|')) {
+    subject = {subject, part};
+  }
+  return words + ": " + words_of_key(subject);
 }
 
-std::string subject_of_row(const std::string& key) {
+std::string subject_of_row(const FindingKey& key) {
   std::string words = words_of_key(key);
   if (words == "F") return "women";
   if (words == "M") return "men";

@@ -258,7 +258,7 @@ std::string with_modelled_times(std::string words, const std::string& analysis) 
   return words;
 }
 
-/// "62.5 µm, virtual0003" for "all|6.25e-05|virtual0003": a key of condition, level and perhaps participant, with the unit of
+/// "62.5 µm, virtual0003" for all, 6.25e-05 and virtual0003: a key of condition, level and perhaps participant, with the unit of
 /// the table that states the level.
 std::string words_of_level_key(const Finding& finding, std::span<const ResultTable> tables) {
   const auto unit_of = [&](double value) {
@@ -271,7 +271,7 @@ std::string words_of_level_key(const Finding& finding, std::span<const ResultTab
     return std::string();
   };
   std::vector<std::string> parts{};
-  const std::vector<std::string> key = parts_of(finding.key);
+  const std::vector<std::string>& key = finding.key.names();
   for (std::size_t i = 0; i < key.size(); ++i) {
     constexpr std::size_t kCondition = 0;
     constexpr std::size_t kLevel = 1;
@@ -294,9 +294,9 @@ std::string subject_of(const Finding& finding, std::span<const ResultTable> tabl
           ? "the agreement of the participants (ICC)"
           : with_modelled_times(words_of_unanswered(finding.quantity), finding.analysis);
   if (words.empty()) return {};
-  const bool is_place = finding.analysis == "position" && number_in(finding.key);
+  const bool is_place = finding.analysis == "position" && number_in(finding.key.text());
   const bool is_level = finding.analysis == kSensitivity || finding.analysis == kConfidenceRoc;
-  const std::string about = is_place   ? "position " + finding.key
+  const std::string about = is_place   ? "position " + finding.key.text()
                             : is_level ? words_of_level_key(finding, tables)
                                        : words_of_key(finding.key);
   const bool says_whole = is(finding, "bt.order.status");

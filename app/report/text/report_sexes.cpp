@@ -20,13 +20,14 @@ constexpr std::string_view kEveryone = "Total";
 
 bool is_of_one_sex(const Finding& finding) {
   constexpr std::string_view kPerson = "person=";
-  const std::size_t at = finding.key.find(kPerson);
-  return at != std::string::npos && finding.key.substr(at + kPerson.size()) != kEveryone;
+  const std::string key = finding.key.text();
+  const std::size_t at = key.find(kPerson);
+  return at != std::string::npos && key.substr(at + kPerson.size()) != kEveryone;
 }
 
 bool compares_sexes(const Finding& finding) {
   return finding.analysis.starts_with(kSexes) || finding.quantity.starts_with("group.") ||
-         finding.key.starts_with("test=sexes") || is_of_one_sex(finding);
+         finding.key[0].starts_with("test=sexes") || is_of_one_sex(finding);
 }
 
 /// Keeps the rows of all participants in a table that has rows by sex; in other tables the column

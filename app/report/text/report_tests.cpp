@@ -41,18 +41,15 @@ struct KeyPart {
   std::string value{};
 };
 
-/// "column=1 person=Other or not told", "exp1|image".
-std::vector<KeyPart> key_parts(const std::string& key) {
+/// Of "column=1 person=Other or not told" or of several names; of several, those of "exp1" and "chance=one" have no names.
+std::vector<KeyPart> key_parts(const FindingKey& key) {
   std::vector<KeyPart> parts{};
   if (key.empty()) return parts;
-  // "exp1|chance=one" has no names; "test=pairs about=height_map|sinusoid" has.
-  const std::size_t equals_at = key.find('=');
-  const bool named = equals_at != std::string::npos && equals_at < key.find('|');
-  if (!named) {
-    for (const std::string& value : parts_of(key, '|')) parts.push_back({{}, value});
+  if (key[0].find('=') == std::string::npos) {
+    for (const std::string& value : key.names()) parts.push_back({{}, value});
     return parts;
   }
-  for (const std::string& word : parts_of(key, ' ')) {
+  for (const std::string& word : parts_of(key.text(), ' ')) {
     const std::size_t equals = word.find('=');
     if (equals != std::string::npos) {
       parts.push_back({word.substr(0, equals), word.substr(equals + 1)});
@@ -82,7 +79,7 @@ class FindingPlaces final {
   }
 
  private:
-  std::map<std::tuple<std::string, std::string, std::string>, const Finding*> places_{};
+  std::map<std::tuple<std::string, FindingKey, std::string>, const Finding*> places_{};
 };
 
 std::string joined(const std::string& prefix, std::string_view name) {
@@ -146,7 +143,7 @@ std::vector<const Finding*> all_intervals_of(const Finding& finding,
 std::vector<const Finding*> estimates_for(const std::string& prefix, std::size_t at,
                                           std::span<const Finding> findings,
                                           const FindingPlaces& places) {
-  const std::string& key = findings[at].key;
+  const FindingKey& key = findings[at].key;
   if (prefix.empty()) {
     // The nearest sequence of the same estimate, in the order of the findings.
     for (std::size_t i = at; i-- > 0 && findings[i].key == key;) {
@@ -173,12 +170,12 @@ std::vector<const Finding*> estimates_for(const std::string& prefix, std::size_t
 /// whole.
 void find_wholes(std::vector<ReportedTest>& tests) {
   const auto kind_of = [](const Finding& p) {
-    std::string kind = p.quantity + '|' + std::to_string(key_parts(p.key).size());
-    for (const KeyPart& part : key_parts(p.key)) kind += '|' + part.name;
+    std::vector<std::string> kind{p.quantity};
+    for (const KeyPart& part : key_parts(p.key)) kind.push_back(part.name);
     return kind;
   };
   // By kind of test: the positions of its key that are "all" in some of the tests.
-  std::map<std::string, std::set<std::size_t>> places{};
+  std::map<std::vector<std::string>, std::set<std::size_t>> places{};
   for (const ReportedTest& test : tests) {
     const std::vector<KeyPart> parts = key_parts(test.p->key);
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -300,7 +297,7 @@ std::string sentence_of(const ReportedTest& test) {
   return capitalised(text) + " (n = " + display_count(test.p->n) + ").";
 }
 
-std::string words_of_key(const std::string& key) {
+std::string words_of_key(const FindingKey& key) {
   std::string names{};
   std::string wholes{};
   for (const KeyPart& part : key_parts(key)) {

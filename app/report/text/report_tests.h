@@ -36,8 +36,8 @@ std::string sentence_of(const ReportedTest& test);
 /// "χ²(2) = 9.10"; empty where there is no statistic.
 std::string statistic_of(const ReportedTest& test);
 
-/// "column=all item=height_map" → "height_map (all repetitions)"; "exp1|image" → "exp1, image".
-std::string words_of_key(const std::string& key);
+/// "column=all item=height_map" → "height_map (all repetitions)"; of "exp1" and "image" "exp1, image".
+std::string words_of_key(const FindingKey& key);
 
 /// "share_chosen" → "proportion chosen"
 std::string words_of_quantity(const std::string& quantity);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/findings/outcome/display_number.h"
+#include "app/findings/outcome/figures_of.h"
 #include "app/findings/outcome/study_analysis.h"
 #include "app/findings/study/analyze_study.h"
 #include "app/report/text/figure_parts.h"
@@ -141,8 +142,7 @@ struct ReportedOutcome {
 
 /// Those of a chapter, that of the protocol's own kind first.
 std::vector<ReportedOutcome> outcomes_of(const std::vector<AnalysisOutcome>& outcomes,
-                                         const ReportFacts& facts,
-                                         const FiguresOfOutcome& figures_of) {
+                                         const ReportFacts& facts) {
   std::vector<ReportedOutcome> reported{};
   for (const AnalysisOutcome& outcome : outcomes) {
     if (outcome.protocol != facts.protocol.name || outcome.version != facts.protocol.version ||
@@ -150,7 +150,7 @@ std::vector<ReportedOutcome> outcomes_of(const std::vector<AnalysisOutcome>& out
       continue;
     }
     ReportedOutcome one{.outcome = &outcome};
-    for (const Figure& figure : figures_of ? figures_of(outcome) : std::vector<Figure>{}) {
+    for (const Figure& figure : figures_of(outcome)) {
       std::vector<Figure> parts = parts_of_rows(figure);
       std::move(parts.begin(), parts.end(), std::back_inserter(one.figures));
     }
@@ -240,9 +240,8 @@ void number_parts(Report& report) {
 
 }  // namespace
 
-Report study_report(const Study& study, const FiguresOfOutcome& figures_of,
-                    const std::optional<std::string>& protocol, const std::stop_token& stop,
-                    const std::function<void(double)>& progress) {
+Report study_report(const Study& study, const std::optional<std::string>& protocol,
+                    const std::stop_token& stop, const std::function<void(double)>& progress) {
   Report report{};
   report.title = study.name();
   report.program = version_line();
@@ -268,7 +267,7 @@ Report study_report(const Study& study, const FiguresOfOutcome& figures_of,
   std::vector<ReportChapter> appendices{};
   for (const ReportFacts& facts : all) {
     if (stop.stop_requested()) return report;
-    const std::vector<ReportedOutcome> reported = outcomes_of(outcomes, facts, figures_of);
+    const std::vector<ReportedOutcome> reported = outcomes_of(outcomes, facts);
     report.chapters.push_back(chapter_of(facts, reported, metadata));
     appendices.push_back(appendix_of(facts, reported));
   }

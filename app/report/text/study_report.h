@@ -14,9 +14,6 @@
 
 namespace asperity {
 
-/// Makes the figures of an outcome: app/findings/outcome/figures_of.h, or none without Qt.
-using FiguresOfOutcome = std::function<std::vector<Figure>(const AnalysisOutcome&)>;
-
 /// A chapter about the study, then one per protocol, version and group of participants: design,
 /// participants, sessions and exclusions, results, exploration, presentation, and program and
 /// files; then an appendix to each: further tables and figures, tests and numbers, and every
@@ -27,8 +24,7 @@ using FiguresOfOutcome = std::function<std::vector<Figure>(const AnalysisOutcome
 /// `progress` receives 0 to 1.
 ///
 /// Errors: ResultsError, also when the study has no session of the named protocol.
-Report study_report(const Study& study, const FiguresOfOutcome& figures_of,
-                    const std::optional<std::string>& protocol = {},
+Report study_report(const Study& study, const std::optional<std::string>& protocol = {},
                     const std::stop_token& stop = {},
                     const std::function<void(double)>& progress = {});
 

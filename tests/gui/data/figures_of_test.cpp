@@ -164,10 +164,10 @@ TEST(FiguresOf, ExplainOnlyTheMarksOfSharesThatAreDrawn) {
 
 TEST(FiguresOf, ExplainOnlyTheMarksOfRoughnessThatAreDrawn) {
   std::vector<Finding> findings{};
-  for (const char* const key : {"small|0.001", "small|0.002"}) {
+  for (const char* const spacing : {"0.001", "0.002"}) {
     Finding& mean = findings.emplace_back();
     mean.quantity = "geomean";
-    mean.key = key;
+    mean.key = {"small", spacing};
     mean.value = 1.5;
   }
   EXPECT_EQ(roughness_figure(FoundNumbers(findings), "m", CurveNames::of_probes).note.english(),
@@ -182,7 +182,7 @@ TEST(FiguresOf, ExplainOnlyTheMarksOfRoughnessThatAreDrawn) {
             "participants.");
   Finding& within = findings.emplace_back();
   within.quantity = "geomean.ci.lower.morey";
-  within.key = "small|0.001";
+  within.key = {"small", "0.001"};
   within.value = 1.0;
   EXPECT_EQ(roughness_figure(FoundNumbers(findings), "m", CurveNames::of_probes).note.english(),
             "Filled symbols: geometric means of normalised estimates with within-participant 95 % "
@@ -438,7 +438,7 @@ TEST(FiguresOf, DrawSmallPredictorsInMicrometres) {
   for (const auto& [stimulus, amplitude_m] : {std::pair{"fine", 2e-5}, std::pair{"coarse", 8e-5}}) {
     findings.push_back({.quantity = "predictor", .key = stimulus, .value = amplitude_m});
     findings.push_back(
-        {.quantity = "geomean", .key = std::string("all|") + stimulus, .value = 1e5 * amplitude_m});
+        {.quantity = "geomean", .key = {"all", stimulus}, .value = 1e5 * amplitude_m});
   }
   const Figure figure = stimulus_estimates_figure(FoundNumbers(findings), "amplitude", "m");
   EXPECT_EQ(figure.x.unit, "µm");
@@ -804,7 +804,8 @@ TEST(FiguresOf, PutResponseTimesByConditionOnALogarithmicAxis) {
 // Of three participants in all trials, of two with wood; other quantities stand between the findings.
 TEST(FiguresOf, PutContactTimesByConditionWithTheirQuartiles) {
   std::vector<Finding> findings{};
-  const auto add = [&findings](const char* quantity, const char* key, double value, std::size_t n) {
+  const auto add = [&findings](const char* quantity, const FindingKey& key, double value,
+                               std::size_t n) {
     Finding& finding = findings.emplace_back();
     finding.quantity = quantity;
     finding.key = key;
@@ -814,14 +815,14 @@ TEST(FiguresOf, PutContactTimesByConditionWithTheirQuartiles) {
   add("median", "contact_s", 4.0, 3);
   add("quartile.lower", "contact_s", 3.0, 3);
   add("quartile.upper", "contact_s", 6.0, 3);
-  add("subject.value", "contact_s|P1", 2.0, 1);
-  add("subject.value", "contact_s|P2", 4.0, 1);
-  add("subject.value", "contact_s|P3", 8.0, 1);
-  add("median", "contact_s|texture=wood", 5.0, 2);
-  add("quartile.lower", "contact_s|texture=wood", 4.5, 2);
-  add("quartile.upper", "contact_s|texture=wood", 5.5, 2);
-  add("subject.value", "contact_s|P1|texture=wood", 4.0, 1);
-  add("subject.value", "contact_s|P2|texture=wood", 6.0, 1);
+  add("subject.value", {"contact_s", "P1"}, 2.0, 1);
+  add("subject.value", {"contact_s", "P2"}, 4.0, 1);
+  add("subject.value", {"contact_s", "P3"}, 8.0, 1);
+  add("median", {"contact_s", "texture=wood"}, 5.0, 2);
+  add("quartile.lower", {"contact_s", "texture=wood"}, 4.5, 2);
+  add("quartile.upper", {"contact_s", "texture=wood"}, 5.5, 2);
+  add("subject.value", {"contact_s", "P1", "texture=wood"}, 4.0, 1);
+  add("subject.value", {"contact_s", "P2", "texture=wood"}, 6.0, 1);
   add("median", "response_s", 1.0, 3);
   const Figure figure = contact_times_figure(FoundNumbers(findings));
   EXPECT_EQ(figure.name, "contact_times");
@@ -900,7 +901,8 @@ TEST(FiguresOf, PutParticipantsBehindTheMeansOfATableOfPersons) {
                            {{std::string("wave"), std::int64_t{2}, 0.5, 0.1, 0.9},
                             {std::string("grain"), std::int64_t{2}, 0.5, 0.1, 0.9}}}}));
   for (const auto& [key, share] :
-       {std::pair("A|wave", 0.25), std::pair("A|grain", 0.75), std::pair("B|wave", 0.75)}) {
+       {std::pair(FindingKey{"A", "wave"}, 0.25), std::pair(FindingKey{"A", "grain"}, 0.75),
+        std::pair(FindingKey{"B", "wave"}, 0.75)}) {
     Finding& own = outcome.findings.emplace_back();
     own.analysis = "choice";
     own.quantity = "subject.share";

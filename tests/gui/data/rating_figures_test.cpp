@@ -300,8 +300,8 @@ TEST(BiplotFigure, KeepsTheLabelsOfSimilarScalesApartAndOnTheSheet) {
   std::vector<Finding> findings = tidy_family("components").findings(four_items());
   for (Finding& finding : findings) {
     if (finding.quantity != "loading") continue;
-    if (finding.key.ends_with("C1")) finding.value = 0.99;
-    if (finding.key.ends_with("C2")) finding.value = finding.key.starts_with("hard") ? 0.02 : 0.0;
+    if (finding.key.last() == "C1") finding.value = 0.99;
+    if (finding.key.last() == "C2") finding.value = finding.key[0] == "hard" ? 0.02 : 0.0;
   }
   for (const double width_mm : {kColumnWidth_mm, kPageWidth_mm}) {
     const DrawnSvg svg = read_svg(QByteArray::fromStdString(
@@ -352,7 +352,7 @@ TEST(RatingFigures, AreARowPerItemForASingleScale) {
     Finding& mean = outcome.findings.emplace_back();
     mean.analysis = "ratings";
     mean.quantity = "mean.score";
-    mean.key = std::string("rough|") + item;
+    mean.key = {"rough", item};
     mean.value = 1.0;
     mean.n = 12;
   }

@@ -15,7 +15,6 @@
 #include <QtWidgets/QPushButton>
 #include <gtest/gtest.h>
 
-#include "app/findings/outcome/figures_of.h"
 #include "app/gui/base/open_study.h"
 #include "app/gui/data/analysis_page.h"
 #include "app/gui/look/controls.h"
@@ -54,9 +53,7 @@ void add_choices(MadeUpStudy& made, int hits, SessionMode mode = SessionMode::ru
   }
 }
 
-Report report_of(const Study& study) {
-  return study_report(study, [](const AnalysisOutcome& outcome) { return figures_of(outcome); });
-}
+Report report_of(const Study& study) { return study_report(study); }
 
 /// One chapter of one section.
 Report report_with(std::vector<ReportPart> parts, const std::string& mark = "") {

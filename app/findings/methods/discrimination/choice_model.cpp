@@ -174,7 +174,7 @@ std::vector<Finding> findings_of_choices(const std::vector<ExploredChoice>& choi
   list.word("status", "", "ok", "ok", basis);
   const Eigen::VectorXd errors = answer.fit->standard_error();
   for (std::size_t i = 0; i < design.covariates.size(); ++i) {
-    const std::string key = design.covariates[i]->name;
+    const FindingKey key = design.covariates[i]->name;
     const std::size_t effect = design.conditions + i;
     const auto column = static_cast<Eigen::Index>(effect);
     const double beta = answer.fit->beta(column);

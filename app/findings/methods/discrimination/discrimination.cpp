@@ -52,9 +52,9 @@ std::string with_task(const std::string& what, const std::string& task) {
 }
 
 /// The signed-rank test drops participants whose two values are equal. `compared`: those with both.
-void drop_ties(std::size_t compared, const std::string& about, const FoundNumbers& found,
+void drop_ties(std::size_t compared, const FindingKey& key, const FoundNumbers& found,
                StudyTests& tests) {
-  const double tested = found.value("wilcoxon.n", about).value_or(static_cast<double>(compared));
+  const double tested = found.value("wilcoxon.n", key).value_or(static_cast<double>(compared));
   tests.drop_ties(compared - std::min(compared, static_cast<std::size_t>(tested)));
 }
 
@@ -109,12 +109,12 @@ void test_order_of_two(const GatheredAnswers& gathered, const DiscriminationResu
       gathered, results, std::move(scores), with_both, {kFirst, kSecond}, tests, outcome);
   if (findings.empty()) return;
   const FoundNumbers found(findings);
-  tests.add("order", results.name, found, kWilcoxonP, both(kFirst, kSecond));
+  tests.add("order", results.name, found, kWilcoxonP, {kFirst, kSecond});
   const FoundNumbers order(results.order);
   const Finding* const difference = order.find("order.difference", results.name);
   tests.state_effect(difference, "difference of proportions");
   tests.state_difference(difference);
-  drop_ties(with_both, both(kFirst, kSecond), found, tests);
+  drop_ties(with_both, {kFirst, kSecond}, found, tests);
 }
 
 /// Of a design in which a surface is chosen.
@@ -176,11 +176,11 @@ void test_conditions(const GatheredAnswers& gathered, const DiscriminationResult
     const FoundNumbers found(findings);
     if (is_pair) {
       tests.add("conditions", about, found, kWilcoxonP,
-                both(results.conditions[0], results.conditions[1]));
+                {results.conditions[0], results.conditions[1]});
       if (quantity == results.quantity_of_threshold()) {
         const FoundNumbers compared(results.compared);
-        const Finding* const ratio = compared.find(
-            results.ratio_of_threshold(), both(results.conditions[1], results.conditions[0]));
+        const Finding* const ratio = compared.find(results.ratio_of_threshold(),
+                                                   {results.conditions[1], results.conditions[0]});
         tests.state_effect(ratio, "ratio");
         tests.state_ratio(ratio);
       }
@@ -193,7 +193,7 @@ void test_conditions(const GatheredAnswers& gathered, const DiscriminationResult
                            "left out of the test of the conditions")
                         .with(shown));
     if (is_pair) {
-      drop_ties(scores.complete, both(results.conditions[0], results.conditions[1]), found, tests);
+      drop_ties(scores.complete, {results.conditions[0], results.conditions[1]}, found, tests);
     }
   }
 }
@@ -226,7 +226,7 @@ void test_equality(const GatheredAnswers& gathered, const DiscriminationResults&
         "equality:" + results.conditions[condition], std::move(scores), {"pse", "standard"});
     keep_tests(findings, true, outcome);
     const FoundNumbers tested(findings);
-    tests.add("point_of_subjective_equality", about, tested, kWilcoxonP, both("pse", "standard"));
+    tests.add("point_of_subjective_equality", about, tested, kWilcoxonP, {"pse", "standard"});
     const Finding* const mean = means.find("mean.pse", results.conditions[condition]);
     if (mean != nullptr && mean->value) {
       const double standard = results.study.task.standard();
@@ -239,7 +239,7 @@ void test_equality(const GatheredAnswers& gathered, const DiscriminationResults&
         phrase("Analysis",
                "Participants without a point of subjective equality within the presented "
                "levels are left out of its test"));
-    drop_ties(estimated, both("pse", "standard"), tested, tests);
+    drop_ties(estimated, {"pse", "standard"}, tested, tests);
   }
 }
 

@@ -52,7 +52,7 @@ struct UnforcedParticipants {
 };
 
 UnforcedParticipants unforced_participants(const AnalysisOutcome& outcome) {
-  std::set<std::string> with_responses{};
+  std::set<FindingKey> with_responses{};
   for (const Finding& finding : outcome.findings) {
     if (finding.analysis == kUnsure && finding.value.value_or(0.0) > 0.0) {
       with_responses.insert(finding.key);
@@ -268,7 +268,7 @@ std::string sensitivity_sentences(const AnalysisOutcome& outcome) {
   for (const Finding& finding : outcome.findings) {
     if (finding.analysis != kUnsure || !finding.value) continue;
     const auto n = static_cast<double>(finding.n);
-    auto& [own, own_n] = by_participant[finding.key.substr(0, finding.key.find('|'))];
+    auto& [own, own_n] = by_participant[finding.key[0]];
     own += n * *finding.value;
     own_n += n;
     unsure += n * *finding.value;

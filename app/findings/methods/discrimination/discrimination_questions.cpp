@@ -235,7 +235,7 @@ void ask_equality(const DiscriminationResults& results, const StudyTests& tests,
     const StudyTest* const test =
         tests.find("point_of_subjective_equality", results.about_equality(condition));
     if (test == nullptr) continue;
-    const Phrase about = words_of_about(test->about);
+    const Phrase about = words_of_subject(test->about);
     if (has_too_few_differences(*test)) {
       answer = phrase("Analysis", "%1 Not tested, %2: %3.")
                    .with(answer, about, words_of_status(test->status));

@@ -97,7 +97,7 @@ void add_threshold_rows(const GatheredAnswers& gathered, const DiscriminationRes
   const FoundNumbers thresholds(results.fit.thresholds);
   const FoundNumbers functions(results.fit.functions);
   for (const auto& function : results.functions) {
-    const std::string& key = function.data.key;
+    const FindingKey& key = function.data.key;
     ResultRow row{gathered.people[function.person].label, results.conditions[function.condition]};
     const std::string& unit_of_levels = results.study.task.varied.unit;
     std::vector<MissingMeasure> missing{};

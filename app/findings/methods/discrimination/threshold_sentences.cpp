@@ -54,11 +54,9 @@ std::string ratio_sentences(const std::vector<Finding>& findings, const std::str
         !ratio.quantity.starts_with("ratio.")) {
       continue;
     }
-    const std::size_t bar = ratio.key.find('|');
-    text += " The ratio of the " + measure + "s (" + words_of_condition(ratio.key.substr(0, bar)) +
-            " / " + words_of_condition(ratio.key.substr(bar + 1)) + ") was " +
-            quantity_with_interval(ratio).english() + ", N = " + display_count(ratio.n) +
-            " participants with both.";
+    text += " The ratio of the " + measure + "s (" + words_of_condition(ratio.key[0]) + " / " +
+            words_of_condition(ratio.key[1]) + ") was " + quantity_with_interval(ratio).english() +
+            ", N = " + display_count(ratio.n) + " participants with both.";
   }
   return text;
 }
@@ -66,16 +64,16 @@ std::string ratio_sentences(const std::vector<Finding>& findings, const std::str
 /// The conditions in which the standard is 0 and responses are correct or incorrect (`DiscriminationTask::is_detection`):
 /// then there is a difference at d′ = 1, or the reason why there is none.
 std::set<std::string> conditions_of_detections(const std::vector<Finding>& findings) {
-  std::set<std::string> of_performance{};
-  std::set<std::string> of_zero{};
+  std::set<FindingKey> of_performance{};
+  std::set<FindingKey> of_zero{};
   for (const Finding& finding : findings) {
     if (finding.analysis != kThresholds) continue;
     if (is(finding, "jnd.dprime1")) of_performance.insert(finding.key);
     if (is(finding, "standard") && finding.value == 0.0) of_zero.insert(finding.key);
   }
   std::set<std::string> conditions{};
-  for (const std::string& key : of_zero) {
-    if (of_performance.contains(key)) conditions.insert(key.substr(key.find('|') + 1));
+  for (const FindingKey& key : of_zero) {
+    if (of_performance.contains(key)) conditions.insert(key.last());
   }
   return conditions;
 }
@@ -84,14 +82,14 @@ std::set<std::string> conditions_of_detections(const std::vector<Finding>& findi
 std::set<std::string> conditions_at_unit_sensitivity(const FoundNumbers& means) {
   std::set<std::string> conditions{};
   for (const Finding* const mean : means.all("geomean.jnd.dprime1")) {
-    if (means.find("geomean.jnd", mean->key) == nullptr) conditions.insert(mean->key);
+    if (means.find("geomean.jnd", mean->key) == nullptr) conditions.insert(mean->key.last());
   }
   return conditions;
 }
 
 /// The thresholds of these designs.
 std::vector<Finding> thresholds_at_unit_sensitivity(const std::vector<Finding>& findings) {
-  std::set<std::string> with_proportion{};
+  std::set<FindingKey> with_proportion{};
   for (const Finding& finding : findings) {
     if (finding.analysis == kThresholds && is(finding, "jnd")) {
       with_proportion.insert(finding.key);
@@ -118,8 +116,7 @@ std::string missing_sentences(const std::vector<Finding>& findings, QuantityName
   std::map<std::string, Missing> conditions{};
   for (const Finding& finding : findings) {
     if (finding.analysis != kThresholds || !is(finding, quantity)) continue;
-    const std::size_t bar = finding.key.find('|');
-    Missing& missing = conditions[bar == std::string::npos ? "all" : finding.key.substr(bar + 1)];
+    Missing& missing = conditions[finding.key.size() > 1 ? finding.key.last() : "all"];
     ++missing.of;
     if (finding.value) continue;
     ++missing.participants;
@@ -161,8 +158,8 @@ EstimateSentence thresholds_sentence(const AnalysisOutcome& outcome) {
   for (const QuantityName quantity : std::initializer_list<QuantityName>{
            "mean.pse", "geomean.jnd", "geomean.jnd.dprime1", "geomean.jnd.posterior"}) {
     for (const Finding* const mean : found.all(quantity)) {
-      if (std::find(conditions.begin(), conditions.end(), mean->key) == conditions.end()) {
-        conditions.push_back(mean->key);
+      if (std::find(conditions.begin(), conditions.end(), mean->key.last()) == conditions.end()) {
+        conditions.push_back(mean->key.last());
       }
     }
   }

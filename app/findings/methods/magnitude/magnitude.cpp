@@ -77,10 +77,10 @@ void add_estimates(const ComparedEstimates& compared, const FoundNumbers& found,
         const std::string& label = gathered.people[person].label;
         persons.add({label, condition, *number_in(spacing), count_cell(cell->second.size()),
                      std::pow(10.0, raw.back()),
-                     found.cell("norm.estimate", label + '|' + cell_key(condition, spacing))});
+                     found.cell("norm.estimate", {label, condition, spacing})});
       }
       if (raw.empty()) continue;
-      const std::string cell = cell_key(condition, spacing);
+      const FindingKey cell{condition, spacing};
       const Finding* mean = found.find("geomean", cell);
       const std::size_t counted = mean == nullptr || !mean->value ? 0 : mean->n;
       curves.add({condition, *number_in(spacing), count_cell(raw.size()),
@@ -112,10 +112,10 @@ void add_peak_tests(const std::vector<std::string>& conditions, const FoundNumbe
                });
   for (std::size_t i = 0; i < with_curve.size(); ++i) {
     for (std::size_t j = i + 1; j < with_curve.size(); ++j) {
-      const std::string pair = with_curve[i] + '|' + with_curve[j];
+      const TestSubject pair{with_curve[i], with_curve[j]};
       if (has_interior_maximum(found, with_curve[i]) &&
           has_interior_maximum(found, with_curve[j])) {
-        tests.add("peaks", pair, found, "peakratio.p", pair);
+        tests.add("peaks", pair, found, "peakratio.p", {pair.first, pair.second});
       } else {
         tests.add_untested("peaks", pair, kNotBothPeaks);
       }
@@ -176,7 +176,7 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
     std::size_t least = 0;
     std::size_t greatest = 0;
     for (const Finding* cells : found_anova.all("cells.with.k")) {
-      const auto k = static_cast<std::size_t>(number_in(cells->key).value_or(0.0));
+      const auto k = static_cast<std::size_t>(number_in(cells->key.last()).value_or(0.0));
       least = least == 0 ? k : std::min(least, k);
       greatest = std::max(greatest, k);
     }

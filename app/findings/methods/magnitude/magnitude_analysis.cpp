@@ -151,8 +151,8 @@ ShownParameters shown_magnitude_parameters(const GatheredAnswers& gathered,
   add_shown_components(
       gathered, asked,
       [&](const GatheredAnswer& answer) {
-        return gathered.word(gathered.level(answer, gathered.estimation.factor())) + '|' +
-               gathered.word(gathered.level(answer, gathered.estimation.condition));
+        return FindingKey{gathered.word(gathered.level(answer, gathered.estimation.factor())),
+                          gathered.word(gathered.level(answer, gathered.estimation.condition))};
       },
       [longest](double number) {
         return number > 0.0 ? std::optional(std::log10(number / longest)) : std::nullopt;

@@ -61,7 +61,7 @@ EstimateSentence exponents_sentence(const AnalysisOutcome& outcome) {
   if (!is_of_spacings) means = estimates_among(outcome, kStimulusEstimates, "exponent.mean");
   // A curve with a maximum among the tested spacings is not a power function.
   const std::map<std::string, std::string> peaks = reported_peaks(outcome);
-  std::erase_if(means, [&peaks](const Finding* one) { return peaks.contains(one->key); });
+  std::erase_if(means, [&peaks](const Finding* one) { return peaks.contains(one->key.last()); });
   std::string text = peaks_text(peaks);
   if (means.empty()) return {.text = text};
   if (!text.empty()) text += ' ';

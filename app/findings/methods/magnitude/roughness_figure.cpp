@@ -97,16 +97,16 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit, Curv
     return figure.series[static_cast<std::size_t>(at)];
   };
   for (const Finding* mean : found.all("geomean")) {
-    const std::vector<std::string> parts = parts_of(mean->key);
-    const auto spacing = number_in(parts.back());
-    if (parts.size() != 2 || !spacing || !mean->value || !(*mean->value > 0.0)) continue;
+    const auto& [probe, place] = std::pair(mean->key[0], mean->key[1]);
+    const auto spacing = number_in(place);
+    if (mean->key.size() != 2 || !spacing || !mean->value || !(*mean->value > 0.0)) continue;
     const auto interval = interval_of(*mean);
-    series_of(parts.front())
-        .points.push_back({.x = scale * *spacing, .y = *mean->value, .y_interval = interval});
+    series_of(probe).points.push_back(
+        {.x = scale * *spacing, .y = *mean->value, .y_interval = interval});
     x.hold(*spacing);
     y.hold(*mean->value);
     if (const auto own = singles.find(mean->key); own != singles.end()) {
-      singles_of_probe[parts.front()].push_back({scale * *spacing, own->second});
+      singles_of_probe[probe].push_back({scale * *spacing, own->second});
       for (const double value : own->second) y.hold(value);
     }
     if (interval && interval->low > 0.0) {
@@ -126,9 +126,9 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit, Curv
   const double first = std::log10(x.low);
   const double last = std::log10(x.high);
   for (std::size_t i = 0; i < probes.size(); ++i) {
-    const auto a = found.value("quad.coef", probes[i] + "|a");
-    const auto b = found.value("quad.coef", probes[i] + "|b");
-    const auto c = found.value("quad.coef", probes[i] + "|c");
+    const auto a = found.value("quad.coef", {probes[i], "a"});
+    const auto b = found.value("quad.coef", {probes[i], "b"});
+    const auto c = found.value("quad.coef", {probes[i], "c"});
     if (!a || !b || !c) continue;
     std::vector<FigurePlace>& curve = figure.series[i].lines.emplace_back();
     for (int step = 0; step <= kStepsOfParabola; ++step) {

@@ -90,7 +90,7 @@ void add_peaks(const std::vector<std::string>& conditions, const std::vector<std
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     for (std::size_t j = i + 1; j < conditions.size(); ++j) {
       for (const auto& [a, b] : {std::pair(i, j), std::pair(j, i)}) {
-        const std::string key = conditions[a] + '|' + conditions[b];
+        const FindingKey key{conditions[a], conditions[b]};
         if (found.find("peakratio", key) == nullptr) continue;
         if (const Finding* p = found.find("peakratio.p", key)) {
           outcome.tests_in_tables.insert(name_of(*p));
@@ -166,16 +166,14 @@ void ask_peak_ratios(const FoundNumbers& found, const StudyTests& tests, Analysi
   const Finding* first = nullptr;
   for (const StudyTests::Test& test : tests.tests()) {
     if (test.name != "peaks" || !test.p || test.degrees.empty() || !test.statistic) continue;
-    const Finding* ratio = found.find("peakratio", test.about);
+    const Finding* ratio = found.find("peakratio", {test.about.first, test.about.second});
     if (ratio == nullptr || !ratio->value || !ratio->low || !ratio->high) continue;
-    const std::size_t bar = test.about.find('|');
     const int decimals = decimals_of(*ratio->high - *ratio->low);
     const Phrase numbers =
         phrase("Analysis",
                "the peak of %1 is at %2 times the spacing of the peak of %3 (95 % CI [%4, %5])")
-            .with(test.about.substr(0, bar), fixed(*ratio->value, decimals),
-                  test.about.substr(bar + 1), fixed(*ratio->low, decimals),
-                  fixed(*ratio->high, decimals));
+            .with(test.about.first, fixed(*ratio->value, decimals), test.about.second,
+                  fixed(*ratio->low, decimals), fixed(*ratio->high, decimals));
     const Phrase one =
         phrase("Analysis", "%1, %2, %3")
             .with(numbers, statistic_text("t", test.degrees, *test.statistic), p_text(test));

@@ -196,14 +196,14 @@ void add_stimulus_means(const ComparedEstimates& compared, const FoundNumbers& f
   for (const std::string& condition : compared.conditions) {
     for (const std::string& stimulus : compared.stimuli) {
       std::vector<double> raw{};
-      const std::string key = cell_key(condition, stimulus);
+      const FindingKey key{condition, stimulus};
       for (std::uint32_t person = 0; person < people.size(); ++person) {
         const auto cell = cells.find({person, condition, stimulus});
         if (cell == cells.end()) continue;
         raw.push_back(mean_logarithm(cell->second));
         persons.add({people[person].label, condition, stimulus_cell(stimulus, unit_of_stimulus),
                      count_cell(cell->second.size()), std::pow(10.0, raw.back()),
-                     found.cell("norm.estimate", people[person].label + '|' + key),
+                     found.cell("norm.estimate", {people[person].label, key}),
                      word_cell(unit_of_stimulus)});
       }
       if (raw.empty()) continue;
@@ -282,7 +282,7 @@ void add_exponents_to_groups(const ComparedEstimates& compared, const FoundNumbe
   for (const Estimated& one : compared.estimates) {
     const bool is_only = are_groups || one.condition == kOnlyCondition;
     measures[is_only ? "" : one.condition].values[one.person] =
-        found.value("exponent.subject", one.condition + '|' + gathered.people[one.person].label);
+        found.value("exponent.subject", {one.condition, gathered.people[one.person].label});
   }
   for (auto& [condition, measure] : measures) {
     measure.name = condition;

@@ -93,7 +93,7 @@ Figure stimulus_estimates_figure(const FoundNumbers& found, const Phrase& predic
   PositiveRange across{};
   PositiveRange estimates{};
   for (const Finding* mean : found.all("geomean")) {
-    const std::vector<std::string> parts = parts_of(mean->key);
+    const std::vector<std::string>& parts = mean->key.names();
     if (parts.size() != 2 || !mean->value || !(*mean->value > 0.0)) continue;
     FigureSeries& series = series_of(parts.front(), figure, conditions);
     const std::optional<FigureSpan> interval = interval_of(*mean);

@@ -106,7 +106,7 @@ void add_matching_tests(const std::vector<MatchedTrial>& assignments,
 std::set<std::string> felt_in(std::span<const Finding> findings) {
   std::set<std::string> felt{};
   for (const Finding& finding : findings) {
-    if (is(finding, "texture.prop")) felt.insert(finding.key);
+    if (is(finding, "texture.prop")) felt.insert(finding.key.last());
   }
   return felt;
 }
@@ -133,7 +133,7 @@ std::vector<StudyTest> test_matching(const GatheredAnswers& gathered) {
   const FoundNumbers found(findings);
   add_matching_tests(assignments, felt_in(findings), found, tests);
   if (found.find("group.perm.p.two", "F-M") != nullptr) {
-    tests.add("sexes", "F|M", found, "group.perm.p.two", "F-M");
+    tests.add("sexes", {"F", "M"}, found, "group.perm.p.two", "F-M");
     tests.state_difference(found.find("group.diff", "F-M"));
   }
   if (tests.is_in_family(kGroupsTest)) {
@@ -176,7 +176,7 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   StudyTests tests(gathered);
   add_matching_tests(assignments, felt, found, tests);
   if (found.find("group.perm.p.two", "F-M") != nullptr) {
-    tests.add("sexes", "F|M", found, "group.perm.p.two", "F-M");
+    tests.add("sexes", {"F", "M"}, found, "group.perm.p.two", "F-M");
     tests.state_difference(found.find("group.diff", "F-M"));
   }
   const PairComparisons groups(gathered, pairs_of_groups(gathered),
@@ -209,7 +209,7 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
       const Finding* own = found.find("subject.share", person.label);
       if (own == nullptr || !person.sex) continue;
       Finding share = *own;
-      share.key = person.label + '|' + *person.sex;
+      share.key = {person.label, *person.sex};
       share.analysis = "sexes";
       outcome.findings.push_back(std::move(share));
     }

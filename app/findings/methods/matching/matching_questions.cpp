@@ -103,7 +103,7 @@ void ask_confused_pairs(const AnalysisOutcome& made, std::size_t people, Analysi
   }
   Finding finding{};
   finding.quantity = "confusions";
-  finding.key = worst.text(columns::kFelt) + '|' + worst.text(columns::kOther);
+  finding.key = {worst.text(columns::kFelt), worst.text(columns::kOther)};
   finding.value = static_cast<double>(times);
   finding.unit = "1";
   finding.method = "items of one texture that were assigned the picture of the other";

@@ -193,7 +193,7 @@ void add_confused_pairs(const std::vector<std::string>& felt, const FoundNumbers
   for (std::size_t i = 0; i < felt.size(); ++i) {
     for (std::size_t j = i + 1; j < felt.size(); ++j) {
       const auto count = [&](const std::string& a, const std::string& b) {
-        return static_cast<std::int64_t>(found.value("confusion", a + '|' + b).value_or(0.0));
+        return static_cast<std::int64_t>(found.value("confusion", {a, b}).value_or(0.0));
       };
       made.add({felt[i], felt[j], count(felt[i], felt[j]), count(felt[j], felt[i])});
     }
@@ -220,7 +220,7 @@ void add_right_items(std::size_t items, const FoundNumbers& found, AnalysisOutco
              "Expected under guessing: number of trials if every assignment is equally likely.")};
   const double goes = found.value("n.trials").value_or(0.0);
   for (std::size_t k = 0; k <= items; ++k) {
-    const std::string key = "n=" + std::to_string(items) + ";k=" + std::to_string(k);
+    const FindingKey key = "n=" + std::to_string(items) + ";k=" + std::to_string(k);
     made.add(
         {count_cell(k),
          static_cast<std::int64_t>(found.value("trials.with.k", std::to_string(k)).value_or(0.0)),

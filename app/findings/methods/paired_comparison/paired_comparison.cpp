@@ -416,12 +416,12 @@ void ask_items(const PairedStudy& study, const FoundNumbers& found, const StudyT
     return;
   }
   const TestStatements statements = statements_of(
-      *test,
-      {.numbers = phrase("Analysis",
-                         "%1 was chosen most often, in %2 of its comparisons (%3), and %4 "
-                         "least often, in %5 (%6). Friedman test: %7.")
-                      .with(most->key, percent(*most->value), interval_text(*most), least->key,
-                            percent(*least->value), interval_text(*least), p_text(*test))});
+      *test, {.numbers = phrase("Analysis",
+                                "%1 was chosen most often, in %2 of its comparisons (%3), and %4 "
+                                "least often, in %5 (%6). Friedman test: %7.")
+                             .with(most->key.last(), percent(*most->value), interval_text(*most),
+                                   least->key.last(), percent(*least->value), interval_text(*least),
+                                   p_text(*test))});
   add_question(outcome, "preference", question, said_of(*test, statements), method, kScores, most);
 }
 
@@ -502,13 +502,13 @@ void add_tests_of_pairs(const PairedStudy& study, const FoundNumbers& found, Stu
   for (const ItemPair& pair : pairs_offered(choices)) {
     const std::string& first = choices.items[pair.first];
     const std::string& second = choices.items[pair.second];
-    const std::string about = both(first, second);
+    const FindingKey key{first, second};
     if (!study.shares.contains({pair.first, pair.second})) {
-      tests.add_untested("pairs", about, "only_ties");
+      tests.add_untested("pairs", {first, second}, "only_ties");
       continue;
     }
-    tests.add("pairs", about, found, "signflip.p.two", about);
-    state_share_of_pair(found, about, tests);
+    tests.add("pairs", {first, second}, found, "signflip.p.two", key);
+    state_share_of_pair(found, key, tests);
     const std::size_t compared = study.people_who_compared({pair.first, pair.second});
     tests.leave_out(
         compared - std::min(compared, tests.tests().back().n),

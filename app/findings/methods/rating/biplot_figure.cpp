@@ -25,12 +25,11 @@ struct PlacedName {
 
 /// Scores or loadings on the first two components.
 std::vector<PlacedName> places_in_plane(const FoundNumbers& found, QuantityName quantity) {
-  const std::string of_first = std::string("|") + kFirstComponent;
   std::vector<PlacedName> places{};
   for (const Finding* one : found.all(quantity)) {
-    if (!one->value || !one->key.ends_with(of_first)) continue;
-    const std::string name = one->key.substr(0, one->key.size() - of_first.size());
-    const std::optional<double> second = found.value(quantity, name + '|' + kSecondComponent);
+    if (!one->value || one->key[1] != kFirstComponent) continue;
+    const std::string& name = one->key[0];
+    const std::optional<double> second = found.value(quantity, {name, kSecondComponent});
     if (second) places.push_back({.name = name, .at = {.x = *one->value, .y = *second}});
   }
   return places;

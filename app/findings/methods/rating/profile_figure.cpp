@@ -279,7 +279,7 @@ std::vector<Figure> rating_figures(const ResultTable& ratings, const AnalysisOut
   std::vector<Finding> means{};
   for (const Finding* const mean : FoundNumbers(outcome.findings, ratings.name).all("mean.score")) {
     means.push_back(*mean);
-    means.back().key.erase(0, mean->key.find('|') + 1);  // the scale
+    means.back().key = mean->key.without_first();  // the scale
   }
   return {answering(question, rating_figure(FoundNumbers(means)))};
 }

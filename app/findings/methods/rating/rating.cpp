@@ -97,7 +97,7 @@ std::vector<RepeatedEstimate> repeated_ratings(const RatedScale& scale) {
 
 void add_means(const RatedScale& scale, const FoundNumbers& found, ResultTable& table) {
   for (const std::string& item : scale.items) {
-    const std::string key = scale.name + '|' + item;
+    const FindingKey key{scale.name, item};
     const Finding* const mean = found.find("mean.score", key);
     if (mean == nullptr) continue;
     table.add({scale.name, item, count_cell(mean->n), cell_of(mean->value),
@@ -108,7 +108,7 @@ void add_means(const RatedScale& scale, const FoundNumbers& found, ResultTable& 
 void add_agreement(const RatedScale& scale, const FoundNumbers& found, ResultTable& table) {
   const Finding* const none = found.find("icc", scale.name);
   for (const char* const form : {"ICC2", "ICC3", "ICC2k", "ICC3k"}) {
-    const std::string key = scale.name + '|' + form;
+    const FindingKey key{scale.name, form};
     const Finding* const icc = none == nullptr ? found.find("icc", key) : none;
     if (icc == nullptr) continue;
     table.add({scale.name, std::string(form), cell_of(icc->value), found.interval("icc", key),
@@ -125,14 +125,14 @@ void add_tests(const RatedScale& scale, bool is_only_scale, const FoundNumbers& 
   add_test_of_items(scale, found, tests);
   for (std::size_t a = 0; a < scale.items.size(); ++a) {
     for (std::size_t b = a + 1; b < scale.items.size(); ++b) {
-      const std::string pair = scale.items[a] + '|' + scale.items[b];
-      const std::string key = scale.name + '|' + pair;
-      tests.add("rated_pairs", (is_only_scale ? "" : scale.name + ": ") + pair, found,
+      const FindingKey key{scale.name, scale.items[a], scale.items[b]};
+      tests.add("rated_pairs",
+                {scale.items[a], scale.items[b], is_only_scale ? std::string() : scale.name}, found,
                 "wilcoxon.exact.p.two", key);
       const double tested = found.value("wilcoxon.n", key).value_or(0.0);
       const double complete = found.value("n.complete", scale.name).value_or(tested);
-      const auto first = found.value("mean.score", scale.name + '|' + scale.items[a]);
-      const auto second = found.value("mean.score", scale.name + '|' + scale.items[b]);
+      const auto first = found.value("mean.score", {scale.name, scale.items[a]});
+      const auto second = found.value("mean.score", {scale.name, scale.items[b]});
       if (first && second) tests.state_direction(*first - *second);
       tests.drop_ties(static_cast<std::size_t>(complete - tested));
     }
@@ -182,7 +182,7 @@ void ask_about(const RatedScale& scale, const FoundNumbers& found, const StudyTe
                AnalysisOutcome& outcome) {
   std::vector<std::pair<const Finding*, std::string>> means{};
   for (const std::string& item : scale.items) {
-    const Finding* const mean = found.find("mean.score", scale.name + '|' + item);
+    const Finding* const mean = found.find("mean.score", {scale.name, item});
     if (mean != nullptr && mean->value) means.emplace_back(mean, item);
   }
   const StudyTests::Test* const test = tests.find("ratings", scale.name);

@@ -60,16 +60,17 @@ std::string fit_of_rating(const Protocol&, const AnalysisOutcome& outcome) {
 }
 
 /// The cell of a response: the item of its surface where the block has several, and the levels of the factors.
-std::string cell_of_response(const GatheredAnswers& gathered, const GatheredAnswer& answer,
-                             const TabulatedQuestion& asked) {
+FindingKey cell_of_response(const GatheredAnswers& gathered, const GatheredAnswer& answer,
+                            const TabulatedQuestion& asked) {
   if (asked.items.size() > 1) {
     return gathered.word(gathered.surfaces_of(answer).front().item);
   }
-  std::string cell{};
+  FindingKey cell{};
   for (const auto& [factor, levels] : asked.factors) {
-    cell += gathered.word(gathered.level(answer, factor)) + '|';
+    cell = {cell, gathered.word(gathered.level(answer, factor))};
   }
-  if (asked.block.vary) cell += gathered.word(gathered.level(answer, asked.block.vary->factor));
+  if (asked.block.vary)
+    cell = {cell, gathered.word(gathered.level(answer, asked.block.vary->factor))};
   return cell;
 }
 

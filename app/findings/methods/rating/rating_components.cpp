@@ -61,7 +61,6 @@ TidyInput profiles_of(const GatheredAnswers& gathered, const std::vector<RatedSc
 std::size_t component_number(const std::string& component) {
   return static_cast<std::size_t>(std::stoul(component.substr(1)));
 }
-std::string component_in(const std::string& key) { return key.substr(key.rfind('|') + 1); }
 
 Phrase note_on_components(std::size_t items, std::size_t loaded) {
   const Phrase note = phrase(
@@ -120,7 +119,7 @@ std::vector<Figure> figures_of_loadings(const ResultTable&, const AnalysisOutcom
   const FoundNumbers found(outcome.findings, kComponents);
   const std::vector<const Finding*> loadings = found.all("loading");
   const bool has_second = std::any_of(loadings.begin(), loadings.end(), [](const Finding* loading) {
-    return loading->key.ends_with("|C2");
+    return loading->key.last() == "C2";
   });
   return has_second ? std::vector{biplot_figure(found)} : std::vector<Figure>{};
 }
@@ -152,7 +151,7 @@ void add_rating_components(const GatheredAnswers& gathered, const std::vector<Ra
   std::erase_if(findings, [loaded](const Finding& finding) {
     const bool is_of_items =
         is(finding, "loading") || is(finding, "loading.corrected") || is(finding, "score");
-    return is_of_items && component_number(component_in(finding.key)) > loaded;
+    return is_of_items && component_number(finding.key.last()) > loaded;
   });
   const FoundNumbers found(findings);
   keep_findings(findings, outcome);
@@ -167,7 +166,7 @@ void add_rating_components(const GatheredAnswers& gathered, const std::vector<Ra
   const double retained = found.value("retained").value_or(0.0);
   for (const Finding* const eigenvalue : eigenvalues) {
     const auto number = static_cast<double>(components.rows.size() + 1);
-    components.add({eigenvalue->key, cell_of(eigenvalue->value),
+    components.add({eigenvalue->key.text(), cell_of(eigenvalue->value),
                     found.cell("proportion", eigenvalue->key),
                     found.cell("proportion.corrected", eigenvalue->key),
                     found.interval("proportion.corrected", eigenvalue->key),
@@ -184,8 +183,8 @@ void add_rating_components(const GatheredAnswers& gathered, const std::vector<Ra
   for (const QuantityName quantity : std::initializer_list<QuantityName>{"loading", "score"}) {
     for (const Finding* const finding : found.all(quantity)) {
       const std::string corrected = std::string(quantity) + ".corrected";
-      loadings.add({std::string(quantity), finding->key.substr(0, finding->key.rfind('|')),
-                    component_in(finding->key), cell_of(finding->value),
+      loadings.add({std::string(quantity), finding->key[0], finding->key.last(),
+                    cell_of(finding->value),
                     found.cell(composed_quantity(corrected), finding->key)});
     }
   }

@@ -52,7 +52,7 @@ TidyInput means_of(const GatheredAnswers& gathered, const RatedScale& scale) {
 
 void add_odds(const RatedScale& scale, const FoundNumbers& found, ResultTable& table) {
   for (const std::string& item : scale.items) {
-    const std::string key = both(scale.name, item);
+    const FindingKey key{scale.name, item};
     const Finding* const odds = found.find("logodds", key);
     if (odds == nullptr) continue;
     table.add({scale.name, item, scale.items.front(), cell_of(odds->value)});
@@ -63,8 +63,7 @@ void add_odds(const RatedScale& scale, const FoundNumbers& found, ResultTable& t
 void add_differences(const RatedScale& scale, const FoundNumbers& found, ResultTable& table) {
   const std::string& reference = scale.items.front();
   for (const std::string& item : scale.items) {
-    const Finding* const pair =
-        found.find("pair.diff", both(scale.name, both(kRatedItem, both(reference, item))));
+    const Finding* const pair = found.find("pair.diff", {scale.name, kRatedItem, reference, item});
     if (pair == nullptr || !pair->value) continue;
     const auto negated = [](const std::optional<double>& number) {
       return number ? std::optional(0.0 - *number) : std::nullopt;
@@ -136,9 +135,9 @@ std::vector<Finding> add_rating_model_test(const GatheredAnswers& gathered, cons
   std::vector<Finding> anova =
       findings_of(kDifferences, "rmanova", scale, means_of(gathered, scale));
   const FoundNumbers found(anova);
-  const std::string effect = both(scale.name, kRatedItem);
+  const FindingKey effect{scale.name, kRatedItem};
   if (found.find("F", effect) != nullptr) {
-    tests.add(kModelTest, scale.name, found, p_of(found, effect), effect);
+    tests.add(kModelTest, scale.name, found, p_of(found, effect.text()), effect);
   } else {
     tests.add(kModelTest, scale.name, found, "status", scale.name);
   }

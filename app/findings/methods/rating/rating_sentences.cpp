@@ -17,12 +17,12 @@ constexpr std::string_view kReliabilityAnalysis = "reliability";
 constexpr std::string_view kConstructAnalysis = "constructs";
 constexpr std::string_view kComponentAnalysis = "components";
 
-/// Those of a key that ends with `ending`.
-std::vector<const Finding*> numbers_ending(const AnalysisOutcome& outcome,
-                                           std::string_view analysis, QuantityName quantity,
-                                           std::string_view ending) {
+/// Those of a form of the coefficient, the last name of the key.
+std::vector<const Finding*> numbers_of_form(const AnalysisOutcome& outcome,
+                                            std::string_view analysis, QuantityName quantity,
+                                            std::string_view form) {
   std::vector<const Finding*> found = numbers_among(outcome, analysis, quantity);
-  std::erase_if(found, [ending](const Finding* one) { return !one->key.ends_with(ending); });
+  std::erase_if(found, [form](const Finding* one) { return one->key.last() != form; });
   return found;
 }
 
@@ -35,15 +35,14 @@ std::string estimate_with_interval(const Finding& one) {
   return text;
 }
 
-/// "rough" for "rough|ICC2".
-std::string scale_of_key(const Finding& one) { return one.key.substr(0, one.key.rfind('|')); }
+const std::string& scale_of_key(const Finding& one) { return one.key[0]; }
 
 /// " Agreement of the participants: on the scale “rough”, ICC(2,1) = .71, 95 % CI [.38, .91], and ICC(3,k) = …; …"
 std::string agreement_text(const AnalysisOutcome& outcome) {
   std::string text{};
   const std::vector<const Finding*> means =
-      numbers_ending(outcome, kAgreementAnalysis, "icc", "|ICC3k");
-  for (const Finding* const one : numbers_ending(outcome, kAgreementAnalysis, "icc", "|ICC2")) {
+      numbers_of_form(outcome, kAgreementAnalysis, "icc", "ICC3k");
+  for (const Finding* const one : numbers_of_form(outcome, kAgreementAnalysis, "icc", "ICC2")) {
     text += std::string(text.empty() ? " Agreement of the participants: on the scale “" : "; “") +
             scale_of_key(*one) + "”, ICC(2,1) " + estimate_with_interval(*one);
     const auto mean = std::find_if(means.begin(), means.end(), [one](const Finding* other) {
@@ -67,8 +66,8 @@ std::string reliability_text(const AnalysisOutcome& outcome) {
 std::string construct_text(const AnalysisOutcome& outcome) {
   std::string text{};
   for (const Finding* const one : numbers_among(outcome, kConstructAnalysis, "cronbach.alpha")) {
-    text +=
-        " For the construct “" + one->key + "”, Cronbach’s α " + estimate_with_interval(*one) + '.';
+    text += " For the construct “" + one->key.text() + "”, Cronbach’s α " +
+            estimate_with_interval(*one) + '.';
     if (one->value.value_or(0.0) < 0.0) {
       text += " α is negative because the answers on its scales covary negatively on average.";
     }
@@ -78,7 +77,7 @@ std::string construct_text(const AnalysisOutcome& outcome) {
 
 std::string components_text(const AnalysisOutcome& outcome) {
   const std::vector<const Finding*> first =
-      numbers_ending(outcome, kComponentAnalysis, "proportion", "C1");
+      numbers_of_form(outcome, kComponentAnalysis, "proportion", "C1");
   const std::vector<const Finding*> retained =
       numbers_among(outcome, kComponentAnalysis, "retained");
   if (first.empty() || retained.empty()) return {};
@@ -86,7 +85,7 @@ std::string components_text(const AnalysisOutcome& outcome) {
   std::string text =
       " The first principal component had " + display_percent(*share.value) + " of the variance";
   const std::vector<const Finding*> corrected =
-      numbers_ending(outcome, kComponentAnalysis, "proportion.corrected", "C1");
+      numbers_of_form(outcome, kComponentAnalysis, "proportion.corrected", "C1");
   if (!corrected.empty()) {
     const Finding& jackknifed = *corrected.front();
     text += " of the items’ means (without the participants’ deviations: " +

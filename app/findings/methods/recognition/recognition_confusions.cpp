@@ -18,7 +18,7 @@ namespace {
 /// Two textures that were felt, and how often one of them was confused with the other.
 struct ConfusedPair {
   std::string names{};
-  std::string key{};
+  FindingKey key{};
   std::size_t times = 0;
   std::size_t answers = 0;  ///< to either
 
@@ -41,7 +41,7 @@ std::vector<ConfusedPair> most_confused(const GatheredAnswers& gathered,
       const std::uint32_t a = *gathered.words.find(felt[i]);
       const std::uint32_t b = *gathered.words.find(felt[j]);
       ConfusedPair pair{.names = felt[i] + " / " + felt[j],
-                        .key = felt[i] + '|' + felt[j],
+                        .key = {felt[i], felt[j]},
                         .times = confusions.at(a, b) + confusions.at(b, a),
                         .answers = answers[a] + answers[b]};
       // In integers, so that equal proportions of different numbers of responses are equal.
@@ -112,7 +112,8 @@ Phrase with_larger_confusions(const Phrase& answer, const std::vector<ConfusedPa
                               const std::vector<Confusion>& largest) {
   const auto is_in_a_pair = [&pairs](const Confusion& one) {
     return std::any_of(pairs.begin(), pairs.end(), [&one](const ConfusedPair& pair) {
-      return pair.key == one.felt + '|' + one.called || pair.key == one.called + '|' + one.felt;
+      return pair.key == FindingKey{one.felt, one.called} ||
+             pair.key == FindingKey{one.called, one.felt};
     });
   };
   if (std::all_of(largest.begin(), largest.end(), is_in_a_pair)) return answer;

@@ -57,7 +57,7 @@ void add_similarity_tables(const std::vector<std::string>& felt, const FoundNumb
                "added to every count; collect more responses.")
             .with(count("scm.confusions"), count("scm.pairs.never"), count("scm.pairs")));
   }
-  if (felt.size() < 2 || found.find("dis.shepard", felt[0] + '|' + felt[1]) == nullptr) return;
+  if (felt.size() < 2 || found.find("dis.shepard", {felt[0], felt[1]}) == nullptr) return;
   using namespace columns;
   ResultTable pairs{
       kTextureSimilarity,
@@ -88,13 +88,13 @@ void add_similarity_tables(const std::vector<std::string>& felt, const FoundNumb
   };
   for (std::size_t i = 0; i < felt.size(); ++i) {
     for (std::size_t j = i + 1; j < felt.size(); ++j) {
-      const std::string key = felt[i] + '|' + felt[j];
+      const FindingKey key{felt[i], felt[j]};
       pairs.add({felt[i], felt[j], found.cell("scm.eta", key), found.cell("dis.shepard", key)});
     }
     map.add({felt[i], found.cell("mds.shepard.x", felt[i]), found.cell("mds.shepard.y", felt[i])});
   }
   for (std::size_t join = 1; join < felt.size(); ++join) {
-    const std::string key = std::to_string(join);
+    const FindingKey key = std::to_string(join);
     const Finding* first = found.find("hclust.shepard.average.first", key);
     const Finding* second = found.find("hclust.shepard.average.second", key);
     if (first == nullptr || second == nullptr) break;

@@ -263,8 +263,8 @@ void add_shares_of_persons(const Selection& selection, const FoundNumbers& found
     return;
   }
   for (const ItemPair& pair : pairs_offered(selection)) {
-    const std::string key = both(selection.items[pair.first], selection.items[pair.second]);
-    rows.push_back({key, key});
+    const FindingKey key{selection.items[pair.first], selection.items[pair.second]};
+    rows.push_back({JoinedCell{{key[0], key[1]}, words_of_subject({key[0], key[1]})}, key});
   }
   add_persons(found, rows, columns::kPair, "share_of_pair", outcome, "persons_by_pair");
 }
@@ -283,10 +283,10 @@ void add_choice_tests(const Selection& selection, const FoundNumbers& found, Stu
     const std::string& first = selection.items[pair.first];
     const std::string& second = selection.items[pair.second];
     const bool of_target = first == selection.target() || second == selection.target();
-    const std::string about = both(first, second);
-    tests.add(only_target && of_target ? "target_pairs" : "pairs", about, found, "signflip.p.two",
-              about);
-    state_share_of_pair(found, about, tests);
+    const FindingKey key{first, second};
+    tests.add(only_target && of_target ? "target_pairs" : "pairs", {first, second}, found,
+              "signflip.p.two", key);
+    state_share_of_pair(found, key, tests);
   }
 }
 

@@ -52,13 +52,13 @@ struct PlacedLabel {
   FigurePlace at{};
 };
 
-/// The findings of a quantity with the keys "NAME|1" and "NAME|2".
+/// The findings of a quantity in the dimensions 1 and 2, the last names of the keys.
 std::vector<PlacedLabel> labelled_places(const FoundNumbers& found, QuantityName quantity) {
   std::vector<PlacedLabel> places{};
   for (const Finding* const one : found.all(quantity)) {
-    if (!one->value || !one->key.ends_with("|1")) continue;
-    const std::string name = one->key.substr(0, one->key.size() - 2);
-    if (const auto second = found.value(quantity, name + "|2"))
+    if (!one->value || one->key[1] != "1") continue;
+    const std::string& name = one->key[0];
+    if (const auto second = found.value(quantity, {name, "2"}))
       places.push_back({.name = name, .at = {.x = *one->value, .y = *second}});
   }
   return places;

@@ -1,5 +1,7 @@
 // The analysis of rated dissimilarities.
 
+#include "protocols/kinds/similarity.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +26,6 @@
 #include "app/findings/shared/group_comparisons.h"
 #include "app/findings/shared/similarity_properties.h"
 #include "protocols/answers/scale_form.h"
-#include "protocols/kinds/similarity.h"
 #include "results_schema/tables/table.h"
 
 namespace asperity {
@@ -145,7 +146,7 @@ void add_pairs_table(const std::vector<std::string>& items, const FoundNumbers& 
           "dissimilarities, isotonic for non-metric and proportional for metric scaling.")};
   for (std::size_t i = 0; i < items.size(); ++i) {
     for (std::size_t j = i + 1; j < items.size(); ++j) {
-      const std::string key = items[i] + '|' + items[j];
+      const FindingKey key{items[i], items[j]};
       const Finding* const mean = found.find("dissimilarity", key);
       if (mean == nullptr) continue;
       pairs.add({items[i], items[j], count_cell(mean->n), cell_of(mean->value),
@@ -198,7 +199,7 @@ void add_configuration_table(const std::vector<std::string>& items, const FoundN
     ResultRow& row = map.rows.emplace_back();
     row.emplace_back(item);
     for (std::size_t d = 1; d <= dimensions; ++d)
-      row.push_back(found.cell("position", item + '|' + std::to_string(d)));
+      row.push_back(found.cell("position", {item, std::to_string(d)}));
     row.push_back(found.cell("region.major", item));
     row.push_back(found.cell("region.minor", item));
     const std::optional<double> angle_rad = found.value("region.angle", item);
@@ -222,7 +223,7 @@ void add_stress_table(const FoundNumbers& found, AnalysisOutcome& outcome) {
              "error over participants.")};
   for (const Finding* const one : found.all("stress.ordinal")) {
     if (!one->value) return;
-    const std::string& key = one->key;
+    const FindingKey& key = one->key;
     stress.add({count_cell(stress.rows.size() + 1), cell_of(one->value),
                 found.cell("stress.ratio", key), found.cell("cv.error", key),
                 found.cell("cv.above", key), found.cell("cv.above.se", key)});
@@ -255,7 +256,7 @@ void add_raters_table(const GatheredAnswers& gathered, const FoundNumbers& found
          std::initializer_list<QuantityName>{"retest.r", "orders.r", "agreement.r", "indscal.fit"})
       row.push_back(found.cell(quantity, person.label));
     for (std::size_t d = 1; d <= dimensions; ++d)
-      row.push_back(found.cell("indscal.weight", person.label + '|' + std::to_string(d)));
+      row.push_back(found.cell("indscal.weight", {person.label, std::to_string(d)}));
   }
   raters.figures = figure_of_configuration<weights_figure>;
   if (!raters.rows.empty()) outcome.tables.push_back(std::move(raters));
@@ -270,7 +271,7 @@ void add_tree_table(const FoundNumbers& found, AnalysisOutcome& outcome) {
                           "Average linkage of the mean dissimilarities. Each row joins the cluster "
                           "of the first item with that of the second.")};
   for (std::size_t join = 1;; ++join) {
-    const std::string key = std::to_string(join);
+    const FindingKey key = std::to_string(join);
     const Finding* const first = found.find("hclust.average.first", key);
     const Finding* const second = found.find("hclust.average.second", key);
     if (first == nullptr || second == nullptr) break;
@@ -296,10 +297,10 @@ void add_properties_table(const FoundNumbers& found, AnalysisOutcome& outcome) {
   for (const Finding* const one : found.all("property.r2")) {
     if (!one->value) continue;
     ResultRow& row = properties.rows.emplace_back();
-    row.emplace_back(one->key);
+    row.emplace_back(one->key.text());
     row.push_back(cell_of(one->value));
     for (std::size_t d = 1; d <= dimensions; ++d)
-      row.push_back(found.cell("property.direction", one->key + '|' + std::to_string(d)));
+      row.push_back(found.cell("property.direction", {one->key, std::to_string(d)}));
   }
   if (properties.rows.empty()) return;
   if (const std::optional<double> together = found.value("protest.r2")) {
@@ -379,7 +380,7 @@ void add_to_groups(const GatheredAnswers& gathered, GroupComparisons& groups) {
         std::pair(gathered.word(surfaces[0].item), gathered.word(surfaces[1].item));
     if (first == second) continue;
     if (precedes_by_value(second, first)) std::swap(first, second);
-    const std::string pair = first + '|' + second;
+    const std::string pair = first + " / " + second;
     pairs.insert(pair);
     double& mean = profile.values[{answer.person, pair}];
     mean += (*dissimilarity - mean) / static_cast<double>(++counts[{answer.person, pair}]);
@@ -399,7 +400,7 @@ void add_similarity_tests(const FoundNumbers& found, StudyTests& tests) {
     tests.add("identical", "", found, "t.p.two", "identical");
   for (const Finding* const property : found.all("property.r2")) {
     if (property->value)
-      tests.add("properties", property->key, found, "property.perm.p", property->key);
+      tests.add("properties", property->key.text(), found, "property.perm.p", property->key);
   }
 }
 

@@ -30,11 +30,11 @@ std::optional<Phrase> remark_on_degenerate_solution(const FoundNumbers& found) {
         .with(fixed(disparities, 0));
   }
   std::vector<std::string> items{};
-  for (const Finding* const one : found.all("ordinal.collapsed")) items.push_back(one->key);
+  for (const Finding* const one : found.all("ordinal.collapsed")) items.push_back(one->key.last());
   std::vector<double> means{};
   for (const std::string& one : items) {
     for (const std::string& other : items) {
-      if (const auto mean = found.value("dissimilarity", both(one, other))) means.push_back(*mean);
+      if (const auto mean = found.value("dissimilarity", {one, other})) means.push_back(*mean);
     }
   }
   const auto [least, greatest] = std::minmax_element(means.begin(), means.end());

@@ -71,7 +71,7 @@ Figure figure_of(const Confusions& confusions) {
 Figure confusion_figure(const FoundNumbers& found) {
   Confusions confusions{};
   for (const Finding* one : found.all("confusion")) {
-    const std::vector<std::string> parts = parts_of(one->key);
+    const std::vector<std::string>& parts = one->key.names();
     if (parts.size() != 2) continue;
     const std::size_t row = place_of_name(confusions.felt, parts[0]);
     const std::size_t column = place_of_name(confusions.chosen, parts[1]);

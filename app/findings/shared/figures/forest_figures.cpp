@@ -265,7 +265,7 @@ std::vector<ForestRow> rows_of(const FoundNumbers& found, QuantityName quantity)
   std::vector<ForestRow> rows{};
   for (const Finding* finding : found.all(quantity)) {
     ForestRow row{.share = finding->value, .interval = interval_of(*finding)};
-    for (const std::string& part : parts_of(finding->key)) {
+    for (const std::string& part : finding->key.names()) {
       const Phrase word = part == "POOLED" ? phrase("Figures", "all together") : Phrase(part);
       row.label = row.label.empty() ? word : phrase("Figures", "%1 · %2").with(row.label, word);
     }
@@ -286,13 +286,14 @@ void add_mean_of_people(const FoundNumbers& found, std::optional<double> chance,
     if (!mean->value) continue;
     const Phrase of = mean_of(mean->n);
     const auto own = singles.find(mean->key);
-    rows.push_back(
-        {.label = mean->key.empty() ? of : phrase("Figures", "%1 · %2").with(Phrase(mean->key), of),
-         .share = mean->value,
-         .interval = interval_of(*mean),
-         .chance = chance,
-         .kind = 1,
-         .singles = own == singles.end() ? std::vector<double>{} : own->second});
+    rows.push_back({.label = mean->key.empty()
+                                 ? of
+                                 : phrase("Figures", "%1 · %2").with(Phrase(mean->key.last()), of),
+                    .share = mean->value,
+                    .interval = interval_of(*mean),
+                    .chance = chance,
+                    .kind = 1,
+                    .singles = own == singles.end() ? std::vector<double>{} : own->second});
   }
 }
 
@@ -363,7 +364,7 @@ Figure selection_forest(const FoundNumbers& found) {
                      "of the participants' own proportions with t-based 95 % CIs.")};
   std::vector<ForestRow> rows = rows_of(found, "prop");
   std::set<std::string> alternatives{};
-  for (const Finding* one : found.all("prop")) alternatives.insert(parts_of(one->key).back());
+  for (const Finding* one : found.all("prop")) alternatives.insert(one->key.last());
   std::optional<double> chance{};
   if (!alternatives.empty()) chance = 1.0 / static_cast<double>(alternatives.size());
   for (ForestRow& row : rows) row.chance = chance;
@@ -402,10 +403,10 @@ Figure recognition_forest(const FoundNumbers& found) {
     // Its n counts participants; the number of trials is in the row of the confusions.
     double trials = 0.0;
     for (const Finding* one : found.all("confusion")) {
-      if (parts_of(one->key).front() == recall->key) trials += one->value.value_or(0.0);
+      if (one->key[0] == recall->key.last()) trials += one->value.value_or(0.0);
     }
-    const double hits = found.value("confusion", recall->key + '|' + recall->key).value_or(0.0);
-    rows.push_back({.label = count_phrase(recall->key, static_cast<std::size_t>(hits),
+    const double hits = found.value("confusion", {recall->key, recall->key}).value_or(0.0);
+    rows.push_back({.label = count_phrase(recall->key.last(), static_cast<std::size_t>(hits),
                                           static_cast<std::size_t>(trials)),
                     .share = recall->value,
                     .interval = interval_of(*recall)});
@@ -435,7 +436,7 @@ std::vector<Figure> seedpaper_forests(const FoundNumbers& found) {
   figures.push_back({.name = "table_1", .title = phrase("Figures", "Choices"), .note = note});
   std::vector<ForestRow> choices = rows_of(found, "t1.prop");
   std::set<std::string> renderers{};
-  for (const Finding* one : found.all("t1.prop")) renderers.insert(parts_of(one->key).back());
+  for (const Finding* one : found.all("t1.prop")) renderers.insert(one->key.last());
   for (ForestRow& row : choices) row.chance = 1.0 / static_cast<double>(renderers.size());
   add_rows(choices, {{}}, share_axis("95"), figures.back());
   for (const auto& [table, title] :

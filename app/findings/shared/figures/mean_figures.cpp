@@ -80,7 +80,7 @@ Figure rating_figure(const FoundNumbers& found) {
                              .y = static_cast<double>(figure.y.places.size()),
                              .x_interval = interval});
     figure.y.places.push_back(
-        phrase("Figures", "%1 (n = %2)").with(mean->key, std::to_string(mean->n)));
+        phrase("Figures", "%1 (n = %2)").with(mean->key.text(), std::to_string(mean->n)));
     hold(interval.value_or(FigureSpan{*mean->value, *mean->value}), is_first, figure.x);
   }
   if (points.points.empty()) {
@@ -129,7 +129,7 @@ Figure interaction_figure(const TidyInput& input, const FoundNumbers& found,
   const std::vector<std::string>& levels = within[along].second;
   bool is_first = true;
   for (const Finding* mean : means) {
-    const std::vector<std::string> parts = parts_of(mean->key);
+    const std::vector<std::string>& parts = mean->key.names();
     if (!mean->value || parts.size() != within.size() + 1) continue;
     const Phrase name = name_of_line(parts, within, along, has_groups);
     auto series = std::find_if(figure.series.begin(), figure.series.end(),

@@ -79,10 +79,9 @@ FigureSeries lines_of_singles(const FoundNumbers& found,
                               const std::map<std::string, double>& place_of_block) {
   std::map<std::string, std::vector<FigurePlace>> lines{};
   for (const Finding* one : found.all("subject.block")) {
-    const std::size_t bar = one->key.find('|');
-    const auto place = place_of_block.find(one->key.substr(bar + 1));
+    const auto place = place_of_block.find(one->key.last());
     if (!one->value || place == place_of_block.end()) continue;
-    lines[one->key.substr(0, bar)].push_back({.x = place->second, .y = *one->value});
+    lines[one->key[0]].push_back({.x = place->second, .y = *one->value});
   }
   FigureSeries series{.single = true};
   if (lines.size() < 2 || lines.size() > kMostSingle) return series;
@@ -100,8 +99,8 @@ Figure course_figure(const FoundNumbers& found) {
   std::vector<FigurePlace>& line = means.lines.emplace_back();
   for (const Finding* block : blocks) {
     const auto place = static_cast<double>(figure.x.places.size());
-    place_of_block[block->key] = place;
-    std::string range = block->key;
+    place_of_block[block->key.last()] = place;
+    std::string range = block->key.last();
     if (const std::size_t dash = range.find('-'); dash != std::string::npos) {
       range.replace(dash, 1, "–");
     }
@@ -145,8 +144,9 @@ Figure response_times_figure(const FoundNumbers& found) {
     const auto place = static_cast<double>(figure.y.places.size());
     const std::optional<FigureSpan> interval = interval_of(*mean);
     points.points.push_back({.x = *mean->value, .y = place, .x_interval = interval});
-    figure.y.places.push_back(phrase("Figures", "%1 (n = %2)")
-                                  .with(name_of_condition(mean->key), std::to_string(mean->n)));
+    figure.y.places.push_back(
+        phrase("Figures", "%1 (n = %2)")
+            .with(name_of_condition(mean->key.last()), std::to_string(mean->n)));
     marks.hold(*mean->value);
     if (const auto own = singles.find(mean->key); own != singles.end()) {
       rows.push_back({.place = place, .values = own->second});
@@ -169,16 +169,12 @@ Figure response_times_figure(const FoundNumbers& found) {
 
 Figure contact_times_figure(const FoundNumbers& found) {
   const std::string quantity = "contact_s";
-  const auto key_without_quantity = [&quantity](const Finding& finding) {
-    return finding.key == quantity ? std::string() : finding.key.substr(quantity.size() + 1);
-  };
   const auto of_contact = [&](QuantityName name) {
     std::vector<Finding> of{};
     for (const Finding* one : found.all(name)) {
-      const bool is_of_it = one->key == quantity || one->key.starts_with(quantity + '|');
-      if (!is_of_it || !one->value) continue;
+      if (one->key[0] != quantity || !one->value) continue;
       of.push_back(*one);
-      of.back().key = key_without_quantity(*one);
+      of.back().key = one->key.without_first();
     }
     return of;
   };
@@ -200,7 +196,7 @@ Figure contact_times_figure(const FoundNumbers& found) {
   double highest = 0.0;
   for (const Finding& median : medians) {
     const auto place = static_cast<double>(figure.y.places.size());
-    const std::string key = median.key.empty() ? quantity : quantity + '|' + median.key;
+    const FindingKey key{quantity, median.key};
     const std::optional<double> lower = found.value("quartile.lower", key);
     const std::optional<double> upper = found.value("quartile.upper", key);
     const bool has_quartiles = lower && upper && median.n > 1;
@@ -208,8 +204,9 @@ Figure contact_times_figure(const FoundNumbers& found) {
         {.x = *median.value,
          .y = place,
          .x_interval = has_quartiles ? std::optional(FigureSpan{*lower, *upper}) : std::nullopt});
-    figure.y.places.push_back(phrase("Figures", "%1 (n = %2)")
-                                  .with(name_of_condition(median.key), std::to_string(median.n)));
+    figure.y.places.push_back(
+        phrase("Figures", "%1 (n = %2)")
+            .with(name_of_condition(median.key.last()), std::to_string(median.n)));
     highest = std::max(highest, upper.value_or(*median.value));
     if (const auto values = singles.find(median.key); values != singles.end()) {
       rows.push_back({.place = place, .values = values->second});

@@ -49,7 +49,7 @@ Figure scale_figure(const std::string& name, const ScaleChoice& choice, const Fo
     points.points.push_back({.x = *item->value,
                              .y = static_cast<double>(figure.y.places.size()),
                              .x_interval = interval});
-    figure.y.places.push_back(item->key);
+    figure.y.places.push_back(item->key.text());
     if (!interval) continue;
     has_intervals = true;
     low = std::min(low, interval->low);

@@ -28,7 +28,7 @@ std::optional<Distances> distances_of(const FoundNumbers& found, QuantityName qu
     return static_cast<Eigen::Index>(at - read.names.begin());
   };
   for (const Finding* pair : pairs) {
-    const std::vector<std::string> parts = parts_of(pair->key);
+    const std::vector<std::string>& parts = pair->key.names();
     if (parts.size() != 2 || !pair->value) return {};
     for (const std::string& name : parts) {
       if (place(name) == static_cast<Eigen::Index>(read.names.size())) read.names.push_back(name);
@@ -38,7 +38,7 @@ std::optional<Distances> distances_of(const FoundNumbers& found, QuantityName qu
   if (items < 2) return {};
   read.matrix = Dissimilarities::Zero(items, items);
   for (const Finding* pair : pairs) {
-    const std::vector<std::string> parts = parts_of(pair->key);
+    const std::vector<std::string>& parts = pair->key.names();
     const Eigen::Index a = place(parts[0]);
     const Eigen::Index b = place(parts[1]);
     read.matrix(a, b) = *pair->value;

@@ -35,6 +35,7 @@ std::vector<Finding> sensitivities_of_choices(const GatheredAnswers& gathered,
                                               const DiscriminationResults& results,
                                               const CorrectByLevel& correct) {
   const DiscriminationDesign& design = *results.study.task.design;
+  TidyInput input{};
   LabelRows ids{};
   LabelRows subjects{};
   LabelRows designs{};
@@ -42,14 +43,13 @@ std::vector<Finding> sensitivities_of_choices(const GatheredAnswers& gathered,
   NumberColumn trials{};
   for (const auto& [place, count] : correct) {
     const auto& [condition, value, person] = place;
-    ids.add(id_of_level(results, {condition, value}));
+    ids.add(input.label_of(id_of_level(results, {condition, value})));
     subjects.add(gathered.people[person].label);
     designs.add(design.asks_for_odd_one ? "oddity" : "mafc");
     hits.emplace_back(static_cast<double>(count.hits));
     trials.emplace_back(static_cast<double>(count.trials));
   }
   const NumberColumn alternatives(correct.size(), static_cast<double>(design.surfaces()));
-  TidyInput input{};
   input.tables.emplace_back(std::vector<TidyTable::Column>{{"id", std::move(ids).take()},
                                                            {"subject", std::move(subjects).take()},
                                                            {"design", std::move(designs).take()},
@@ -66,7 +66,7 @@ void add_rows(const GatheredAnswers& gathered, const DiscriminationResults& resu
   for (const auto& [place, count] : correct) {
     const auto& [condition, value, person] = place;
     const std::string& participant = gathered.people[person].label;
-    const std::string key = both(id_of_level(results, {condition, value}), participant);
+    const FindingKey key{id_of_level(results, {condition, value}), participant};
     const std::string& unit = task.varied.unit;
     table.add({participant, results.conditions[condition], task.varied.parameter,
                quantity_cell(value, unit), quantity_cell(value - task.standard(), unit),
@@ -150,8 +150,8 @@ void add_choice_sensitivity(const GatheredAnswers& gathered,
       const FoundNumbers own(findings);
       for (const auto& [place, count] : correct) {
         const auto& [condition, value, person] = place;
-        const std::string key =
-            both(id_of_level(results, {condition, value}), gathered.people[person].label);
+        const FindingKey key{id_of_level(results, {condition, value}),
+                             gathered.people[person].label};
         if (own.value("dprime.with.guess", key) == 0.0) ++levels[{condition, value}].at_zero;
       }
     }

@@ -83,6 +83,7 @@ RatedLevels rated_levels(const DiscriminationStudy& study) {
 std::vector<Finding> roc_of(const GatheredAnswers& gathered, const DiscriminationResults& results,
                             const RatedLevels& levels) {
   struct Columns {
+    TidyInput input{};
     LabelRows conditions{};
     LabelRows subjects{};
     NumberColumn ratings{};
@@ -92,12 +93,13 @@ std::vector<Finding> roc_of(const GatheredAnswers& gathered, const Discriminatio
   Columns together{};
   Columns single{};
   for (const auto& [place, level] : levels) {
-    const std::string id = id_of_level(results, place);
+    const FindingKey id = id_of_level(results, place);
     for (const auto& [person, ratings] : level) {
       const std::string& participant = gathered.people[person].label;
       for (const auto& [rating, count] : ratings) {
         for (Columns* const columns : {&together, &single}) {
-          columns->conditions.add(columns == &together ? id : both(id, participant));
+          columns->conditions.add(
+              columns->input.label_of(columns == &together ? id : FindingKey{id, participant}));
           columns->ratings.emplace_back(rating);
           columns->noise.emplace_back(static_cast<double>(count.noise));
           columns->signal.emplace_back(static_cast<double>(count.signal));
@@ -113,7 +115,7 @@ std::vector<Finding> roc_of(const GatheredAnswers& gathered, const Discriminatio
                                         {"noise", std::move(columns->noise)},
                                         {"signal", std::move(columns->signal)}};
     if (columns == &together) made.push_back({"subject", std::move(columns->subjects).take()});
-    TidyInput input{};
+    TidyInput& input = columns->input;
     input.tables.emplace_back(std::move(made), "the ratings of confidence");
     for (Finding& finding : analysis_of(kConfidenceRoc, "roc", std::move(input))) {
       findings.push_back(std::move(finding));
@@ -132,7 +134,7 @@ const ResultColumn kChiSquared{
     .id = "chi_squared", .heading = phrase("AnalysisWords", "χ²(1)"), .digits = Digits::statistic};
 
 void add_row(const DiscriminationResults& results, const std::pair<std::size_t, double>& place,
-             const std::string& participant, const std::string& key, const FoundNumbers& found,
+             const std::string& participant, const FindingKey& key, const FoundNumbers& found,
              ResultTable& table) {
   const DiscriminationTask& task = results.study.task;
   const std::string& unit = task.varied.unit;
@@ -157,7 +159,7 @@ Phrase roc_text(const DiscriminationResults& results, const RatedLevels& levels,
                 const FoundNumbers& found) {
   Phrase all{};
   for (const auto& [place, level] : levels) {
-    const std::string id = id_of_level(results, place);
+    const FindingKey id = id_of_level(results, place);
     const Finding* const area = found.find("uv.az", id);
     const auto effect = found.value("uv.da", id);
     const auto ratio = found.value("uv.sigma", id);
@@ -197,7 +199,7 @@ Phrase roc_text(const DiscriminationResults& results, const RatedLevels& levels,
 /// The mean of the participants at the first level, or else the pooled area.
 const Finding* first_area(const DiscriminationResults& results, const RatedLevels& levels,
                           const FoundNumbers& found) {
-  const std::string id = id_of_level(results, levels.begin()->first);
+  const FindingKey id = id_of_level(results, levels.begin()->first);
   const Finding* const mean = found.find("uv.az.mean", id);
   return mean != nullptr && mean->value ? mean : found.find("uv.az", id);
 }
@@ -299,12 +301,12 @@ void add_confidence_roc(const GatheredAnswers& gathered,
     keep_findings(findings, outcome);
     const FoundNumbers found(findings);
     for (const auto& [place, level] : levels) {
-      const std::string id = id_of_level(results, place);
+      const FindingKey id = id_of_level(results, place);
       add_row(results, place, kAllParticipants, id, found, roc);
       if (gathered.people.size() < 2) continue;
       for (const auto& [person, ratings] : level) {
         const std::string& participant = gathered.people[person].label;
-        add_row(results, place, participant, both(id, participant), found, roc);
+        add_row(results, place, participant, {id, participant}, found, roc);
       }
     }
     ask_roc(results, levels, found, outcome);

@@ -88,13 +88,14 @@ std::vector<CountsAtLevel> counts_by_level(const DiscriminationStudy& study) {
   return levels;
 }
 
-std::string id_of(const DiscriminationResults& results, const CountsAtLevel& level) {
+FindingKey id_of(const DiscriminationResults& results, const CountsAtLevel& level) {
   return id_of_level(results, {level.condition, level.value});
 }
 
 std::vector<Finding> sensitivity_of(const GatheredAnswers& gathered,
                                     const DiscriminationResults& results,
                                     const std::vector<CountsAtLevel>& levels) {
+  TidyInput input{};
   LabelRows ids{};
   LabelRows subjects{};
   LabelRows designs{};
@@ -103,7 +104,7 @@ std::vector<Finding> sensitivity_of(const GatheredAnswers& gathered,
   NumberColumn noise_yes{};
   NumberColumn noise_n{};
   for (const CountsAtLevel& level : levels) {
-    ids.add(id_of(results, level));
+    ids.add(input.label_of(id_of(results, level)));
     subjects.add(gathered.people[level.person].label);
     designs.add(named_design(*results.study.task.design).in_family);
     signal_yes.emplace_back(static_cast<double>(level.counts.signal.hits));
@@ -111,7 +112,6 @@ std::vector<Finding> sensitivity_of(const GatheredAnswers& gathered,
     noise_yes.emplace_back(static_cast<double>(level.counts.noise.hits));
     noise_n.emplace_back(static_cast<double>(level.counts.noise.trials));
   }
-  TidyInput input{};
   input.tables.emplace_back(std::vector<TidyTable::Column>{{"id", std::move(ids).take()},
                                                            {"subject", std::move(subjects).take()},
                                                            {"design", std::move(designs).take()},
@@ -138,7 +138,7 @@ void add_level_rows(const GatheredAnswers& gathered, const DiscriminationResults
   const DiscriminationTask& task = results.study.task;
   const QuantityName dprime = named_design(*task.design).dprime;
   for (const CountsAtLevel& level : levels) {
-    const std::string key = both(id_of(results, level), gathered.people[level.person].label);
+    const FindingKey key{id_of(results, level), gathered.people[level.person].label};
     const std::string& unit = task.varied.unit;
     table.add({gathered.people[level.person].label, results.conditions[level.condition],
                task.varied.parameter, quantity_cell(level.value, unit),
@@ -151,24 +151,27 @@ void add_level_rows(const GatheredAnswers& gathered, const DiscriminationResults
   }
 }
 
-/// "standard, comparison", as presented.
-std::string pair_as_presented(const DiscriminationTrial& trial) {
-  if (trial.comparisons == 0) return "standard, standard";
-  if (trial.comparisons == 2) return "comparison, comparison";
-  return trial.comparison_first ? "comparison, standard" : "standard, comparison";
+/// The kinds of the two surfaces in the order of presentation.
+std::pair<std::string, std::string> pair_as_presented(const DiscriminationTrial& trial) {
+  if (trial.comparisons == 0) return {"standard", "standard"};
+  if (trial.comparisons == 2) return {"comparison", "comparison"};
+  return trial.comparison_first ? std::pair{"comparison", "standard"}
+                                : std::pair{"standard", "comparison"};
 }
 
 void add_pair_rows(const GatheredAnswers& gathered, const DiscriminationResults& results,
                    ResultTable& table) {
   if (results.study.task.design->surfaces() != 2 || !results.study.task.design->has_noise()) return;
-  std::map<std::tuple<std::uint32_t, std::size_t, std::string>, HitCount> counts{};
+  std::map<std::tuple<std::uint32_t, std::size_t, std::pair<std::string, std::string>>, HitCount>
+      counts{};
   for (const DiscriminationTrial& trial : results.study.trials) {
     add_response(counts[{trial.person, trial.condition, pair_as_presented(trial)}],
                  trial.chose_comparison);
   }
   for (const auto& [place, count] : counts) {
     const auto& [person, condition, pair] = place;
-    table.add({gathered.people[person].label, results.conditions[condition], pair,
+    table.add({gathered.people[person].label, results.conditions[condition],
+               JoinedCell{{pair.first, pair.second}, pair.first + ", " + pair.second},
                count_cell(count.trials), count_cell(count.hits), proportion(count)});
   }
 }
@@ -290,7 +293,7 @@ void count_zeros(const GatheredAnswers& gathered, const DiscriminationResults& r
   const NamedDesign& named = named_design(*results.study.task.design);
   if (named.id != "same_different") return;
   for (const CountsAtLevel& level : levels) {
-    const std::string key = both(id_of(results, level), gathered.people[level.person].label);
+    const FindingKey key{id_of(results, level), gathered.people[level.person].label};
     if (found.value(named.dprime, key) == 0.0) ++places[{level.condition, level.value}].at_zero;
   }
 }
@@ -324,7 +327,7 @@ std::map<std::pair<std::size_t, std::uint32_t>, std::optional<double>> sensitivi
   std::map<std::pair<std::size_t, std::uint32_t>, std::optional<double>> sensitivities{};
   for (const CountsAtLevel& level : levels) {
     const bool is_bound = is_at_ceiling(level.counts) || is_at_floor(level.counts, design);
-    const std::string key = both(id_of(results, level), gathered.people[level.person].label);
+    const FindingKey key{id_of(results, level), gathered.people[level.person].label};
     sensitivities[{level.condition, level.person}] =
         is_bound ? std::nullopt : found.value(named_design(design).dprime, key);
   }

@@ -20,11 +20,11 @@ namespace asperity {
 
 namespace {
 
-/// The points, without the two corners of the plot that belong to every ROC. The keys are "KEY|RATING".
-std::vector<FigurePoint> points_of(const FoundNumbers& found, const std::string& key) {
+/// The points, without the two corners of the plot that belong to every ROC; the last name of their keys is the rating.
+std::vector<FigurePoint> points_of(const FoundNumbers& found, const FindingKey& key) {
   std::vector<FigurePoint> points{};
   for (const Finding* const one : found.all("roc.fa")) {
-    if (!one->value || one->key.substr(0, one->key.rfind('|')) != key) continue;
+    if (!one->value || one->key.without_last() != key) continue;
     if (const auto hit = found.value("roc.hit", one->key)) {
       points.push_back({.x = *one->value, .y = *hit});
     }
@@ -33,7 +33,7 @@ std::vector<FigurePoint> points_of(const FoundNumbers& found, const std::string&
 }
 
 /// P(signal) = Φ((μ − c)/σ) over P(noise) = Φ(−c) for criteria c; empty where the model was not fitted.
-std::vector<FigurePlace> fitted_curve(const FoundNumbers& found, const std::string& key) {
+std::vector<FigurePlace> fitted_curve(const FoundNumbers& found, const FindingKey& key) {
   constexpr int kSteps = 120;
   constexpr double kReach = 4.0;  // Φ(−4) is 0.00003
   const auto mean = found.value("uv.mu", key);
@@ -52,7 +52,7 @@ std::vector<FigurePlace> fitted_curve(const FoundNumbers& found, const std::stri
 }
 
 /// "0.81"; empty where the model was not fitted.
-Phrase fitted_area(const FoundNumbers& found, const std::string& key) {
+Phrase fitted_area(const FoundNumbers& found, const FindingKey& key) {
   const Finding* const area = found.find("uv.az", key);
   if (area == nullptr || !area->value) return {};
   return display_number(*area->value);
@@ -82,8 +82,8 @@ std::vector<DrawnRocs> drawn_rocs(const ResultTable& table) {
       known = all.insert(
           all.end(), {.participant = participant, .condition = condition, .parameter = parameter});
     }
-    std::string key = condition + '|' + number_text(level);
-    if (participant != kAllParticipants) key += '|' + participant;
+    FindingKey key{condition, number_text(level)};
+    if (participant != kAllParticipants) key = {key, participant};
     known->curves.push_back({.key = key, .name = stated_quantity(level, row.text(kUnitOfLevels))});
   }
   // Those of all participants first: they are the answer.

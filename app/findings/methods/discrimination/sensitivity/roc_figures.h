@@ -15,7 +15,7 @@ namespace asperity {
 
 /// An ROC of a figure. `key`: of the findings of the family `roc`, without the rating.
 struct RocCurve {
-  std::string key{};
+  FindingKey key{};
   Phrase name{};
 };
 /// Hits over false alarms of the ratings, the fitted normal model and its area; a series per curve.

@@ -12,14 +12,14 @@
 
 namespace asperity {
 
-std::string id_of_level(const DiscriminationResults& results,
-                        const std::pair<std::size_t, double>& place) {
-  return both(results.conditions[place.first], number_text(place.second));
+FindingKey id_of_level(const DiscriminationResults& results,
+                       const std::pair<std::size_t, double>& place) {
+  return {results.conditions[place.first], number_text(place.second)};
 }
 
 void mark_bounds(const DiscriminationResults& results, const UnboundedAtLevels& levels,
                  std::vector<Finding>& findings) {
-  std::map<std::string, UnboundedParticipants> by_id{};
+  std::map<FindingKey, UnboundedParticipants> by_id{};
   for (const auto& [place, of] : levels) {
     if (of.is_any()) by_id[id_of_level(results, place)] = of;
   }

@@ -14,9 +14,9 @@
 
 namespace asperity {
 
-/// The id of a level in the family `dprime`: "wood|7.5e-05".
-std::string id_of_level(const DiscriminationResults& results,
-                        const std::pair<std::size_t, double>& place);
+/// A level in the family `dprime`: its condition and its value.
+FindingKey id_of_level(const DiscriminationResults& results,
+                       const std::pair<std::size_t, double>& place);
 
 /// The participants with trials at a level, and those whose d′ would be infinite without a correction, so that it depends on
 /// the number of trials: at the ceiling it would be +∞ (each response to a signal is a hit, or none without a signal is a

@@ -53,8 +53,8 @@ std::vector<PlacesOfPerson> places_of(const DiscriminationStudy& study) {
   return places;
 }
 
-std::string key_of_place(const std::string& task, std::size_t place) {
-  return task.empty() ? kCodesOfPlaces.at(place) : both(task, kCodesOfPlaces.at(place));
+FindingKey key_of_place(const std::string& task, std::size_t place) {
+  return {task, kCodesOfPlaces.at(place)};
 }
 
 std::vector<Finding> place_findings(std::span<const PlacesOfPerson> places,

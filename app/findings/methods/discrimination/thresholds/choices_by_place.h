@@ -40,6 +40,6 @@ std::vector<PlacesOfPerson> places_of(const DiscriminationStudy& study);
 std::vector<Finding> place_findings(std::span<const PlacesOfPerson> places,
                                     const std::string& task);
 /// "B", "TASK|B"
-std::string key_of_place(const std::string& task, std::size_t place);
+FindingKey key_of_place(const std::string& task, std::size_t place);
 
 }  // namespace asperity

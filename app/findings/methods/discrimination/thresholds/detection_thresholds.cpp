@@ -118,7 +118,7 @@ class DetectionList final {
     return first == blocks.end() ? 0.0 : first->x;
   }
 
-  void none(const std::string& key, const WhyNoThreshold& why) {
+  void none(const FindingKey& key, const WhyNoThreshold& why) {
     thresholds_.word("jnd.dprime1", key, why.word, why.sentence.english(), basis(""));
     if (task_.standard() != 0.0) {
       thresholds_.word("weber", key, why.word, why.sentence.english(), basis(""));
@@ -128,7 +128,7 @@ class DetectionList final {
     }
   }
 
-  void add_function(const std::string& key, const DetectionFit& found) {
+  void add_function(const FindingKey& key, const DetectionFit& found) {
     const std::string method = "maximum likelihood, d′ = (x/α)^β";
     functions_.number("fit.detection.alpha", key, found.function.alpha,
                       basis(method, task_.varied.unit));
@@ -173,7 +173,7 @@ DiscriminationFit fit_detections(const DiscriminationTask& task,
 
 std::optional<DetectionFunction> detection_function(const DiscriminationDesign& design,
                                                     const FoundNumbers& functions,
-                                                    std::string_view key) {
+                                                    const FindingKey& key) {
   const auto task = detection_task(design);
   const auto alpha = functions.value("fit.detection.alpha", key);
   const auto beta = functions.value("fit.detection.beta", key);

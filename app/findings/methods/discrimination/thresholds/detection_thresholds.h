@@ -26,6 +26,6 @@ DiscriminationFit fit_detections(const DiscriminationTask& task,
 /// The function of a key from these findings; nothing where none was fitted.
 std::optional<DetectionFunction> detection_function(const DiscriminationDesign& design,
                                                     const FoundNumbers& functions,
-                                                    std::string_view key);
+                                                    const FindingKey& key);
 
 }  // namespace asperity

@@ -27,7 +27,7 @@ std::vector<DiscriminationResults::Function> functions_of(
   }
   std::vector<DiscriminationResults::Function> functions{};
   for (const auto& [of, trials] : groups) {
-    DiscriminationData data{.key = both(gathered.people[of.first].label, conditions[of.second])};
+    DiscriminationData data{.key = {gathered.people[of.first].label, conditions[of.second]}};
     for (const DiscriminationTrial* const trial : trials) {
       study.count(*trial, data.hits[trial->value]);
       data.by_procedure = data.by_procedure || trial->by_procedure;
@@ -38,8 +38,8 @@ std::vector<DiscriminationResults::Function> functions_of(
   return functions;
 }
 
-void add_geometric(QuantityName quantity, const std::string& key,
-                   const std::vector<double>& numbers, FindingList& list) {
+void add_geometric(QuantityName quantity, const FindingKey& key, const std::vector<double>& numbers,
+                   FindingList& list) {
   const bool are_positive =
       std::all_of(numbers.begin(), numbers.end(), [](double number) { return number > 0.0; });
   if (!are_positive) return;
@@ -61,7 +61,7 @@ std::string coverage_with_fixed_lapses() {
 }
 
 /// A word in place of a mean that would not be a bound.
-void add_no_mean(QuantityName quantity, const std::string& key, std::size_t n, FindingList& list) {
+void add_no_mean(QuantityName quantity, const FindingKey& key, std::size_t n, FindingList& list) {
   list.word(
       quantity, key, code_of(MeanOfThresholds::no_bound),
       "thresholds are missing that do not all lie on the same side of the presented levels, so "
@@ -107,7 +107,7 @@ std::vector<std::vector<double>> complete_thresholds(const DiscriminationResults
 
 /// The geometric mean of the ratios of the second condition to the first. Thresholds that are left out lie mostly in one
 /// condition, so that an interval from the other participants describes them only (docs/analysis.md).
-void add_ratio(QuantityName quantity, const std::string& key,
+void add_ratio(QuantityName quantity, const FindingKey& key,
                const std::vector<std::vector<double>>& complete, std::size_t missing,
                FindingList& list) {
   std::vector<double> ratios{};
@@ -147,7 +147,7 @@ std::vector<Finding> compared_thresholds(const DiscriminationResults& results) {
          .unit = unit.empty() ? "1" : unit});
   }
   if (results.conditions.size() == 2) {
-    add_ratio(results.ratio_of_threshold(), both(results.conditions[1], results.conditions[0]),
+    add_ratio(results.ratio_of_threshold(), {results.conditions[1], results.conditions[0]},
               complete, results.participants_in_all_conditions() - complete.size(), list);
   }
   std::vector<Finding> findings = list.take();

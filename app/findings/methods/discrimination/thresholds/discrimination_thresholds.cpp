@@ -36,7 +36,7 @@ constexpr double kThresholdConfidence = 0.95;
 constexpr double kNormalQuantile = 1.959963984540054;  // of 97.5 %
 constexpr double kQuartileOfNormal = 0.6744897501960817;
 
-bool is_slope_at_bound(const FoundNumbers& found, const std::string& key) {
+bool is_slope_at_bound(const FoundNumbers& found, const FindingKey& key) {
   const Finding* const at_bound = found.find("bound.beta", key);
   return at_bound != nullptr && at_bound->word == "TRUE";
 }
@@ -127,7 +127,7 @@ class ThresholdList final {
   /// With the interval of `bootstrap_unforced`, if there is one.
   static Basis with_resamples(Basis basis, std::optional<double> low, std::optional<double> high);
 
-  const std::string& key() const { return key_; }
+  const FindingKey& key() const { return key_; }
   std::vector<Finding> take() { return list_.take(); }
   std::vector<Phrase> take_reasons() { return std::move(reasons_); }
 
@@ -135,7 +135,7 @@ class ThresholdList final {
   const DiscriminationTask& task_;
   FindingList list_{};
   std::vector<Phrase> reasons_{};  ///< each once; not those of slopes, which are in no table
-  std::string key_{};
+  FindingKey key_{};
   std::size_t n_ = 0;
   double lowest_ = 0.0;
   double highest_ = 0.0;
@@ -248,7 +248,7 @@ void add_posterior(const DiscriminationTask& task, const DiscriminationData& dat
 /// x at the lower and the upper quartile, and their half distance.
 void add_comparison(const DiscriminationTask& task, const DiscriminationData& data,
                     const FoundNumbers& found, ThresholdList& list) {
-  const std::string& key = list.key();
+  const FindingKey& key = list.key();
   const auto alpha = found.value("fit.alpha", key);
   const auto beta = found.value("fit.beta", key);
   if (!alpha || !beta) {
@@ -507,19 +507,19 @@ PsychometricModel psychometric_model(const DiscriminationTask& task) {
 
 TidyInput psychometric_input(const DiscriminationTask& task,
                              std::span<const DiscriminationData> data, double proportion_of_hits) {
+  TidyInput input{};
   LabelRows conditions{};
   NumberColumn levels{};
   NumberColumn trials{};
   NumberColumn hits{};
   for (const DiscriminationData& one : data) {
     for (const PsychometricBlock& block : psychometric_blocks(task, one.hits)) {
-      conditions.add(one.key);
+      conditions.add(input.label_of(one.key));
       levels.push_back(block.x);
       trials.push_back(static_cast<double>(block.trials));
       hits.push_back(static_cast<double>(block.hits));
     }
   }
-  TidyInput input{};
   input.tables.emplace_back(
       std::vector<TidyTable::Column>{{"condition", std::move(conditions).take()},
                                      {"x", std::move(levels)},

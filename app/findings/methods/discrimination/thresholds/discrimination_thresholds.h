@@ -20,7 +20,7 @@ namespace asperity {
 
 /// One psychometric function, with the key of its findings.
 struct DiscriminationData {
-  std::string key{};
+  FindingKey key{};
   HitsByValue hits{};
   /// A procedure chose levels from the responses.
   bool by_procedure = false;

@@ -14,10 +14,7 @@ namespace asperity {
 
 namespace {
 
-std::string condition_of_key(const std::string& key) {
-  const std::size_t bar = key.find('|');
-  return bar == std::string::npos ? "all" : key.substr(bar + 1);
-}
+std::string condition_of_key(const FindingKey& key) { return key.size() > 1 ? key.last() : "all"; }
 
 Phrase reasons_of(const LeftOutThresholds& left_out) {
   Phrase all{};
@@ -115,7 +112,7 @@ LeftOutThresholds left_out_of_mean(std::span<const Finding> thresholds, const Fi
   return left_out_thresholds(
       thresholds,
       composed_quantity(std::string_view(mean.quantity).substr(mean.quantity.find('.') + 1)),
-      mean.key);
+      mean.key.last());
 }
 
 Phrase mean_with_bound(const Finding& mean, const LeftOutThresholds& left_out) {

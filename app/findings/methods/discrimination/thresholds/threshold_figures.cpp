@@ -50,7 +50,7 @@ struct DrawnFunctions {
 };
 
 /// The design of a function; that of two alternatives where the findings state none.
-const DiscriminationDesign& design_of(const FoundNumbers& functions, const std::string& key) {
+const DiscriminationDesign& design_of(const FoundNumbers& functions, const FindingKey& key) {
   const Finding* const stated = functions.find("fit.design", key);
   const DiscriminationDesign* const design =
       stated == nullptr ? nullptr : find_design(stated->word);
@@ -67,7 +67,7 @@ std::vector<DrawnFunctions> drawn_functions(const ResultTable& table,
     const std::string participant = row.text(columns::kParticipant);
     const std::string parameter = row.text(kParameterColumn);
     const std::string condition = row.text(columns::kCondition);
-    const DiscriminationDesign& design = design_of(functions, participant + '|' + condition);
+    const DiscriminationDesign& design = design_of(functions, {participant, condition});
     auto known = std::find_if(all.begin(), all.end(), [&](const DrawnFunctions& each) {
       return each.participant == participant && each.parameter == parameter &&
              each.design == &design && each.is_performance == difference.has_value();
@@ -110,7 +110,7 @@ std::vector<DrawnFunctions> drawn_functions(const ResultTable& table,
 void add_function(const FoundNumbers& functions, const FoundNumbers& thresholds,
                   const DrawnFunctions& drawn, const std::string& condition, const DrawnUnit& unit,
                   std::vector<Finding>& made) {
-  const std::string key = drawn.participant + '|' + condition;
+  const FindingKey key{drawn.participant, condition};
   for (const QuantityName quantity :
        std::initializer_list<QuantityName>{"fit.alpha", "fit.beta", "fit.gamma", "fit.lambda"}) {
     const Finding* const found = functions.find(quantity, key);
@@ -156,7 +156,7 @@ void add_detections(const DrawnFunctions& drawn, const std::vector<std::string>&
   constexpr int kStepsOfDetection = 100;
   std::vector<FigureSeries> marks{};
   for (std::size_t i = 0; i < conditions.size() && i < figure.series.size(); ++i) {
-    const std::string key = drawn.participant + '|' + conditions[i];
+    const FindingKey key{drawn.participant, conditions[i]};
     const auto function = detection_function(*drawn.design, functions, key);
     if (!function) continue;
     std::vector<FigurePlace>& curve = figure.series[i].lines.emplace_back();
@@ -205,7 +205,7 @@ FunctionsNote::Intervals method_of_intervals(const DrawnFunctions& drawn, const 
   if (!draws_intervals(figure.series)) return FunctionsNote::Intervals::none;
   const bool is_repeated =
       std::any_of(drawn.names.begin(), drawn.names.end(), [&](const std::string& condition) {
-        return thresholds.find("without", drawn.participant + '|' + condition) != nullptr;
+        return thresholds.find("without", {drawn.participant, condition}) != nullptr;
       });
   if (is_repeated) return FunctionsNote::Intervals::repeated_procedure;
   if (drawn.unsure.empty()) return FunctionsNote::Intervals::delta;
@@ -259,7 +259,7 @@ Figure figure_of_functions(DrawnFunctions drawn, const FoundNumbers& functions,
   figure.y.name = phrase("Figures", "proportion of choices");
   figure.references.clear();
   const Finding* const standard =
-      thresholds.find("standard", drawn.participant + '|' + *drawn.names.begin());
+      thresholds.find("standard", {drawn.participant, *drawn.names.begin()});
   if (standard != nullptr && standard->value) {
     figure.references.push_back({.at = FigureReference::At::x,
                                  .value = *standard->value / unit.size,

@@ -128,7 +128,7 @@ std::vector<TrackTrial> track_trials(const TidyInput& input, const FoundNumbers&
   const LabelColumn tracks = table.all_labels("track");
   const std::vector<std::uint64_t> numbers = table.counts("trial");
   const NumberColumn responses = table.numbers("response");
-  std::map<std::string, std::set<std::string>> reversals{};
+  std::map<FindingKey, std::set<std::string>> reversals{};
   for (const Finding* const each : found.all("reversal.trials")) {
     const std::vector<std::string> parts = parts_of(each->word, ';');
     reversals[each->key].insert(parts.begin(), parts.end());
@@ -137,7 +137,7 @@ std::vector<TrackTrial> track_trials(const TidyInput& input, const FoundNumbers&
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const std::string& track = tracks.names[tracks.codes[row]];
     const std::string trial = std::to_string(numbers[row]);
-    const auto level = found.value("level", track + '|' + trial);
+    const auto level = found.value("level", {track, trial});
     if (!level || !responses[row]) continue;
     trials.push_back({.track = track,
                       .step = static_cast<double>(numbers[row]),

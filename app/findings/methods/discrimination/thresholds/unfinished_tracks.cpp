@@ -27,7 +27,7 @@ UnfinishedTracks unfinished_tracks(const std::vector<Finding>& thresholds, Quant
   const FoundNumbers numbers(thresholds);
   for (const Finding& finding : thresholds) {
     if (finding.analysis != kThresholds) continue;
-    const std::string participant = finding.key.substr(0, finding.key.find('|'));
+    const std::string& participant = finding.key[0];
     found.of.insert(participant);
     found.is_measured = found.is_measured || is(finding, quantity);
     if (!is(finding, "unfinished.tracks")) continue;

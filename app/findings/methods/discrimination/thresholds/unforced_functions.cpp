@@ -22,7 +22,7 @@ bool has_unsure(const DiscriminationData& data) {
 }
 
 bool add_fit_status(const std::vector<PsychometricBlock>& blocks, const PsychometricModel& model,
-                    const std::string& key, const Basis& basis, FindingList& list) {
+                    const FindingKey& key, const Basis& basis, FindingList& list) {
   const auto none = [&](const char* word, const char* sentence) {
     list.word("status", key, word, sentence, basis);
     return false;

@@ -21,7 +21,7 @@ bool has_unsure(const DiscriminationData& data);
 /// Adds the status of the data under the names of the family `psyfit`, unless it is ok; returns whether a function can be
 /// fitted.
 bool add_fit_status(const std::vector<PsychometricBlock>& blocks, const PsychometricModel& model,
-                    const std::string& key, const Basis& basis, FindingList& list);
+                    const FindingKey& key, const Basis& basis, FindingList& list);
 
 /// The function of data whose levels did not depend on the responses, fitted to split counts (`split_hits`) by maximum
 /// likelihood: the status and `add_unforced_estimates`, with intervals if the data need any.
