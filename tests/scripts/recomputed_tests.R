@@ -385,6 +385,7 @@ for (group in c("run", "pilot", "virtual")) {
     ids <- do.call(paste, answers[trial_keys])
     felt <- tables$presentations[tables$presentations$trial_id %in% ids, ]
     of <- declared[declared$protocol == protocol, ]
+    if (!nrow(of)) next
     of_family <- strsplit(of$family, ";")[[1]]
     where <- c(protocol, c(run = "people", pilot = "pilot", virtual = "virtual")[[group]])
     family <- list(p = numeric(), smallest = numeric())
