@@ -81,6 +81,16 @@ void store_arrangement(const json& value, Block& block) {
   read_keys(kArrangementTable, value, &block.arrangement);
 }
 
+constexpr KeyCondition kWithoutVary = reported_as(
+    "the levels of vary are presented equally often; remove this key, or list the levels as a "
+    "crossed factor",
+    without("vary"));
+/// Of an anchor, whose response would count for the criterion.
+constexpr KeyCondition kWithoutCriterion = reported_as(
+    "a block that ends at a criterion has no anchors, because they do not count for it; remove "
+    "this key, or \"until\"",
+    without("until"));
+
 auto& own_of_block(void* block) { return static_cast<Block*>(block)->own; }
 
 constexpr auto kDesignKeys = keys_of(
@@ -94,13 +104,14 @@ constexpr auto kDesignKeys = keys_of(
         "phase", "Phase", "Purpose of the trials. Only main trials are analysed.", kPhasesOfStudy),
     member_key<&Block::crossed>("crossed", "Crossed factors",
                                 "Factors whose levels are all combined.", kFactors),
-    member_key<&Block::listed>(
-        "listed", "Listed trials",
-        "List of trials, each with a level of the same factors; an alternative to crossed.",
-        ListShape{.entry = &kRow,
-                  .meaning = "One trial: factor and level.",
-                  .shortest = 1,
-                  .longest = 4096}),
+    when(member_key<&Block::listed>(
+             "listed", "Listed trials",
+             "List of trials, each with a level of the same factors; an alternative to crossed.",
+             ListShape{.entry = &kRow,
+                       .meaning = "One trial: factor and level.",
+                       .shortest = 1,
+                       .longest = 4096}),
+         without("crossed")),
     member_key<&Block::exclude>("exclude", "Excluded combinations",
                                 "Combinations of crossed or varied levels that are left out: those "
                                 "with all levels of an entry.",
@@ -116,10 +127,11 @@ constexpr auto kDesignKeys = keys_of(
                                                     "parentheses, such as speed / spacing.",
                                          .key = {.registry = kFactorNames, .is_declared = true},
                                          .shortest = 1}),
-    list_key<&Block::repetitions_of, kRowRepetitionsTable>(
-        "repetitions_of", "Repetitions of some trials",
-        "Numbers of repetitions of some trials, in place of repetitions.",
-        {.shortest = 1, .longest = 256}),
+    when(list_key<&Block::repetitions_of, kRowRepetitionsTable>(
+             "repetitions_of", "Repetitions of some trials",
+             "Numbers of repetitions of some trials, in place of repetitions.",
+             {.shortest = 1, .longest = 256}),
+         kWithoutVary),
     when(member_key<&Block::all_pairs>("all_pairs", "All pairs", kAllPairsTable), kWithPairs),
     member_key<&Block::vary>("vary", "Varied parameter", kDimensionTable),
     when(custom_key<&ignore_procedure>("procedure", "Procedure", "", ObjectShape{&kProcedureTable}),
@@ -133,17 +145,18 @@ constexpr auto kOrderKeys = keys_of(
                               "Factors drawn at random on every trial, each level equally often "
                               "over the block as far as possible.",
                               kFactors),
-    member_key<&Block::anchor>(
-        "anchor", "Anchor",
-        "Anchors, reference trials of every run of the block whose responses are stored and not "
-        "analysed: factor and level, that of \"vary\" in its measure.",
-        kSomeLevels),
+    when(member_key<&Block::anchor>("anchor", "Anchor",
+                                    "Anchors, reference trials of every run of the block whose "
+                                    "responses are stored and not analysed: factor and level, that "
+                                    "of \"vary\" in its measure.",
+                                    kSomeLevels),
+         kWithoutCriterion),
     when(member_key<&Block::anchor_pair>(
              "anchor_pair", "Levels of the anchor",
              "With \"all_pairs\": the levels of the two surfaces of an anchor.",
              ListShape{
                  .entry = &kLevelShape, .meaning = kLevelMeaning, .shortest = 2, .longest = 2}),
-         with("all_pairs")),
+         with("all_pairs"), kWithoutCriterion),
     with_standard(custom_key<&store_anchor_places>(
                       "anchor_at", "Places of the anchors",
                       "Places of the anchors in every run of the block: before its trials, after "
@@ -177,8 +190,9 @@ constexpr auto kOrderKeys = keys_of(
         "and `until` also within each level, if every combination of levels has a multiple of the "
         "number of surfaces as its number of trials.",
         kPositions),
-    with_computed_default(inner_key("question", "Question", kOnlyQuestionTable),
-                          "this or `questions`"),
+    when(with_computed_default(inner_key("question", "Question", kOnlyQuestionTable),
+                               "this or `questions`"),
+         without("questions")),
     with_computed_default(
         custom_key<&store_questions>(
             "questions", "Questions",

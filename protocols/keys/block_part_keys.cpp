@@ -81,12 +81,14 @@ constexpr auto kVisitsKeys = keys_of(
         "Maximum number of visits to each surface, including those on request; absent: no limit.",
         NumberShape{.minimum = 1.0, .maximum = 1000.0, .is_whole = true}));
 
-constexpr auto kExposureKeys = keys_of(
-    member_key<&Arrangement::strokes>(
-        "strokes", "Strokes", "Strokes in each visit.",
-        NumberShape{.minimum = 1.0, .maximum = 100.0, .is_whole = true}),
-    member_key<&Arrangement::contact_s>("contact_s", "Contact time", "Contact time of each visit.",
-                                        NumberShape{.above = 0.0, .maximum = 600.0, .unit = "s"}));
+constexpr auto kExposureKeys =
+    keys_of(member_key<&Arrangement::strokes>(
+                "strokes", "Strokes", "Strokes in each visit.",
+                NumberShape{.minimum = 1.0, .maximum = 100.0, .is_whole = true}),
+            when(member_key<&Arrangement::contact_s>(
+                     "contact_s", "Contact time", "Contact time of each visit.",
+                     NumberShape{.above = 0.0, .maximum = 600.0, .unit = "s"}),
+                 without("strokes")));
 
 using Surfaces = Arrangement::Surfaces;
 constexpr auto kSurfaces = words_of<Surfaces>(
@@ -102,6 +104,8 @@ constexpr auto kPhases = words_of<bool>(
      {"drawn", true,
       "the point of the texture at the centre of the surface is drawn for every presentation"}});
 
+constexpr KeyCondition kNotSideBySide{"surfaces", {kAbsent, "sequential", "on_request"}};
+
 constexpr auto kArrangementKeys = keys_of(
     member_key<&Arrangement::surfaces>(
         "surfaces", "Presentation",
@@ -110,13 +114,20 @@ constexpr auto kArrangementKeys = keys_of(
         "participant chooses.",
         kSurfaces),
     inner_key("visits", "Visits", kVisitsTable),
-    custom_key<&store_interval>(
-        "interval_s", "Inter-stimulus interval",
-        "The inter-stimulus interval, from the last contact with a surface to the permission to "
-        "touch the next: a time, or the limits between which it is drawn for every interval. It "
-        "replaces pause_between_surfaces_s.",
-        FormsShape{kIntervalForms}),
-    inner_key("exposure", "Exposure", kExposureTable),
+    when(custom_key<&store_interval>("interval_s", "Inter-stimulus interval",
+                                     "The inter-stimulus interval, from the last contact with a "
+                                     "surface to the permission to "
+                                     "touch the next: a time, or the limits between which it is "
+                                     "drawn for every interval. It "
+                                     "replaces pause_between_surfaces_s.",
+                                     FormsShape{kIntervalForms}),
+         reported_as("patches are presented together, without an interval; remove this key",
+                     kNotSideBySide)),
+    when(inner_key("exposure", "Exposure", kExposureTable),
+         reported_as(
+             "the participant divides the time among patches; remove this key, and state visits "
+             "and the contact time of the exploration",
+             kNotSideBySide)),
     when(member_key<&Arrangement::gap_m>(
              "gap_m", "Gap",
              "Side by side: the width of the flat surface between two patches, with the stiffness "

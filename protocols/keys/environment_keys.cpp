@@ -41,9 +41,11 @@ constexpr auto kPicturesKeys = keys_of(member_key<&Protocol::shows_pictures_in_g
 constexpr auto kNoiseKeys =
     keys_of(required_key(member_key<&Protocol::Noise::kind>("kind", "Spectrum",
                                                             "Spectrum of the noise.", kNoises)),
-            member_key<&Protocol::Noise::level_dBA>(
-                "level_dBA", "Sound level", "Level at the ear.",
-                NumberShape{.minimum = 0.0, .maximum = 85.0, .unit = "dBA"}));
+            when(member_key<&Protocol::Noise::level_dBA>(
+                     "level_dBA", "Sound level", "Level at the ear.",
+                     NumberShape{.minimum = 0.0, .maximum = 85.0, .unit = "dBA"}),
+                 reported_as("the noise \"none\" has no level; remove this key",
+                             where("kind", {"white", "pink"}))));
 
 constexpr auto kEnvironmentKeys = keys_of(
     member_key<&Protocol::vision>(

@@ -75,6 +75,7 @@ std::string missing_key(std::string_view key, std::string_view meaning) {
 }
 
 std::string inapplicable_key(const KeyCondition& unmet) {
+  if (!unmet.problem.empty()) return std::string(unmet.problem);
   const std::string other = in_quotes(unmet.key);
   if (unmet.count == 0) {
     return "this key requires the key " + other + ", which is missing; add it, or remove this key";

@@ -96,6 +96,9 @@ constexpr auto kDimensionKeys = keys_of(
         "Levels re the standard in decibels, 20·log10 of the ratio: a list or a grid.",
         kLevelsOfMeasure));
 
+constexpr std::array<std::string_view, 5> kMeasures{"levels", "levels_difference", "levels_percent",
+                                                    "levels_ratio", "levels_decibels"};
+
 constexpr NumberShape kTrialCount{.minimum = 1.0, .maximum = 10'000.0, .is_whole = true};
 constexpr NumberShape kMoves{.minimum = 1.0, .maximum = 10.0, .is_whole = true};
 constexpr ListShape kSteps{
@@ -305,11 +308,14 @@ constexpr auto kProcedureKeys = keys_of(
 
 constexpr KeyTableOf<LevelGrid> kGridTable = table_of("A grid of levels.", kGridKeys);
 
-constexpr KeyTableOf<Dimension> kDimensionTable = table_of(
-    "The parameter that the trials vary: a factor whose levels are values of one parameter of one "
-    "of the surfaces, in combination with the other factors of the block. It has exactly one of "
-    "the keys with levels.",
-    kDimensionKeys);
+constexpr KeyTableOf<Dimension> kDimensionTable =
+    decided_by(table_of("The parameter that the trials vary: a factor whose levels are values of "
+                        "one parameter of one "
+                        "of the surfaces, in combination with the other factors of the block. It "
+                        "has exactly one of "
+                        "the keys with levels.",
+                        kDimensionKeys),
+               kMeasures);
 
 constexpr KeyTableOf<ValueRange> kRangeTable = table_of("A range of values.", kRangeKeys);
 constexpr KeyTableOf<ValueRange> kLapseRangeTable =

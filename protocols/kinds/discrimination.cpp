@@ -1,7 +1,5 @@
 // The tests, checks and judgement of a discrimination.
 
-#include "protocols/kinds/kind_list.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,6 +13,7 @@
 #include "protocols/design/block_factors.h"
 #include "protocols/design/wording.h"
 #include "protocols/kinds/discrimination_responses.h"
+#include "protocols/kinds/kind_list.h"
 
 namespace asperity {
 
@@ -132,17 +131,6 @@ void check_design(const BlockOfKind& checked, ProblemSink& problems) {
             " presents every level equally often, because a proportion correct depends on the "
             "criterion of the participant as well as on the level; remove this key, and state "
             "\"repetitions\"");
-  }
-  const auto& repetitions_of = checked.block.repetitions_of;
-  for (std::size_t i = 0; i < repetitions_of.size(); ++i) {
-    if (!checked.block.vary || !repetitions_of[i].levels.contains(checked.block.vary->factor)) {
-      continue;
-    }
-    problems.report_key(
-        checked.pointer + "/repetitions_of/" + std::to_string(i),
-        "trials with and without a difference would no longer be equally frequent, because those "
-        "with the standard alone have another level of " +
-            in_quotes(checked.block.vary->factor) + "; remove this entry");
   }
   if (design.surfaces() == 1) {
     if (checked.block.positions != Block::Positions::as_listed) {

@@ -33,6 +33,8 @@ struct KeyCondition {
   /// Words, and `kAbsent` where the other key may be absent. None: the other key is present.
   std::array<std::string_view, kMostValues> listed{};
   std::size_t count = 0;
+  /// The problem where the condition does not hold; empty: the sentence that follows from the condition.
+  std::string_view problem{};
 
   constexpr KeyCondition() = default;
   constexpr KeyCondition(std::string_view other,
@@ -59,6 +61,11 @@ constexpr KeyCondition where_around(std::string_view key,
 /// The kinds of experiment that own a key.
 constexpr KeyCondition of_kinds(std::initializer_list<std::string_view> kinds) {
   return {"kind", kinds, KeyCondition::Of::kind};
+}
+/// The condition with a problem of its own, which states a reason or another remedy.
+constexpr KeyCondition reported_as(std::string_view problem, KeyCondition condition) {
+  condition.problem = problem;
+  return condition;
 }
 
 /// Whether a condition on the object itself holds; true for others.

@@ -153,7 +153,7 @@ TEST(DetectionDesigns, RefuseWhatTheyCannotAsk) {
          design_block(p).erase("repetitions");
          design_block(p)["procedure"] = {{"method", "constant_stimuli"}, {"repetitions", 4}};
        }},
-      {"same_different", "/repetitions_of/0", "would no longer be equally frequent",
+      {"same_different", "/repetitions_of", "the levels of vary are presented equally often",
        [](DesignJson& p) {
          design_block(p)["repetitions_of"] = {
              {{"levels", {{"amplitude_m", 55e-6}}}, {"repetitions", 8}}};

@@ -234,9 +234,9 @@ TEST(Discriminations, OfDecreasingLevelsAreValid) {
 TEST(VariedParameters, RefuseLevelsThatAreMissingOrStatedTwice) {
   expect_faults(
       amplitude_jnd(),
-      {{"/vary", "no levels are stated",
+      {{"/vary", "write exactly one of the keys",
         [](ProtocolJson& p) { main_block(p)["vary"].erase("levels_percent"); }},
-       {"/vary", "levels are stated twice",
+       {"/vary", "write exactly one of the keys",
         [](ProtocolJson& p) { main_block(p)["vary"]["levels_ratio"] = {1.1}; }},
        {"/vary/levels_percent", "a level is stated twice",
         [](ProtocolJson& p) {

@@ -55,26 +55,11 @@ const json kEverything = json::parse(R"({
     "when": {"prompt": "When?", "form": "text", "if": {"question": "age", "at_least": 20, "at_most": 30}}},
   "blocks": {
     "main": {
-      "kind": "discrimination", "phase": "practice", "crossed": ["a"], "listed": [{"a": 1, "b": "x"}],
+      "kind": "discrimination", "phase": "practice", "crossed": ["a"],
       "exclude": [{"a": 2}], "derived": {"d": "a / 2"},
       "repetitions_of": [{"levels": {"a": 1}, "repetitions": 3}],
       "all_pairs": {"factor": "a", "in_both_orders": true, "with_identical": true, "parts": 2},
-      "vary": {
-        "parameter": "gain_N", "factor": "g", "of": "comparison", "relative_to": "standard",
-        "levels": [1, 2], "levels_difference": [3],
-        "levels_percent": {"lowest": 1, "highest": 10, "step": 2, "scale": "ratio"},
-        "levels_ratio": [4], "levels_decibels": [5, 6]},
-      "procedure": {
-        "method": "psi", "target": 0.8,
-        "prior": {
-          "threshold": {"lowest": 1, "highest": 2, "count": 3},
-          "slope": {"lowest": 2, "highest": 3, "count": 4},
-          "lapse": {"lowest": 0, "highest": 0.1, "count": 5}},
-        "marginalise": ["lapse"],
-        "stop": {"trials": 40, "interval": {"ratio": 2.5, "minimum_trials": 10, "minimum_of_each": 4}},
-        "tracks": [{}, {}], "timed_out": "incorrect", "catch_trials": {"type": "no_signal", "every": 10}},
-      "design": "yes_no", "repetitions": 2, "drawn": ["c"], "anchor": {"a": 2}, "anchor_pair": [1, "x"],
-      "anchor_at": ["end", "start"], "order": "fixed", "maximum_in_a_row": {"a": 2},
+      "design": "yes_no", "repetitions": 2, "drawn": ["c"], "order": "fixed", "maximum_in_a_row": {"a": 2},
       "minimum_distance": {"a": 3}, "fixed_positions": [{"position": 2, "levels": {"a": 1}}],
       "presented": [{"role": "target", "stimulus": "rendered", "with": {"a": "x"}, "item": "it"}],
       "positions": "balanced",
@@ -94,16 +79,34 @@ const json kEverything = json::parse(R"({
       "exploration": {"factor": "e"},
       "arrangement": {
         "surfaces": "on_request", "visits": {"minimum": 2, "maximum": 3},
-        "interval_s": {"shortest": 1, "longest": 2}, "exposure": {"strokes": 4, "contact_s": 5},
+        "interval_s": {"shortest": 1, "longest": 2}, "exposure": {"strokes": 4},
         "phase": "drawn"},
       "equal_roughness": {"matched_in": "other"},
       "rove": {"stiffness_N_per_m": [400, 500], "friction": [0.1], "raised_m": [-0.01, 0.01]},
       "pause_before_trial_s": 1, "pause_between_surfaces_s": 2, "response_deadline_s": 3,
       "feedback": "correctness",
       "until": {"correct": 4, "of_last": 5, "maximum_trials": 20, "on_failure": "end_session"}},
+    "tracks": {
+      "listed": [{"a": 1, "b": "x"}], "all_pairs": {"factor": "a"},
+      "vary": {
+        "parameter": "gain_N", "factor": "g", "of": "comparison", "relative_to": "standard",
+        "levels_percent": {"lowest": 1, "highest": 10, "step": 2, "scale": "ratio"}},
+      "procedure": {
+        "method": "psi", "target": 0.8,
+        "prior": {
+          "threshold": {"lowest": 1, "highest": 2, "count": 3},
+          "slope": {"lowest": 2, "highest": 3, "count": 4},
+          "lapse": {"lowest": 0, "highest": 0.1, "count": 5}},
+        "marginalise": ["lapse"],
+        "stop": {"trials": 40, "interval": {"ratio": 2.5, "minimum_trials": 10, "minimum_of_each": 4}},
+        "tracks": [{}, {}], "timed_out": "incorrect", "catch_trials": {"type": "no_signal", "every": 10}},
+      "anchor": {"a": 2}, "anchor_pair": [1, "x"], "anchor_at": ["end", "start"],
+      "presented": [{"stimulus": "matched"}], "exploration": "stroke",
+      "arrangement": {"interval_s": 0.4, "exposure": {"contact_s": 5}},
+      "question": {"name": "only", "prompt": "Which?"}},
     "other": {
       "presented": [{"stimulus": "matched"}], "exploration": "stroke",
-      "arrangement": {"surfaces": "side_by_side", "interval_s": 0.4, "gap_m": 0.01, "axis": "y"},
+      "arrangement": {"surfaces": "side_by_side", "gap_m": 0.01, "axis": "y"},
       "vary": {"parameter": "gain_N", "of": "comparison", "levels": [1, 2]},
       "procedure": {
         "method": "transformed_up_down", "down": 2, "up": 3, "start": 4, "steps": [2], "steps_up": [1],
@@ -115,14 +118,14 @@ const json kEverything = json::parse(R"({
         "experimenter_prompt": "E", "pictures_after_feeling": true, "allow_revisit": true}},
     "constant": {
       "presented": [{"stimulus": "matched"}], "exploration": "stroke",
-      "vary": {"parameter": "gain_N", "of": "comparison", "levels": [1, 2]},
+      "vary": {"parameter": "gain_N", "of": "comparison", "levels_difference": [3]},
       "procedure": {"method": "constant_stimuli", "repetitions": 3},
       "question": {
         "name": "only", "prompt": "Which?", "judgement": "comparison", "asks_for": "more",
         "options": [{"value": "y", "text": "Yes"}, {"value": "n", "text": "No"}]}},
     "outside": {
       "presented": [{"stimulus": "matched"}], "exploration": "stroke",
-      "vary": {"parameter": "gain_N", "of": "comparison", "levels": [1, 2]},
+      "vary": {"parameter": "gain_N", "of": "comparison", "levels_decibels": [5, 6]},
       "procedure": {"method": "external", "settings": {"x-a": 1, "b": [2]}, "answer_within_s": 60},
       "question": {"name": "only", "prompt": "Alike?", "scale": {}, "rates": "dissimilarity", "confidence_of": "z"}},
     "paired": {
@@ -499,7 +502,6 @@ TEST(Keys, OfBlocksGoToTheirMembers) {
   EXPECT_EQ(block.kind, "discrimination");
   EXPECT_EQ(block.phase, Phase::practice);
   EXPECT_THAT(block.crossed, ElementsAre("a"));
-  EXPECT_THAT(block.listed, ElementsAre(Levels{{"a", 1.0}, {"b", "x"}}));
   EXPECT_THAT(block.exclude, ElementsAre(Levels{{"a", 2.0}}));
   EXPECT_THAT(block.derived, ElementsAre(Pair("d", "a / 2")));
   ASSERT_EQ(block.repetitions_of.size(), 1U);
@@ -513,9 +515,6 @@ TEST(Keys, OfBlocksGoToTheirMembers) {
   EXPECT_EQ(block.design(), find_design("yes_no"));
   EXPECT_EQ(block.repetitions, 2);
   EXPECT_THAT(block.drawn, ElementsAre("c"));
-  EXPECT_EQ(block.anchor, (Levels{{"a", 2.0}}));
-  EXPECT_THAT(block.anchor_pair, ElementsAre(Level(1.0), Level("x")));
-  EXPECT_THAT(block.anchor_places, ElementsAre(AnchorPlace::start, AnchorPlace::end));
   EXPECT_EQ(block.order, Block::Order::fixed);
   EXPECT_THAT(block.maximum_in_a_row, ElementsAre(Pair("a", 2)));
   EXPECT_THAT(block.minimum_distance, ElementsAre(Pair("a", 3)));
@@ -549,6 +548,11 @@ TEST(Keys, OfBlocksGoToTheirMembers) {
   EXPECT_EQ(block.until->of_last, 5);
   EXPECT_EQ(block.until->maximum_trials, 20);
   EXPECT_EQ(block.until->on_failure, Protocol::Criterion::OnFailure::end_session);
+  const Protocol::Block& tracks = protocol.blocks.at("tracks");
+  EXPECT_THAT(tracks.listed, ElementsAre(Levels{{"a", 1.0}, {"b", "x"}}));
+  EXPECT_EQ(tracks.anchor, (Levels{{"a", 2.0}}));
+  EXPECT_THAT(tracks.anchor_pair, ElementsAre(Level(1.0), Level("x")));
+  EXPECT_THAT(tracks.anchor_places, ElementsAre(AnchorPlace::start, AnchorPlace::end));
 }
 
 TEST(Keys, OfArrangementsGoToTheirMembers) {
@@ -561,12 +565,13 @@ TEST(Keys, OfArrangementsGoToTheirMembers) {
   EXPECT_EQ(stated.interval->shortest_s, 1.0);
   EXPECT_EQ(stated.interval->longest_s, 2.0);
   EXPECT_EQ(stated.strokes, 4);
-  EXPECT_EQ(stated.contact_s, 5.0);
   EXPECT_TRUE(stated.draws_phase);
+  const Arrangement& sequence = protocol.blocks.at("tracks").arrangement;
+  ASSERT_TRUE(sequence.interval);
+  EXPECT_EQ(sequence.interval->shortest_s, 0.4);
+  EXPECT_EQ(sequence.interval->longest_s, 0.4);
+  EXPECT_EQ(sequence.contact_s, 5.0);
   const Arrangement& other = protocol.blocks.at("other").arrangement;
-  ASSERT_TRUE(other.interval);
-  EXPECT_EQ(other.interval->shortest_s, 0.4);
-  EXPECT_EQ(other.interval->longest_s, 0.4);
   EXPECT_EQ(other.gap_m, 0.01);
   EXPECT_EQ(other.axis, Arrangement::Axis::y);
 }
@@ -626,7 +631,7 @@ TEST(Keys, OfLevelsGoToTheirMembers) {
     EXPECT_EQ(list.measure, measure);
     EXPECT_THAT(list.list, ElementsAre(1.0, 2.0));
   }
-  const Dimension stated = *read_of(kEverything).blocks.at("main").vary;
+  const Dimension stated = *read_of(kEverything).blocks.at("tracks").vary;
   EXPECT_EQ(stated.factor, "g");
   EXPECT_EQ(stated.standard_role, "standard");
 }
@@ -638,7 +643,7 @@ TEST(Keys, OfAProcedureGoToTheirMembers) {
     EXPECT_THAT(read_keys(kProcedureTable, object, "", stated), IsEmpty());
     return stated;
   };
-  const ProcedureDeclaration psi = procedure_of("main");
+  const ProcedureDeclaration psi = procedure_of("tracks");
   EXPECT_EQ(psi.method, "psi");
   EXPECT_EQ(psi.target, 0.8);
   EXPECT_EQ(psi.prior.threshold, (ValueRange{1.0, 2.0, 3}));
@@ -691,8 +696,8 @@ TEST(Keys, ApplyWhereTheirConditionsHold) {
   EXPECT_THAT(keys_of_block("constant"), IsEmpty());
   EXPECT_THAT(keys_of_block("paired"), ElementsAre("/blocks/paired/question/tie"));
   // The method of a procedure is stated around its stopping rule.
-  protocol["blocks"]["main"]["procedure"]["stop"]["reversals"] = 4;
-  EXPECT_THAT(keys_of_block("main"), Contains("/blocks/main/procedure/stop/reversals"));
+  protocol["blocks"]["tracks"]["procedure"]["stop"]["reversals"] = 4;
+  EXPECT_THAT(keys_of_block("tracks"), Contains("/blocks/tracks/procedure/stop/reversals"));
   EXPECT_THAT(keys_of_block("other"), Not(Contains("/blocks/other/procedure/stop/reversals")));
   // A default is equivalent to the absence of the key, and comments are not blocks.
   protocol["blocks"]["paired"] = {{"kind", "paired_comparison"},

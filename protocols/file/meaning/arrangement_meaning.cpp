@@ -46,11 +46,6 @@ void check_exposure(CheckedDocument& checked, const Block& block, const std::str
                    "state what ends a visit: \"strokes\" or \"contact_s\"; or remove this key");
     return;
   }
-  if (arrangement.strokes && arrangement.contact_s) {
-    checked.report_key(place + "/exposure/contact_s",
-                       "a visit ends after strokes or after a contact time; keep one of the two");
-    return;
-  }
   for (const auto& [name, at] : texts_of(checked, block.exploration, "")) {
     const auto exploration = checked.protocol.explorations.find(name);
     if (exploration == checked.protocol.explorations.end()) continue;
@@ -107,20 +102,10 @@ void check_side_by_side(CheckedDocument& checked, const Block& block, const std:
     return;
   }
   const Arrangement& arrangement = block.arrangement;
-  if (arrangement.interval) {
-    checked.report_key(place + "/interval_s",
-                       "patches are presented together, without an interval; remove this key");
-  }
   if (arrangement.maximum_visits) {
     checked.report_key(
         place + "/visits/maximum",
         "the hand moves freely over patches, so that visits have no maximum; remove this key");
-  }
-  if (arrangement.strokes || arrangement.contact_s) {
-    checked.report_key(
-        place + "/exposure",
-        "the participant divides the time among patches; remove this key, and state visits "
-        "and the contact time of the exploration");
   }
   if (checked.protocol.scene) {
     checked.report("/environment/scene", "the scene shows one surface, but the block " +

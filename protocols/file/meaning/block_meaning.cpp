@@ -53,12 +53,6 @@ void check_anchor(CheckedDocument& checked, const Block& block, const std::strin
     }
     return;
   }
-  if (block.until) {
-    checked.report_key(
-        stated.contains("anchor") ? place : place + "_pair",
-        "a block that ends at a criterion has no anchors, because they do not count for it; "
-        "remove this key, or \"until\"");
-  }
   check_anchor_pair(checked, block, place + "_pair");
   std::set<std::string> needed(block.crossed.begin(), block.crossed.end());
   needed.insert(block.drawn.begin(), block.drawn.end());
@@ -213,10 +207,6 @@ void check_pairs(CheckedDocument& checked, const Block& block, const std::string
 }  // namespace
 
 void check_block(CheckedDocument& checked, const Block& block, const std::string& pointer) {
-  if (!block.crossed.empty() && !block.listed.empty()) {
-    checked.report_key(pointer + "/listed", "crossed and listed exclude each other; keep one");
-    return;
-  }
   std::map<std::string, std::string> setters{};
   const auto claim = [&](const std::string& factor, const std::string& by, const std::string& at) {
     if (!checked.protocol.factors.contains(factor)) {

@@ -199,15 +199,6 @@ void check_dimension(CheckedDocument& checked, const Block& block, const std::st
   const Dimension& dimension = *block.vary;
   const std::string place = pointer + "/vary";
   const auto& stated = checked.document.root().at("blocks").at(block.name).at("vary");
-  int keys = 0;
-  for (const auto& [key, value] : stated.items()) keys += key.starts_with("levels") ? 1 : 0;
-  if (keys != 1) {
-    checked.report(place,
-                   std::string(keys == 0 ? "no levels are stated" : "levels are stated twice") +
-                       "; write exactly one of \"levels\", \"levels_difference\", "
-                       "\"levels_percent\", \"levels_ratio\" and \"levels_decibels\"");
-    return;
-  }
   const auto factors = checked.document.root().find("factors");
   if (factors != checked.document.root().end() && factors->contains(dimension.factor)) {
     checked.report(

@@ -228,20 +228,18 @@ void check_track_starts(CheckedDocument& checked, const Block& block, const std:
 }  // namespace
 
 void check_procedure(CheckedDocument& checked, const Block& block, const std::string& pointer) {
-  const auto& object = checked.document.root().at("blocks").at(block.name);
-  const auto stated = object.find("procedure");
-  if (stated == object.end()) return;
+  // The key may not apply; with noise no procedure is permitted, which is reported with the design.
+  if (!block.procedure || block.kind != discrimination_kind().id) return;
+  if (block.design()->has_noise()) return;
   const std::string place = pointer + "/procedure";
-  if (!block.procedure || block.kind != discrimination_kind().id) return;  // the key does not apply
-  if (block.design()->has_noise())
-    return;  // no procedure is permitted, which is reported with the design
+  const auto& object = checked.document.root().at("blocks").at(block.name);
   for (const char* const key : {"repetitions", "repetitions_of", "maximum_in_a_row",
                                 "minimum_distance", "fixed_positions", "until"}) {
     if (!object.contains(key)) continue;
     checked.report_key(pointer + "/" + key,
                        "the procedure of a block determines its trials; remove this key");
   }
-  const auto method = stated->at("method").get<std::string>();
+  const auto method = object.at("procedure").at("method").get<std::string>();
   for (const auto& [name, at] : texts_of(checked, block.exploration, pointer + "/exploration")) {
     const auto exploration = checked.protocol.explorations.find(name);
     if (exploration == checked.protocol.explorations.end() ||

@@ -29,13 +29,8 @@ std::string place_of_question(const Block& block, std::size_t question) {
 
 namespace {
 
-/// Whether there are questions, and the keys of the block fit them.
+/// Whether there are questions, which can be shown as the block states.
 bool check_question_keys(CheckedDocument& checked, const Block& block, const std::string& pointer) {
-  const auto& object = checked.document.root().at("blocks").at(block.name);
-  if (block.has_question_list && object.contains("question")) {
-    checked.report_key(pointer + "/question",
-                       "\"question\" and \"questions\" exclude each other; keep one of the two");
-  }
   if (block.questions.empty()) {
     checked.report(
         pointer,

@@ -117,13 +117,6 @@ void check_repetitions_of(CheckedDocument& checked, const Block& block,
                           const std::vector<BlockRow>& rows, const std::string& pointer) {
   const std::string place = pointer + "/repetitions_of";
   if (block.repetitions_of.empty()) return;
-  if (block.vary) {
-    checked.report_key(
-        place,
-        "the levels of vary are presented equally often; remove this key, or list the levels "
-        "as a crossed factor");
-    return;
-  }
   if (block.order == Block::Order::shuffle_within_repetition) {
     checked.report(
         pointer + "/order",

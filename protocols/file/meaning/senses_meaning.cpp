@@ -35,12 +35,9 @@ void check_blindfold(CheckedDocument& checked) {
 
 void check_senses(CheckedDocument& checked) {
   const Protocol::Noise& noise = checked.protocol.masking_noise;
-  const std::string at_noise = "/environment/masking_noise";
-  const bool is_none = noise.kind == Protocol::Noise::Kind::none;
-  if (is_none && noise.level_dBA)
-    checked.report_key(at_noise + "/level_dBA", "the noise \"none\" has no level; remove this key");
-  if (!is_none && !noise.level_dBA) {
-    checked.report(at_noise, "masking noise needs a level; add the key \"level_dBA\"");
+  if (noise.kind != Protocol::Noise::Kind::none && !noise.level_dBA) {
+    checked.report("/environment/masking_noise",
+                   "masking noise needs a level; add the key \"level_dBA\"");
   }
   const std::vector<std::string> cues = speech_cues();
   for (const auto& [cue, path] : checked.protocol.speech) {
