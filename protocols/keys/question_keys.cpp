@@ -48,11 +48,8 @@ void store_form(const json& value, Question& question) {
 constexpr auto kAskedKeys = keys_of(
     required_key(member_key<&Question::prompt>("prompt", "Question", "Text of the question.",
                                                kShownParagraph)),
-    required_key(custom_key<&store_form>(
-        "form", "Form",
-        "Form of the response. choice: one of the options; multiple_choice: one or more of the "
-        "options; number; scale: a point on a scale; line: the length of a line; text.",
-        WordShape{kForms})),
+    required_key(listing_words(
+        custom_key<&store_form>("form", "Form", "Form of the response.", WordShape{kForms}))),
     when(custom_key<&store_options>(
              "options", "Options", "The options of a choice or a multiple choice.",
              ListShape{.entry = &kOption,

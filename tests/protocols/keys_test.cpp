@@ -1,6 +1,11 @@
 // The tables of keys: what is read of their objects, what is refused, and the agreement with schema and page.
+//
+// To write the present rows into docs/formats/protocol.md after a key was meant to change, run
+//   ASPERITY_STORE_PAGE=1 build/release/bin/asperity_protocols_tests --gtest_filter='Keys.AreThoseOfThePage'
+// A new table needs a section with the two lines of its header and an empty line after them.
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -778,16 +783,45 @@ TEST(Keys, AreNotReadFromAnotherValue) {
   EXPECT_THAT(pointers, Contains("/device"));
 }
 
-TEST(Keys, AreThoseOfThePage) {
-  const std::string page = source_file("docs/formats/protocol.md");
-  const auto expect_in_page = [&page](const std::string& rows) {
-    EXPECT_NE(page.find(rows), std::string::npos) << rows;
-  };
-  for (const KeyTable* const table : tables()) {
-    if (table == &kListedQuestionTable) continue;  // its keys are also those of the one question
-    expect_in_page("| --- | --- | --- | --- |\n" + page_rows_of(*table) + '\n');
+constexpr const char* kPage = "docs/formats/protocol.md";
+constexpr std::string_view kHeadOfRows = "| --- | --- | --- | --- |\n";
+
+/// The page with these rows in place of those that have the most of their keys and are not current.
+std::string with_rows(const KeyTable& table, const std::set<std::string>& current,
+                      std::string page) {
+  std::pair<std::size_t, std::size_t> place{};  // of the rows that are replaced
+  std::size_t most = 0;
+  for (std::size_t head = page.find(kHeadOfRows); head != std::string::npos;
+       head = page.find(kHeadOfRows, head + 1)) {
+    const std::size_t start = head + kHeadOfRows.size();
+    const std::string rows = page.substr(start, page.find("\n\n", start - 1) + 1 - start);
+    const auto common =
+        static_cast<std::size_t>(std::ranges::count_if(table.keys, [&rows](const ProtocolKey& key) {
+          return rows.find("| `" + std::string(key.name) + "` |") != std::string::npos;
+        }));
+    const bool is_other = common == 0 && !rows.empty();
+    if (current.contains(rows) || is_other || common < most) continue;
+    most = common;
+    place = {start, rows.size()};
   }
-  expect_in_page("| --- | --- | --- | --- |\n" + page_rows_of(kProtocolTable) + '\n');
+  return page.replace(place.first, place.second, page_rows_of(table));
+}
+
+TEST(Keys, AreThoseOfThePage) {
+  std::string page = source_file(kPage);
+  std::set<const KeyTable*> all = tables();
+  all.erase(&kListedQuestionTable);  // its keys are also those of the one question
+  all.insert(&kProtocolTable);
+  std::set<std::string> current{};
+  for (const KeyTable* const table : all) current.insert(page_rows_of(*table));
+  const bool is_stored = std::getenv("ASPERITY_STORE_PAGE") != nullptr;
+  for (const KeyTable* const table : all) {
+    const std::string rows = page_rows_of(*table);
+    const bool is_there = page.find(std::string(kHeadOfRows) + rows + '\n') != std::string::npos;
+    if (is_stored && !is_there) page = with_rows(*table, current, page);
+    EXPECT_TRUE(is_stored || is_there) << rows;
+  }
+  if (is_stored) std::ofstream(std::string(ASPERITY_SOURCE_DIR) + "/" + kPage) << page;
 }
 
 /// A misspelt key, word or kind in a condition would hide its key, or permit it nowhere.

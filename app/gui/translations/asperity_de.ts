@@ -9876,8 +9876,8 @@
         <translation>die Länge einer Linie</translation>
     </message>
     <message>
-        <source>Form of the response. choice: one of the options; multiple_choice: one or more of the options; number; scale: a point on a scale; line: the length of a line; text.</source>
-        <translation>Form der Antwort. choice: eine der Optionen; multiple_choice: eine oder mehrere der Optionen; number: eine Zahl; scale: ein Punkt auf einer Skala; line: die Länge einer Linie; text: ein Text.</translation>
+        <source>Form of the response.</source>
+        <translation>Form der Antwort.</translation>
     </message>
     <message>
         <source>The response is the length of a line that the participant draws, for a magnitude in place of a number. It is stored as a proportion of the width of the participant&apos;s screen.</source>
