@@ -36,11 +36,6 @@ bool is_varied(const Protocol& protocol, const std::string& factor) {
   });
 }
 
-bool is_derived(const Protocol& protocol, const std::string& factor) {
-  return std::any_of(protocol.blocks.begin(), protocol.blocks.end(),
-                     [&factor](const auto& each) { return each.second.derived.contains(factor); });
-}
-
 const Protocol::TrialQuestionTemplate* judged_question(const Protocol::Block& block) noexcept {
   for (const Protocol::TrialQuestionTemplate& question : block.questions) {
     if (question.judgement()) return &question;

@@ -16,8 +16,6 @@ std::vector<const Protocol::Run*> runs_of(const Protocol& protocol, const Protoc
 /// The factors that a block crosses, lists or draws, and the one that `run` iterates (null: no run).
 std::set<std::string> factors_set_by(const Protocol::Block& block, const Protocol::Run* run);
 
-/// Whether a block computes the levels of the factor.
-bool is_derived(const Protocol& protocol, const std::string& factor);
 /// Whether the levels of a factor are values of a parameter that a block varies (`Block::vary`), which states them.
 bool is_varied(const Protocol& protocol, const std::string& factor);
 
