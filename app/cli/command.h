@@ -52,6 +52,7 @@ void add_replay(CLI::App& program, Job& job);
 void add_report(CLI::App& program, Job& job);
 void add_run(CLI::App& program, Job& job);
 void add_simulate(CLI::App& program, Job& job);
+void add_stimulus(CLI::App& program, Job& job);
 void add_submit(CLI::App& program, Job& job);
 void add_sweep(CLI::App& program, Job& job);
 void add_synth(CLI::App& program, Job& job);

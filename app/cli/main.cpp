@@ -100,6 +100,7 @@ int main(int argc, char** argv) {
   add_texture_recording(program, job);
   add_fit_model(program, job);
   add_bake(program, job);
+  add_stimulus(program, job);
   add_verify(program, job);
   add_replay(program, job);
   add_sweep(program, job);

@@ -31,6 +31,8 @@ std::vector<std::vector<std::string>> steps_of_journey() {
        "study/stimuli/walnut_photo.png"},
       {"texture", "study/stimuli/walnut_photo.png", "--out", "study/stimuli/slate.png", "--width-m",
        "0.02", "--preview", "study/stimuli/slate_photo.png"},
+      {"synth", "sinusoid", "--out", "study/stimuli/unused.png", "--width-m", "0.02"},
+      {"stimulus", "study/stimuli/unused.png", "--rename", "spare"},
       {"check", "selection.json", "--study", "study"},
       {"check", "selection.json", "--study", "study", "--device", "simulated:falcon"},
       {"simulate", "selection.json", "--study", "study", "--participants", "2", "--seed", "6"},
