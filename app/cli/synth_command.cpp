@@ -102,9 +102,10 @@ void add_synth(CLI::App& program, Job& job) {
                         {surface->kind, values, options->canvas.seed, "", "", ""}, overwrite,
                         pictures);
       std::cout << height_field_line(options->out, field);
-      const auto warn = [&](const std::optional<std::string>& warning, const char* option) {
+      const auto warn = [&](const auto& warning, const char* option) {
         if (!warning) return;
-        say("asperity: warning: " + options->out.string() + ": " + *warning + " (" + option + ')');
+        say("asperity: warning: " + options->out.string() + ": " + text_of(*warning) + " (" +
+            option + ')');
       };
       warn(seam_of(surface->kind, values, options->canvas), "--width-m");
       warn(coarse_samples_of(surface->kind, values, options->canvas), "--pixels");

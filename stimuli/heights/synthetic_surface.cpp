@@ -32,12 +32,28 @@ std::string length_text(double length_m) {
   return number_text(std::round(length_m * kNanometres_per_m) / kNanometres_per_m) + " m";
 }
 
-// A structure that repeats at equal distances along an axis of the canvas.
+// A structure that repeats along an axis of the canvas.
 struct RegularRepeat {
+  RegularPart part = RegularPart::spacing;
   double length_m = 0.0;
-  std::string words{};  ///< "waves of 0.002 m (spacing_m)"
-  const char* axis = "";
+  char axis = 'x';
 };
+
+// "spacings of 0.002 m (spacing_m)"
+std::string text_of_parts(RegularPart part, double length_m) {
+  const std::string length = length_text(length_m);
+  switch (part) {
+    case RegularPart::spacing:
+      break;
+    case RegularPart::spacing_at_angle:
+      return "spacings of " + length + " (spacing_m at this angle_rad)";
+    case RegularPart::brick:
+      return "bricks of " + length + " (brick_length_m)";
+    case RegularPart::pair_of_courses:
+      return "pairs of courses of " + length + " (2 · course_height_m)";
+  }
+  return "spacings of " + length + " (spacing_m)";
+}
 
 // The complete values of a kind; empty if `make_surface` would refuse them.
 std::optional<ParameterValues> values_of_kind(std::string_view kind,
@@ -54,60 +70,64 @@ std::optional<ParameterValues> values_of_kind(std::string_view kind,
 }
 
 std::vector<RegularRepeat> repeats_of(std::string_view kind, const ParameterValues& values) {
-  const auto spacings = [&values](const char* axis, double part = 1.0) {
-    const double length_m = number_of(values, "spacing_m") / part;
-    return RegularRepeat{length_m,
-                         "spacings of " + length_text(length_m) +
-                             (part == 1.0 ? " (spacing_m)" : " (spacing_m at this angle_rad)"),
-                         axis};
+  const auto spacings = [&values](char axis, double part = 1.0) {
+    return RegularRepeat{part == 1.0 ? RegularPart::spacing : RegularPart::spacing_at_angle,
+                         number_of(values, "spacing_m") / part, axis};
   };
   if (kind == "cones" && number_of(values, "angle_rad") == 0.0) {
-    return {spacings("x"), spacings("y")};
+    return {spacings('x'), spacings('y')};
   }
   if (kind == "sinusoid" || kind == "cones") {
     std::vector<RegularRepeat> repeats{};
     const double angle_rad = number_of(values, "angle_rad");
-    for (const auto& [axis, part] : {std::pair{"x", std::abs(std::cos(angle_rad))},
-                                     std::pair{"y", std::abs(std::sin(angle_rad))}}) {
+    for (const auto& [axis, part] : {std::pair{'x', std::abs(std::cos(angle_rad))},
+                                     std::pair{'y', std::abs(std::sin(angle_rad))}}) {
       if (part > kWholeWaves) repeats.push_back(spacings(axis, part));
     }
     return repeats;
   }
-  if (kind == "grating" || kind == "wood") return {spacings("x")};
+  if (kind == "grating" || kind == "wood") return {spacings('x')};
   if (kind == "brick") {
-    const double length_m = number_of(values, "brick_length_m");
-    const double courses_m = 2.0 * number_of(values, "course_height_m");
-    return {{length_m, "bricks of " + length_text(length_m) + " (brick_length_m)", "x"},
-            {courses_m, "pairs of courses of " + length_text(courses_m) + " (2 · course_height_m)",
-             "y"}};
+    return {{RegularPart::brick, number_of(values, "brick_length_m"), 'x'},
+            {RegularPart::pair_of_courses, 2.0 * number_of(values, "course_height_m"), 'y'}};
   }
   return {};
 }
 
 }  // namespace
 
-std::optional<std::string> seam_of(std::string_view kind, const ParameterValues& values,
+std::optional<SurfaceSeam> seam_of(std::string_view kind, const ParameterValues& values,
                                    const SurfaceCanvas& canvas) {
   const std::optional<ParameterValues> complete = values_of_kind(kind, values);
   if (!complete) return {};
   for (const RegularRepeat& repeat : repeats_of(kind, *complete)) {
     const double count = canvas.width_m / repeat.length_m;
     if (std::abs(count - std::round(count)) <= kWholeWaves) continue;
-    constexpr double kHundredth = 100.0;
-    const std::string more_m = length_text(std::ceil(count) * repeat.length_m);
-    return length_text(canvas.width_m) + " along " + repeat.axis + " contain " +
-           number_text(std::round(count * kHundredth) / kHundredth) + ' ' + repeat.words +
-           ", and the last one is cut where the surface is repeated: this makes an unintended "
-           "step; choose a width of " +
-           (count > 1.0 ? length_text(std::floor(count) * repeat.length_m) + " or " + more_m
-                        : more_m) +
-           ", which contains only complete ones";
+    SurfaceSeam seam{.width_m = canvas.width_m,
+                     .axis = repeat.axis,
+                     .part = repeat.part,
+                     .part_m = repeat.length_m,
+                     .count = count,
+                     .wider_m = std::ceil(count) * repeat.length_m};
+    if (count > 1.0) seam.narrower_m = std::floor(count) * repeat.length_m;
+    return seam;
   }
   return {};
 }
 
-std::optional<std::string> coarse_samples_of(std::string_view kind, const ParameterValues& values,
-                                             const SurfaceCanvas& canvas) {
+std::string text_of(const SurfaceSeam& seam) {
+  constexpr double kHundredth = 100.0;
+  return length_text(seam.width_m) + " along " + seam.axis + " contain " +
+         number_text(std::round(seam.count * kHundredth) / kHundredth) + ' ' +
+         text_of_parts(seam.part, seam.part_m) +
+         ", and the last one is cut where the surface is repeated: this makes an unintended step; "
+         "choose a width of " +
+         (seam.narrower_m ? length_text(*seam.narrower_m) + " or " : "") +
+         length_text(seam.wider_m) + ", which contains only complete ones";
+}
+
+std::optional<CoarseSamples> coarse_samples_of(std::string_view kind, const ParameterValues& values,
+                                               const SurfaceCanvas& canvas) {
   const std::optional<ParameterValues> complete = values_of_kind(kind, values);
   if (!complete || repeats_of(kind, *complete).empty() || !complete->contains("spacing_m")) {
     return {};
@@ -116,13 +136,20 @@ std::optional<std::string> coarse_samples_of(std::string_view kind, const Parame
   const double samples = spacing_m / pitch_of(canvas);
   constexpr double kRounding = 1e-6;
   if (samples >= kFewestSamples * (1.0 - kRounding)) return {};
+  return CoarseSamples{
+      .spacing_m = spacing_m,
+      .pitch_m = pitch_of(canvas),
+      .samples = samples,
+      .pixels = std::ceil(kFewestSamples * canvas.width_m / spacing_m - kRounding)};
+}
+
+std::string text_of(const CoarseSamples& coarse) {
   constexpr double kTenth = 10.0;
-  return "spacing_m is " + length_text(spacing_m) + ", and the samples are " +
-         length_text(pitch_of(canvas)) +
-         " apart: " + number_text(std::round(samples * kTenth) / kTenth) +
+  return "spacing_m is " + length_text(coarse.spacing_m) + ", and the samples are " +
+         length_text(coarse.pitch_m) +
+         " apart: " + number_text(std::round(coarse.samples * kTenth) / kTenth) +
          " per spacing, so that heights and shape differ from those requested; choose " +
-         number_text(std::ceil(kFewestSamples * canvas.width_m / spacing_m - kRounding)) +
-         " or more samples per side, which gives eight per spacing";
+         number_text(coarse.pixels) + " or more samples per side, which gives eight per spacing";
 }
 
 std::vector<SurfaceDeclaration> synthetic_surfaces() {

@@ -34,17 +34,44 @@ SurfaceCanvas canvas_with(const ParameterValues& values);
 HeightField make_surface(std::string_view kind, const ParameterValues& values,
                          const SurfaceCanvas& canvas);
 
-/// States that a repeated surface would have a seam: a sentence with the width, the number of
-/// regular spacings in it and the widths with whole numbers. Empty for a surface without a seam or without a
-/// regular spacing, and for a kind or values that `make_surface` refuses.
-std::optional<std::string> seam_of(std::string_view kind, const ParameterValues& values,
-                                   const SurfaceCanvas& canvas);
+/// A structure that repeats at equal distances.
+enum class RegularPart {
+  spacing,           ///< spacing_m
+  spacing_at_angle,  ///< spacing_m along an axis at angle_rad
+  brick,             ///< brick_length_m
+  pair_of_courses,   ///< 2 · course_height_m
+};
 
-/// States that a regular spacing (`spacing_m`) has fewer than eight samples, so that the interpolated surface differs from
+/// The seam of a repeated surface: its width is not a whole number of regular parts.
+struct SurfaceSeam {
+  double width_m = 0.0;
+  char axis = 'x';
+  RegularPart part = RegularPart::spacing;
+  double part_m = 0.0;
+  double count = 0.0;  ///< of parts in the width
+  std::optional<double>
+      narrower_m{};      ///< the next smaller width with a whole number, if there is one
+  double wider_m = 0.0;  ///< the next greater one
+};
+/// None for a surface without a regular part, and for a kind or values that `make_surface` refuses.
+std::optional<SurfaceSeam> seam_of(std::string_view kind, const ParameterValues& values,
+                                   const SurfaceCanvas& canvas);
+/// In English, with the names of the parameters.
+std::string text_of(const SurfaceSeam& seam);
+
+/// A regular spacing (`spacing_m`) with fewer than eight samples, so that the interpolated surface differs from
 /// the requested one: samples that lie symmetrically about a crest of a wave with n samples reach cos(π/n) of the
-/// amplitude, 0.71 for four and 0 for two. A sentence with the number of samples and the pixels that would suffice;
-/// empty as for `seam_of`.
-std::optional<std::string> coarse_samples_of(std::string_view kind, const ParameterValues& values,
-                                             const SurfaceCanvas& canvas);
+/// amplitude, 0.71 for four and 0 for two.
+struct CoarseSamples {
+  double spacing_m = 0.0;
+  double pitch_m = 0.0;
+  double samples = 0.0;  ///< per spacing
+  double pixels = 0.0;   ///< that would suffice, per side
+};
+/// None as for `seam_of`.
+std::optional<CoarseSamples> coarse_samples_of(std::string_view kind, const ParameterValues& values,
+                                               const SurfaceCanvas& canvas);
+/// In English, with the names of the parameters.
+std::string text_of(const CoarseSamples& coarse);
 
 }  // namespace asperity

@@ -75,7 +75,8 @@ TEST(SyntheticSurface, RepeatsWithoutASeam) {
 }
 
 std::string seam_said(const std::string& kind, const ParameterValues& values, double width_m) {
-  return seam_of(kind, values, {.width_m = width_m, .pixels = 400}).value_or("closed");
+  const auto seam = seam_of(kind, values, {.width_m = width_m, .pixels = 400});
+  return seam ? text_of(*seam) : "closed";
 }
 
 TEST(SyntheticSurface, SaysWhereItsSeamShowsAndWhichWidthsHaveNone) {
@@ -106,9 +107,9 @@ TEST(SyntheticSurface, SaysWhereItsSeamShowsAndWhichWidthsHaveNone) {
 
 TEST(SyntheticSurface, SaysWhenItsSamplesAreTooFewForItsShape) {
   const auto said = [](double spacing_m, std::size_t pixels) {
-    return coarse_samples_of("sinusoid", {{"spacing_m", spacing_m}},
-                             {.width_m = 0.02, .pixels = pixels})
-        .value_or("enough");
+    const auto coarse = coarse_samples_of("sinusoid", {{"spacing_m", spacing_m}},
+                                          {.width_m = 0.02, .pixels = pixels});
+    return coarse ? text_of(*coarse) : "enough";
   };
   EXPECT_EQ(said(0.001, 80),
             "spacing_m is 0.001 m, and the samples are 0.00025 m apart: 4 per spacing, so that "

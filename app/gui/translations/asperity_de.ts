@@ -18281,6 +18281,38 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>Use at most %1 unaccented letters, digits, _ and -.</source>
         <translation>Höchstens %1 Buchstaben ohne Akzente, Ziffern, _ und - verwenden.</translation>
     </message>
+    <message>
+        <source>%1 mm along %2 contain %3 spacings, of %4 mm at this angle.</source>
+        <translation>%1 mm entlang %2 enthalten %3 Abstände, bei diesem Winkel von %4 mm.</translation>
+    </message>
+    <message>
+        <source>%1 mm along %2 contain %3 bricks of %4 mm.</source>
+        <translation>%1 mm entlang %2 enthalten %3 Ziegel von %4 mm.</translation>
+    </message>
+    <message>
+        <source>%1 mm along %2 contain %3 pairs of courses of %4 mm.</source>
+        <translation>%1 mm entlang %2 enthalten %3 Schichtpaare von %4 mm.</translation>
+    </message>
+    <message>
+        <source>%1 mm along %2 contain %3 spacings of %4 mm.</source>
+        <translation>%1 mm entlang %2 enthalten %3 Abstände von %4 mm.</translation>
+    </message>
+    <message>
+        <source>Choose a width of %1 mm or %2 mm.</source>
+        <translation>Eine Breite von %1 mm oder %2 mm wählen.</translation>
+    </message>
+    <message>
+        <source>Choose a width of %1 mm.</source>
+        <translation>Eine Breite von %1 mm wählen.</translation>
+    </message>
+    <message>
+        <source>Where the surface is repeated, the last one is cut, which makes an unintended step.</source>
+        <translation>Wo sich die Oberfläche wiederholt, wird das letzte Stück abgeschnitten, und es entsteht eine unbeabsichtigte Stufe.</translation>
+    </message>
+    <message>
+        <source>The samples are %1 mm apart, %2 per spacing of %3 mm: heights and shape differ from those requested. Choose at least %4 samples per side.</source>
+        <translation>Die Abtastwerte liegen %1 mm auseinander, %2 je Abstand von %3 mm: Höhen und Form weichen von den gewünschten ab. Mindestens %4 Abtastwerte je Seite wählen.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::TaskLine</name>

@@ -30,6 +30,45 @@ constexpr QSize kSurfaceSize{960, 640};
 constexpr QSize kSurfacePicture{400, 300};
 constexpr std::size_t kSurfaceMeshSide = 256;
 
+QString millimetres(double length_m) { return shown_number(1e3 * length_m, 'g', 6); }
+
+QString text_of_parts(const SurfaceSeam& seam) {
+  switch (seam.part) {
+    case RegularPart::spacing:
+      break;
+    case RegularPart::spacing_at_angle:
+      return SurfaceDialog::tr("%1 mm along %2 contain %3 spacings, of %4 mm at this angle.");
+    case RegularPart::brick:
+      return SurfaceDialog::tr("%1 mm along %2 contain %3 bricks of %4 mm.");
+    case RegularPart::pair_of_courses:
+      return SurfaceDialog::tr("%1 mm along %2 contain %3 pairs of courses of %4 mm.");
+  }
+  return SurfaceDialog::tr("%1 mm along %2 contain %3 spacings of %4 mm.");
+}
+
+QString words_of(const SurfaceSeam& seam) {
+  const QString widths =
+      seam.narrower_m
+          ? SurfaceDialog::tr("Choose a width of %1 mm or %2 mm.")
+                .arg(millimetres(*seam.narrower_m), millimetres(seam.wider_m))
+          : SurfaceDialog::tr("Choose a width of %1 mm.").arg(millimetres(seam.wider_m));
+  return text_of_parts(seam).arg(millimetres(seam.width_m), QString(QChar(seam.axis)),
+                                 shown_number(seam.count, 'g', 4), millimetres(seam.part_m)) +
+         ' ' +
+         SurfaceDialog::tr(
+             "Where the surface is repeated, the last one is cut, which makes an "
+             "unintended step.") +
+         ' ' + widths;
+}
+
+QString words_of(const CoarseSamples& coarse) {
+  return SurfaceDialog::tr(
+             "The samples are %1 mm apart, %2 per spacing of %3 mm: heights and shape differ from "
+             "those requested. Choose at least %4 samples per side.")
+      .arg(millimetres(coarse.pitch_m), shown_number(coarse.samples, 'g', 2),
+           millimetres(coarse.spacing_m), shown_number(coarse.pixels, 'f', 0));
+}
+
 }  // namespace
 
 struct SurfaceDialog::Preview {
@@ -187,10 +226,11 @@ void SurfaceDialog::compute() {
         preview->exaggeration = mesh.exaggeration;
         preview->picture = draw_relief(mesh, ReliefLook{}, kSurfacePicture * ratio);
         preview->picture.setDevicePixelRatio(ratio);
-        for (const auto& warning :
-             {seam_of(kind, given, canvas), coarse_samples_of(kind, given, canvas)}) {
-          if (warning) preview->warnings << "▲ " + text(*warning);
-        }
+        const auto warn = [&warnings = preview->warnings](const auto& warning) {
+          if (warning) warnings << "▲ " + words_of(*warning);
+        };
+        warn(seam_of(kind, given, canvas));
+        warn(coarse_samples_of(kind, given, canvas));
         return [this, preview] { take(*preview); };
       },
       [this](const QString& what) {

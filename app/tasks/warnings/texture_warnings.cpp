@@ -126,9 +126,9 @@ std::vector<Diagnostic> warnings_about_textures(const CheckedProtocol& checked,
     const double once_m = canvas.width_m * (1.0 + kSameSpacing);
     const bool is_repeated = use.widest_m.x > once_m || use.widest_m.y > once_m;
     const auto seam = seam_of(made.kind, made.parameters, canvas);
-    if (seam && is_repeated) warnings.push_back(document.at(place, whose + *seam));
+    if (seam && is_repeated) warnings.push_back(document.at(place, whose + text_of(*seam)));
     const auto coarse = coarse_samples_of(made.kind, made.parameters, canvas);
-    if (coarse) warnings.push_back(document.at(place, whose + *coarse));
+    if (coarse) warnings.push_back(document.at(place, whose + text_of(*coarse)));
   }
   return warnings;
 }

@@ -115,7 +115,16 @@ TEST_F(SurfaceDialogTest, StatesWhyASurfaceCannotBeComputed) {
   settle(dialog);
   type(child<ParameterForm>(dialog, "surface_sinusoid"), "spacing_m", "3.3");
   settle(dialog);
-  EXPECT_TRUE(child<QLabel>(dialog, "surface_warnings").text().contains("is repeated"));
+  EXPECT_EQ(
+      child<QLabel>(dialog, "surface_warnings").text(),
+      "▲ 100 mm along x contain 30.3 spacings of 3.3 mm. Where the surface is repeated, the "
+      "last one is cut, which makes an unintended step. Choose a width of 99 mm or 102.3 mm.");
+  type(child<ParameterForm>(dialog, "surface_canvas"), "pixels", "128");
+  settle(dialog);
+  EXPECT_TRUE(child<QLabel>(dialog, "surface_warnings")
+                  .text()
+                  .endsWith("Choose at least 243 samples per side."))
+      << child<QLabel>(dialog, "surface_warnings").text().toStdString();
   type(child<ParameterForm>(dialog, "surface_canvas"), "pixels", "16");
   settle(dialog);
   EXPECT_FALSE(child<QPushButton>(dialog, "surface_save").isEnabled());
