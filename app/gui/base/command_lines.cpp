@@ -2,6 +2,8 @@
 
 #include "app/gui/base/command_lines.h"
 
+#include <algorithm>
+
 #include "analysis/numbers/number_text.h"
 #include "app/device_bench/device_choice.h"
 #include "app/tasks/simulation/simulation_declaration.h"
@@ -53,6 +55,11 @@ std::string text_of(const std::set<ExportFormat>& formats) {
     text += (text.empty() ? "" : ",") + std::string(name_of(format));
   }
   return text.empty() ? "none" : text;
+}
+
+std::string value_text(const ParameterValue& value) {
+  const double* const number = std::get_if<double>(&value);
+  return number != nullptr ? number_text(*number) : std::get<std::string>(value);
 }
 
 }  // namespace
@@ -118,17 +125,55 @@ std::string synth_line(const std::string& kind, const ParameterValues& given,
                        const SurfaceCanvas& canvas, const std::filesystem::path& out) {
   CommandLine line("synth");
   line.word(kind).option("--out", out.string());
-  for (const auto& [name, value] : given) {
-    const double* const number = std::get_if<double>(&value);
-    line.option(
-        "--param",
-        name + '=' + (number != nullptr ? number_text(*number) : std::get<std::string>(value)));
-  }
+  for (const auto& [name, value] : given) line.option("--param", name + '=' + value_text(value));
   const SurfaceCanvas usual{};
   if (canvas.width_m != usual.width_m) line.option("--width-m", number_text(canvas.width_m));
   if (canvas.pixels != usual.pixels) line.option("--pixels", std::to_string(canvas.pixels));
   if (canvas.seed != usual.seed) line.option("--seed", std::to_string(canvas.seed));
   return line.text();
+}
+
+std::string texture_line(const std::filesystem::path& photograph, const TextureRecipe& recipe,
+                         const std::filesystem::path& out) {
+  CommandLine line("texture");
+  line.word(photograph.string()).option("--out", out.string());
+  const ParameterValues usual = parameter_values(TextureRecipe{});
+  for (const auto& [name, value] : parameter_values(recipe)) {
+    const auto found = usual.find(name);
+    if (name != "width_m" && found != usual.end() && found->second == value) continue;
+    std::string option = "--" + name;
+    std::replace(option.begin(), option.end(), '_', '-');
+    line.option(option.c_str(), value_text(value));
+  }
+  return line.text();
+}
+
+std::string rename_stimulus_line(const std::filesystem::path& stimulus, const std::string& name) {
+  return CommandLine("stimulus").word(stimulus.string()).option("--rename", name).text();
+}
+
+std::string delete_stimulus_line(const std::filesystem::path& stimulus) {
+  return CommandLine("stimulus").word(stimulus.string()).flag("--delete").text();
+}
+
+std::string copy_stimuli_line(const std::vector<std::filesystem::path>& stimuli,
+                              const std::filesystem::path& study) {
+  CommandLine line("stimulus");
+  for (const std::filesystem::path& stimulus : stimuli) line.word(stimulus.string());
+  return line.option("--copy-to", study.string()).text();
+}
+
+std::string use_rendering_line(const std::filesystem::path& rendering,
+                               const std::filesystem::path& protocol, const RenderingPlace& place,
+                               const std::vector<std::filesystem::path>& plugins) {
+  CommandLine line("stimulus");
+  line.word(rendering.string()).option("--use-in", protocol.string());
+  if (place.replaced) line.option("--replace", *place.replaced);
+  return line.flag("--keep-texture", place.keeps_texture)
+      .option("--out", protocol.string())
+      .flag("--force")
+      .plugins(plugins)
+      .text();
 }
 
 std::string power_line(const PowerLine& power, const std::vector<std::filesystem::path>& plugins) {

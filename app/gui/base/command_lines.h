@@ -10,9 +10,11 @@
 #include <vector>
 
 #include "app/exports/export_options.h"
+#include "app/tasks/rendering_use.h"
 #include "app/tasks/run_session.h"
 #include "app/tasks/simulation/simulation.h"
 #include "stimuli/heights/surface_declaration.h"
+#include "stimuli/photographs/texture_recipe.h"
 
 namespace asperity {
 
@@ -32,6 +34,18 @@ std::string analyze_line(const std::filesystem::path& study,
 /// `out`: the PNG. Values of the canvas and of the kind are left out where they are the defaults.
 std::string synth_line(const std::string& kind, const ParameterValues& given,
                        const SurfaceCanvas& canvas, const std::filesystem::path& out);
+/// `out`: the PNG. Values that are the defaults are left out.
+std::string texture_line(const std::filesystem::path& photograph, const TextureRecipe& recipe,
+                         const std::filesystem::path& out);
+/// `stimulus`, `stimuli`: files. `name`: without its ending.
+std::string rename_stimulus_line(const std::filesystem::path& stimulus, const std::string& name);
+std::string delete_stimulus_line(const std::filesystem::path& stimulus);
+std::string copy_stimuli_line(const std::vector<std::filesystem::path>& stimuli,
+                              const std::filesystem::path& study);
+/// Replaces the protocol's file, without the changes that are not saved.
+std::string use_rendering_line(const std::filesystem::path& rendering,
+                               const std::filesystem::path& protocol, const RenderingPlace& place,
+                               const std::vector<std::filesystem::path>& plugins);
 /// What `power_line` states.
 struct PowerLine {
   std::filesystem::path protocol{};

@@ -9,6 +9,7 @@
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QListWidget>
 
+#include "app/gui/base/command_lines.h"
 #include "app/gui/base/open_study.h"
 #include "app/gui/base/shown_text.h"
 #include "app/gui/look/controls.h"
@@ -53,7 +54,8 @@ CopyStimuliDialog::CopyStimuliDialog(OpenStudy& study, QWidget* parent)
   layout->addWidget(state_);
   copy_ = make_button(tr("Copy"), ButtonRole::primary, this);
   copy_->setObjectName("copy_copy");
-  add_dialog_buttons(*this, *layout, copy_);
+  commands_ = make_commands_button([this] { return commands(); }, this);
+  add_dialog_buttons(*this, *layout, copy_, {commands_});
   connect(choose_, &QPushButton::clicked, this, &CopyStimuliDialog::choose_study);
   connect(list_, &QListWidget::itemChanged, this, &CopyStimuliDialog::show_whether_chosen);
   connect(copy_, &QPushButton::clicked, this, &CopyStimuliDialog::copy);
@@ -76,7 +78,7 @@ void CopyStimuliDialog::show_study(const std::filesystem::path& other) {
   other_ = other;
   folder_->setText(text_of_path(other));
   list_->clear();
-  copy_->setEnabled(false);
+  for (QPushButton* const button : {commands_, copy_}) button->setEnabled(false);
   state_->set_state(State::unknown, tr("Comparing the files…"));
   task_.run<std::vector<ForeignStimulus>>(
       [other, folder = study_.folder()](const std::stop_token&, const BackgroundTask::Progress&) {
@@ -132,7 +134,7 @@ void CopyStimuliDialog::show_whether_chosen() {
     if (item.checkState() == Qt::Checked) files << item.data(kFiles).toStringList();
   }
   files.removeDuplicates();
-  copy_->setEnabled(!files.isEmpty());
+  for (QPushButton* const button : {commands_, copy_}) button->setEnabled(!files.isEmpty());
   if (!files.isEmpty()) {
     state_->set_state(State::fine,
                       tr("Files to copy: %1. No file is replaced.").arg(files.join(", ")));
@@ -154,6 +156,12 @@ void CopyStimuliDialog::set_copying(bool is_copying) {
   for (QWidget* const part : std::initializer_list<QWidget*>{choose_, list_, copy_}) {
     part->setEnabled(!is_copying);
   }
+}
+
+std::vector<ShownCommand> CopyStimuliDialog::commands() const {
+  std::vector<std::filesystem::path> files{};
+  for (const std::string& path : chosen()) files.push_back(other_ / path);
+  return {{.action = copy_->text(), .line = copy_stimuli_line(files, study_.folder())}};
 }
 
 void CopyStimuliDialog::copy() {

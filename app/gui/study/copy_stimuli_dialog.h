@@ -7,6 +7,7 @@
 
 #include <QtWidgets/QDialog>
 
+#include "app/gui/base/commands_button.h"
 #include "app/gui/look/background_task.h"
 #include "app/tasks/stimulus_files.h"
 
@@ -37,6 +38,7 @@ class CopyStimuliDialog final : public QDialog {
   void show_stimuli(const std::vector<ForeignStimulus>& stimuli);
   void show_whether_chosen();
   std::vector<std::string> chosen() const;
+  std::vector<ShownCommand> commands() const;
   void copy();
   void set_copying(bool is_copying);
 
@@ -47,6 +49,7 @@ class CopyStimuliDialog final : public QDialog {
   QLabel* folder_ = nullptr;
   QListWidget* list_ = nullptr;
   StateLabel* state_ = nullptr;
+  QPushButton* commands_ = nullptr;
   QPushButton* copy_ = nullptr;
   BackgroundTask task_{};
 };

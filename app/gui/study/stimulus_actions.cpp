@@ -11,6 +11,7 @@
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
 
+#include "app/gui/base/command_lines.h"
 #include "app/gui/base/open_study.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
@@ -94,6 +95,7 @@ StimulusActions::StimulusActions(OpenStudy& study, QWidget* parent)
   row->addWidget(name_);
   row->addWidget(act_);
   row->addWidget(cancel_);
+  row->addWidget(make_commands_button([this] { return commands(); }, question_));
   row->addStretch();
   rows->addWidget(text_);
   rows->addLayout(row);
@@ -212,6 +214,13 @@ void StimulusActions::set_writing(bool is_writing) {
   for (QWidget* const part : std::initializer_list<QWidget*>{name_, act_, cancel_}) {
     part->setEnabled(!is_writing);
   }
+}
+
+std::vector<ShownCommand> StimulusActions::commands() const {
+  const std::filesystem::path file = study_.folder() / path_;
+  return {{.action = act_->text(),
+           .line = for_name_ ? rename_stimulus_line(file, name_->text().trimmed().toStdString())
+                             : delete_stimulus_line(file)}};
 }
 
 void StimulusActions::act() {

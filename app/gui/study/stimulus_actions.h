@@ -3,9 +3,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <QtWidgets/QFrame>
 
+#include "app/gui/base/commands_button.h"
 #include "app/gui/look/background_task.h"
 #include "app/tasks/stimulus_files.h"
 #include "app/tasks/study_overview.h"
@@ -51,6 +53,7 @@ class StimulusActions final : public QFrame {
   void ask(const QString& text, const QString& verb, bool for_name);
   void hide_question();
   void act();
+  std::vector<ShownCommand> commands() const;  ///< of the question
   /// Renames or deletes now: nothing else is begun.
   void set_writing(bool is_writing);
 

@@ -11,7 +11,9 @@
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QGridLayout>
 
+#include "app/gui/base/command_lines.h"
 #include "app/gui/base/open_study.h"
+#include "app/gui/base/settings.h"
 #include "app/gui/base/study_table.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/dialog_buttons.h"
@@ -29,35 +31,12 @@ namespace {
 
 constexpr QSize kUseSize{880, 600};
 
-/// Lines differ: others come before them.
-std::vector<Diagnostic> without_those(std::vector<Diagnostic> warnings,
-                                      const std::vector<Diagnostic>& known) {
-  std::erase_if(warnings, [&known](const Diagnostic& warning) {
-    return std::any_of(known.begin(), known.end(), [&warning](const Diagnostic& each) {
-      return each.pointer == warning.pointer && each.message == warning.message;
-    });
-  });
-  return warnings;
-}
-
 }  // namespace
 
-struct UseRenderingDialog::Choice {
-  std::filesystem::path rendering{};
-  std::filesystem::path study{};
-  std::filesystem::path protocol{};
-  std::string before{};  ///< the text of the protocol
-  RenderingPlace place{};
-};
-
 struct UseRenderingDialog::Result {
-  Choice choice{};
-  std::string after{};  ///< the text of the protocol
-  std::vector<ChangedValue> changes{};
-  RenderingRemarks remarks{};
-  std::vector<Diagnostic> problems_before{};
-  std::vector<Diagnostic> problems{};
-  std::vector<Diagnostic> warnings{};  ///< that the protocol did not have before
+  std::filesystem::path protocol{};
+  RenderingUseInputs choice{};
+  RenderingUse use{};
 };
 
 UseRenderingDialog::UseRenderingDialog(OpenStudy& study,
@@ -125,8 +104,9 @@ UseRenderingDialog::UseRenderingDialog(OpenStudy& study,
   use_->setToolTip(
       tr("The editor shows the changed protocol. It is stored when you save it there."));
   use_->setDefault(true);
-  use_->setEnabled(false);
-  add_dialog_buttons(*this, *layout, use_);
+  commands_ = make_commands_button([this] { return commands(); }, this);
+  set_usable(false);
+  add_dialog_buttons(*this, *layout, use_, {commands_});
   connect(rendering_, &QComboBox::currentIndexChanged, this, &UseRenderingDialog::show_changes);
   connect(protocol_, &QComboBox::currentIndexChanged, this, &UseRenderingDialog::fill_surfaces);
   connect(surface_, &QComboBox::currentIndexChanged, this, &UseRenderingDialog::choose_surface);
@@ -134,7 +114,7 @@ UseRenderingDialog::UseRenderingDialog(OpenStudy& study,
   connect(from_template, &QPushButton::clicked, this, &UseRenderingDialog::choose_template);
   connect(use_, &QPushButton::clicked, this, [this] {
     const std::shared_ptr<const Result> result = result_;
-    emit wanted(result->choice.protocol, result->choice.before, result->after,
+    emit wanted(result->protocol, result->choice.protocol, result->use.after,
                 text(rendering_name(result->choice.rendering)));
     accept();
   });
@@ -220,12 +200,24 @@ void UseRenderingDialog::choose_surface() {
   show_changes();
 }
 
+void UseRenderingDialog::set_usable(bool is_usable) {
+  for (QPushButton* const button : {commands_, use_}) button->setEnabled(is_usable);
+}
+
+std::vector<ShownCommand> UseRenderingDialog::commands() const {
+  const RenderingUseInputs& choice = result_->choice;
+  return {{.action = tr("Change the protocol's file"),
+           .line = use_rendering_line(choice.rendering, result_->protocol, choice.place,
+                                      plugin_files()),
+           .remark = tr("The file is stored at once, without unsaved changes of the editor.")}};
+}
+
 void UseRenderingDialog::show_changes() {
   const auto index = static_cast<std::size_t>(std::max(surface_->currentIndex(), 0));
   const bool replaces = index < usable_.size();
   const std::uint64_t number = ++shown_;
   result_.reset();
-  use_->setEnabled(false);
+  set_usable(false);
   remarks_->hide();
   changes_->fill({});
   if (before_.empty()) {
@@ -241,41 +233,17 @@ void UseRenderingDialog::show_changes() {
     return;
   }
   state_->set_state(State::unknown, tr("Checking…"));
-  Choice choice{.rendering = renderings_[static_cast<std::size_t>(rendering_->currentIndex())],
-                .study = study_.folder(),
-                .protocol = protocol(),
-                .before = before_};
+  RenderingUseInputs choice{
+      .study = study_.folder(),
+      .rendering = renderings_[static_cast<std::size_t>(rendering_->currentIndex())],
+      .protocol = before_};
   if (replaces) choice.place.replaced = usable_[index].name;
   choice.place.keeps_texture = replaces && keeps_texture_->isChecked();
   work_.ask(
-      [this, number, choice, &models = study_.models()]() -> NewestWork::Delivery {
-        auto result = std::make_shared<Result>();
-        result->choice = choice;
-        const Rendering rendering = load_rendering(choice.rendering);
-        result->remarks = remarks_about(rendering, models, choice.study);
-        std::string picture{};
-        for (const OwnTexture& relief : reliefs_of_study(choice.study)) {
-          if (relief.height_field == rendering.texture.height_field) picture = relief.picture;
-        }
-        const auto checked = [&](const std::string& protocol) {
-          return check_protocol_text(protocol, {}, models, choice.study, std::nullopt);
-        };
-        const ProtocolCheck before = checked(choice.before);
-        result->problems_before = before.diagnostics;
-        if (before.is_valid()) {
-          if (const auto complaint =
-                  choice.place.keeps_texture
-                      ? std::nullopt
-                      : complaint_about_picture(*before.protocol, rendering, picture)) {
-            result->remarks.problems.push_back(*complaint);
-          }
-          result->after = with_rendering(choice.before, rendering, rendering_name(choice.rendering),
-                                         choice.place, picture);
-          result->changes = changed_values(choice.before, result->after);
-          const ProtocolCheck after = checked(result->after);
-          result->problems = after.diagnostics;
-          result->warnings = without_those(after.warnings, before.warnings);
-        }
+      [this, number, file = protocol(), choice,
+       &models = study_.models()]() -> NewestWork::Delivery {
+        const auto result =
+            std::make_shared<const Result>(Result{file, choice, use_of_rendering(choice, models)});
         return [this, number, result] {
           if (number == shown_) take(result);  // otherwise another choice is being computed
         };
@@ -286,46 +254,46 @@ void UseRenderingDialog::show_changes() {
 }
 
 void UseRenderingDialog::take(const std::shared_ptr<const Result>& result) {
+  const RenderingUse& use = result->use;
   QStringList remarks{};
-  for (const auto* const sentences : {&result->remarks.problems, &result->remarks.warnings}) {
+  for (const auto* const sentences : {&use.remarks.problems, &use.remarks.warnings}) {
     for (const Phrase& sentence : *sentences) remarks << "▲ " + words_of(sentence);
   }
-  for (const Diagnostic& warning : result->warnings) {
+  for (const Diagnostic& warning : use.warnings) {
     remarks << "▲ " + text(warning.pointer) + ": " + text(warning.message);
   }
   remarks_->setText(remarks.join('\n'));
   remarks_->setVisible(!remarks.isEmpty());
   std::vector<StudyTable::Row> rows{};
   const QString none = tr("none");
-  for (const ChangedValue& change : result->changes) {
+  for (const ChangedValue& change : use.changes) {
     rows.push_back({text(change.pointer),
                     {text_cell(text(change.pointer)),
                      text_cell(change.before.empty() ? none : text(change.before)),
                      text_cell(change.after.empty() ? none : text(change.after))}});
   }
   changes_->fill(rows);
-  if (!result->problems_before.empty()) {
+  if (!use.problems_before.empty()) {
     state_->set_state(State::stop, tr("The protocol has problems. Fix them in the editor first: %1")
-                                       .arg(text(result->problems_before.front().message)));
-  } else if (!result->remarks.problems.empty()) {
+                                       .arg(text(use.problems_before.front().message)));
+  } else if (!use.remarks.problems.empty()) {
     state_->set_state(State::stop, tr("This rendering cannot be used here."));
-  } else if (!result->problems.empty()) {
+  } else if (!use.problems.empty()) {
     state_->set_state(
         State::stop,
-        tr("The protocol would not be valid: %1").arg(text(result->problems.front().message)));
-  } else if (result->changes.empty()) {
+        tr("The protocol would not be valid: %1").arg(text(use.problems.front().message)));
+  } else if (use.changes.empty()) {
     state_->set_state(State::look, tr("The surface already has these values."));
   } else {
-    QString sentence = result->warnings.empty()
-                           ? tr("The changed protocol is valid.")
-                           : tr("The changed protocol is valid, with warnings.");
+    QString sentence = use.warnings.empty() ? tr("The changed protocol is valid.")
+                                            : tr("The changed protocol is valid, with warnings.");
     if (!result->choice.place.replaced) {
       sentence += ' ' + tr("No block presents the new surface yet: choose it under Task in the "
                            "editor.");
     }
-    state_->set_state(result->warnings.empty() ? State::fine : State::look, sentence);
+    state_->set_state(use.warnings.empty() ? State::fine : State::look, sentence);
     result_ = result;
-    use_->setEnabled(true);
+    set_usable(true);
   }
 }
 

@@ -12,9 +12,10 @@
 
 #include <QtWidgets/QDialog>
 
+#include "app/gui/base/commands_button.h"
 #include "app/gui/look/background_task.h"
 #include "app/gui/look/newest_work.h"
-#include "app/tasks/rendering_use.h"
+#include "app/tasks/checked_rendering_use.h"
 #include "app/tasks/template_overviews.h"
 
 class QCheckBox;
@@ -46,7 +47,6 @@ class UseRenderingDialog final : public QDialog {
               const std::string& after, const QString& rendering);
 
  private:
-  struct Choice;
   struct Result;
 
   void read_protocols(const std::filesystem::path& chosen);
@@ -56,6 +56,8 @@ class UseRenderingDialog final : public QDialog {
   void show_changes();
   void take(const std::shared_ptr<const Result>& result);
   std::filesystem::path protocol() const;
+  void set_usable(bool is_usable);
+  std::vector<ShownCommand> commands() const;
 
   OpenStudy& study_;
   std::vector<std::filesystem::path> renderings_{};
@@ -72,6 +74,7 @@ class UseRenderingDialog final : public QDialog {
   StudyTable* changes_ = nullptr;
   QLabel* remarks_ = nullptr;
   StateLabel* state_ = nullptr;
+  QPushButton* commands_ = nullptr;
   QPushButton* use_ = nullptr;
   BackgroundTask task_{};
   NewestWork work_{};

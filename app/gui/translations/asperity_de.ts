@@ -16664,6 +16664,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>Use at most %1 unaccented letters, digits, _ and -.</source>
         <translation>Höchstens %1 Buchstaben ohne Akzente, Ziffern, _ und - verwenden.</translation>
     </message>
+    <message>
+        <source>The photograph is not stored with it.</source>
+        <translation>Das Foto wird nicht mit gespeichert.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SchemaHelp</name>
@@ -18867,6 +18871,14 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>No block presents the new surface yet: choose it under Task in the editor.</source>
         <translation>Noch bietet kein Block die neue Oberfläche dar: im Editor unter Aufgabe wählen.</translation>
+    </message>
+    <message>
+        <source>Change the protocol&apos;s file</source>
+        <translation>Datei des Protokolls ändern</translation>
+    </message>
+    <message>
+        <source>The file is stored at once, without unsaved changes of the editor.</source>
+        <translation>Die Datei wird sofort gespeichert, ohne ungespeicherte Änderungen des Editors.</translation>
     </message>
 </context>
 <context>

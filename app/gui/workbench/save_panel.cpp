@@ -11,6 +11,7 @@
 #include <QtWidgets/QLineEdit>
 
 #include "app/findings/outcome/display_number.h"
+#include "app/gui/base/command_lines.h"
 #include "app/gui/base/open_study.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
@@ -118,10 +119,12 @@ SavePanel::SavePanel(OpenStudy& study, Banner& banner, std::function<TextureReci
   row->addWidget(name_, 1);
   row->addWidget(save_);
   layout->addLayout(row);
+  commands_ = make_commands_button([this] { return commands(); }, this);
   name_problem_ = make_text({}, this, true);
   name_problem_->setObjectName("name_problem");
   name_problem_->setFont(text_font(TextSize::small));
   layout->addWidget(name_problem_);
+  layout->addWidget(commands_, 0, Qt::AlignLeft);
   line_ = new TaskLine(saving_, this);
   line_->setObjectName("saving");
   line_->set_words(tr("Saving…"));
@@ -168,8 +171,15 @@ void SavePanel::check() {
   } else if (StimulusFiles(study_.folder() / "stimuli", name.toStdString()).any_exists()) {
     advice = tr("The study has a stimulus of this name; you will be asked before it is replaced.");
   }
-  save_->setEnabled(problem.isEmpty());
+  for (QPushButton* const button : {save_, commands_}) button->setEnabled(problem.isEmpty());
   name_problem_->setText(problem.isEmpty() ? advice : problem);
+}
+
+std::vector<ShownCommand> SavePanel::commands() const {
+  const StimulusFiles files(study_.folder() / "stimuli", name_->text().toStdString());
+  return {{.action = save_->text(),
+           .line = texture_line(opened_->file, recipe_(), files.png),
+           .remark = tr("The photograph is not stored with it.")}};
 }
 
 void SavePanel::save(Overwrite overwrite) {

@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include <QtWidgets/QFrame>
 
+#include "app/gui/base/commands_button.h"
 #include "app/gui/look/background_task.h"
 #include "app/gui/workbench/opened_picture.h"
 #include "results_schema/files/atomic_file.h"
@@ -45,6 +47,7 @@ class SavePanel final : public QFrame {
 
  private:
   void save(Overwrite overwrite);
+  std::vector<ShownCommand> commands() const;
 
   OpenStudy& study_;
   Banner& banner_;
@@ -54,6 +57,7 @@ class SavePanel final : public QFrame {
   QLabel* facts_ = nullptr;
   QLineEdit* name_ = nullptr;
   QPushButton* save_ = nullptr;
+  QPushButton* commands_ = nullptr;
   QLabel* name_problem_ = nullptr;
   TaskLine* line_ = nullptr;
   BackgroundTask saving_{};

@@ -3,6 +3,7 @@
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QDoubleSpinBox>
 
+#include "app/gui/base/command_lines.h"
 #include "app/gui/editor/protocol_editor_page.h"
 #include "app/gui/editor/protocol_text_edit.h"
 #include "app/gui/study/use_rendering_dialog.h"
@@ -134,6 +135,9 @@ TEST_F(RenderingsTest, AreUsedInAProtocolAsOneStepOfTheEditor) {
   EXPECT_EQ(nameless_controls(use), QStringList{});
   EXPECT_EQ(steps_against_reading(use), QStringList{});
   take_screenshots(use, "use-rendering");
+  EXPECT_EQ(command_of(use).toStdString(),
+            use_rendering_line(rendering_file(folder(), "brick_lateral_gradient"), protocol_,
+                               {.replaced = "rendered", .keeps_texture = true}, {}));
   const std::string before = read_file(protocol_);
   click("use_change", use);
   ASSERT_TRUE(eventually([&] { return window_.shown_page() == "editor"; }));

@@ -2,6 +2,7 @@
 
 #include <QtWidgets/QListWidget>
 
+#include "app/gui/base/command_lines.h"
 #include "app/gui/study/copy_stimuli_dialog.h"
 #include "app/study_files/rendering_files.h"
 #include "tests/gui/stimuli/window_with_reliefs.h"
@@ -33,6 +34,8 @@ TEST_F(StimuliPageTest, RenamesAStimulusWithItsReferences) {
       << news().toStdString();
   name.selectAll();
   QTest::keyClicks(&name, "wall");
+  const auto& actions = child<QWidget>(window_, "stimulus_actions");
+  EXPECT_EQ(command_of(actions).toStdString(), rename_stimulus_line(stimulus("brick.png"), "wall"));
   QTest::keyClick(&name, Qt::Key_Return);
   for (const char* const button : {"stimulus_rename", "stimulus_delete", "stimulus_act"}) {
     EXPECT_FALSE(child<QPushButton>(window_, button).isEnabled()) << button;
@@ -70,6 +73,8 @@ TEST_F(StimuliPageTest, DeletesOnlyWhatNothingRefersTo) {
       << "Return deletes nothing";
   EXPECT_EQ(nameless_controls(window_), QStringList{});
   EXPECT_EQ(steps_against_reading(window_), QStringList{});
+  EXPECT_EQ(command_of(child<QWidget>(window_, "stimulus_actions")).toStdString(),
+            delete_stimulus_line(stimulus("spare.png")));
   QTest::keyClick(&act, Qt::Key_Escape);
   EXPECT_FALSE(act.isVisible());
   EXPECT_TRUE(std::filesystem::exists(stimulus("spare.png")));
@@ -124,6 +129,8 @@ TEST_F(StimuliPageTest, CopiesFromAnotherStudyWhatIsNotThere) {
   EXPECT_EQ(state_in(dialog, "copy_state"),
             "✓ Files to copy: sand.png.json, sand.png. No file is replaced.");
   EXPECT_TRUE(child<QPushButton>(dialog, "copy_copy").isEnabled());
+  EXPECT_EQ(command_of(dialog).toStdString(),
+            copy_stimuli_line({other / "stimuli" / "sand.png"}, folder()));
   dialog.show_study(home());
   EXPECT_FALSE(child<QPushButton>(dialog, "copy_copy").isEnabled());
   auto& state = child<StateLabel>(dialog, "copy_state");

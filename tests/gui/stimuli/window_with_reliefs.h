@@ -72,6 +72,14 @@ class WindowWithReliefs : public QuietHome {
     const QString html = child<StateLabel>(in, label).text();
     return QTextDocumentFragment::fromHtml(html).toPlainText().simplified();
   }
+  /// The command that this part of the window shows.
+  static QString command_of(const QWidget& part) {
+    click("show_commands", part);
+    auto& popup = child<QWidget>(part, "commands");
+    const QString line = child<QLineEdit>(popup, "command_1").text();
+    popup.close();
+    return line;
+  }
   /// The banners that are shown.
   QString news() const {
     QString all{};

@@ -19,6 +19,8 @@
 #include "app/gui/base/study_table.h"
 #include "app/gui/window/session_desk.h"
 #include "app/gui/window/study_window.h"
+#include "app/study_files/rendering_files.h"
+#include "app/tasks/checked_rendering_use.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"
@@ -153,6 +155,45 @@ TEST_F(ShownCommands, PassPluginsAndLevelProgramsOn) {
       << line;
   const Ended ended = run(line);
   EXPECT_EQ(ended.status, 1) << ended.err;  // such files do not exist
+}
+
+TEST_F(ShownCommands, ChangeStimuliAsTheirActionsDo) {
+  make_study("other");
+  const auto stimulus = [this](const std::string& study, const std::string& name) {
+    return folder(study) / "stimuli" / name;
+  };
+  save_rendering(folder(), "strong",
+                 {.model = "height_map",
+                  .version = "0",
+                  .texture = {"stimuli/grain.png", std::string(64, 'a')}});
+  const std::filesystem::path rendering = rendering_file(folder(), "strong");
+  const RenderingPlace place{};
+  const std::string after = use_of_rendering({.study = folder(),
+                                              .rendering = rendering,
+                                              .protocol = read_file(protocol()),
+                                              .place = place},
+                                             built_in_models())
+                                .after;
+  expect_done(use_rendering_line(rendering, protocol(), place, {}));
+  EXPECT_EQ(read_file(protocol()), after);
+  EXPECT_NE(after.find("\"x-rendering\": \"strong\""), std::string::npos) << after;
+
+  TextureRecipe recipe{};
+  recipe.width_m = 0.02;
+  recipe.gaussian_wavelength_m = 0.004;
+  recipe.sign = HeightSign::dark_is_high;
+  recipe.method = "brightness";
+  EXPECT_EQ(texture_line("photo.png", recipe, "made.png"),
+            "asperity texture photo.png --out made.png --gaussian-wavelength-m 0.004 --method "
+            "brightness --sign -1 --width-m 0.02");
+
+  expect_done(rename_stimulus_line(stimulus("study", "grain.png"), "sand"));
+  EXPECT_TRUE(std::filesystem::exists(stimulus("study", "sand.png")));
+  expect_done(copy_stimuli_line({stimulus("study", "sand.png"), rendering}, folder("other")));
+  EXPECT_TRUE(std::filesystem::exists(rendering_file(folder("other"), "strong")));
+  expect_done(delete_stimulus_line(rendering_file(folder("other"), "strong")));
+  expect_done(delete_stimulus_line(stimulus("other", "sand.png")));
+  EXPECT_FALSE(std::filesystem::exists(stimulus("other", "sand.png")));
 }
 
 TEST_F(ShownCommands, GiveTheSameResults) {
