@@ -24,6 +24,7 @@
 #include "app/tasks/session_run.h"
 #include "app/tasks/unfinished_session.h"
 #include "app/words/reason.h"
+#include "protocols/texts/protocol_texts.h"
 
 namespace asperity {
 
@@ -55,7 +56,7 @@ void ask_consent(const Protocol& protocol, Respondent& respondent, SessionMonito
                  const Wait& wait) {
   const Question question{
       .name = "consent",
-      .prompt = protocol.consent_statement + "\n\nDo you agree?",
+      .prompt = consent_as_read(protocol) + "\n\nDo you agree?",
       .options = {{.value = "yes", .text = "yes"}, {.value = "no", .text = "no"}}};
   if (monitor != nullptr) monitor->show(scene_of_form(question));
   const std::optional<Answer> answer = respondent.answer(question, wait);

@@ -10,6 +10,8 @@
 #include <variant>
 
 #include "protocols/design/block_factors.h"
+#include "protocols/plan/course.h"
+#include "protocols/plan/groups.h"
 #include "protocols/plan/plan_parts.h"
 
 namespace asperity {
@@ -152,6 +154,26 @@ DesignValues values_of_session(const Protocol& protocol, const Plan& example) {
         [](const PlanStep& step) { return std::holds_alternative<Protocol::Break>(step); }));
   }
   return values;
+}
+
+DesignValues values_of_every_session(const Protocol& protocol) {
+  std::vector<std::string> groups = groups_of(protocol);
+  if (groups.empty()) groups.emplace_back();
+  std::optional<DesignValues> common{};
+  for (const std::string& group : groups) {
+    for (int row = 0; row < counterbalance_rows(protocol); ++row) {
+      const DesignValues values = values_of_session(
+          protocol, example_plan(protocol, {.seed = 1, .counterbalance_row = row, .group = group}));
+      if (!common) common = values;
+      std::erase_if(*common, [&](const auto& each) { return !values.contains(each.first); });
+      for (auto& [name, value] : *common) {
+        const DesignValue& other = values.at(name);
+        value.is_largest = value.is_largest || other.is_largest || other.number != value.number;
+        value.number = std::max(value.number, other.number);
+      }
+    }
+  }
+  return common.value_or(DesignValues{});
 }
 
 }  // namespace asperity

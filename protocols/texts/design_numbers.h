@@ -14,7 +14,7 @@ namespace asperity {
 /// What a placeholder belongs to.
 enum class NumberScope {
   block,  ///< a trial of one block; in a text outside blocks it has a value where the main blocks agree
-  session  ///< the participant's plan; in the screens and breaks of the flow, and in those of a resumed session
+  session  ///< the participant's plan; in the consent, the screens and breaks of the flow, and those of a resumed session
 };
 
 struct DesignNumber {
@@ -60,5 +60,9 @@ bool has_known_breaks(const Protocol& protocol);
 /// which the numbers of tracks that end early, and of practice to a criterion, are replaced by the largest ones. `breaks` has a
 /// value only with has_known_breaks.
 DesignValues values_of_session(const Protocol& protocol, const Plan& example);
+
+/// Those that hold for every participant, before a row of the counterbalancing and a group are assigned: the largest number
+/// where the sessions differ. Left out are those that some sessions do not have. Makes a plan for each row and group.
+DesignValues values_of_every_session(const Protocol& protocol);
 
 }  // namespace asperity

@@ -24,6 +24,8 @@ const Protocol::Block* block_of(const std::string& pointer, const Protocol& prot
   return found == protocol.blocks.end() ? nullptr : &found->second;
 }
 
+constexpr std::string_view kConsent = "/consent/";
+
 bool has_brace(const TextPlace& place) { return place.text.find('{') != std::string::npos; }
 
 }  // namespace
@@ -32,8 +34,9 @@ std::vector<TextPlace> participant_texts(const nlohmann::json& root, const Proto
   std::vector<TextPlace> places{};
   for (TranslatableText& each : translatable_texts(root)) {
     if (each.shape.translated != Translated::always || each.shape.is_value) continue;
-    const bool is_of_session =
-        each.pointer.starts_with("/flow/") || each.pointer.starts_with("/resume/");
+    const bool is_of_session = each.pointer.starts_with("/flow/") ||
+                               each.pointer.starts_with("/resume/") ||
+                               each.pointer.starts_with(kConsent);
     const Protocol::Block* const block = block_of(each.pointer, protocol);
     places.push_back({std::move(each.pointer), std::move(each.text), is_of_session, block});
   }
@@ -70,6 +73,14 @@ PlanStep as_read(PlanStep step, const DesignValues& of_session, std::string_view
   return step;
 }
 
+std::string consent_as_read(const Protocol& protocol) {
+  const std::string& text = protocol.consent_statement;
+  return with_values(text,
+                     states_session({{.text = text}}) ? values_of_every_session(protocol)
+                                                      : values_of_all_blocks(protocol),
+                     protocol.language);
+}
+
 std::vector<TextPlace> texts_with_placeholders(const Protocol& protocol) {
   if (protocol.source.empty()) return {};
   std::vector<TextPlace> places =
@@ -93,6 +104,10 @@ std::vector<TextAsRead> texts_as_read(const Protocol& protocol,
                                       const DesignValues& of_session) {
   std::vector<TextAsRead> texts{};
   for (const TextPlace& place : places) {
+    if (place.pointer.starts_with(kConsent)) {
+      texts.push_back({place.pointer, consent_as_read(protocol)});
+      continue;
+    }
     const DesignValues values =
         place.is_of_session ? of_session : values_of_design(protocol, place);
     texts.push_back({place.pointer, with_values(place.text, values, protocol.language)});

@@ -17,8 +17,8 @@ namespace asperity {
 struct TextPlace {
   std::string pointer{};
   std::string text{};
-  /// Of a screen or break of the flow, or of a resumed session: it can state numbers of the session, and keeps its placeholders
-  /// until it is read.
+  /// Of the consent, a screen or break of the flow, or a resumed session: it can state numbers of the session, and keeps its
+  /// placeholders until it is read.
   bool is_of_session = false;
   const Protocol::Block* block = nullptr;  ///< of a text within a block; otherwise null
 };
@@ -35,6 +35,9 @@ std::optional<nlohmann::json> with_design_values(const nlohmann::json& root,
 
 /// A step of a plan with its texts as they are read in the session with these values (values_of_session).
 PlanStep as_read(PlanStep step, const DesignValues& of_session, std::string_view language);
+
+/// The statement of a valid protocol that a participant agrees to, with the values of every session.
+std::string consent_as_read(const Protocol& protocol);
 
 /// The texts of a protocol that have a placeholder; none of one that a program has made, without a source.
 std::vector<TextPlace> texts_with_placeholders(const Protocol& protocol);

@@ -27,6 +27,10 @@ class ReadingPerson final : public ScriptedPerson {
     texts.push_back(text);
     ScriptedPerson::read(text, minimum_s, wait);
   }
+  std::optional<Answer> answer(const Question& question, const Wait& wait) override {
+    texts.push_back(question.prompt);
+    return ScriptedPerson::answer(question, wait);
+  }
   std::vector<std::string> texts{};
 };
 
@@ -36,8 +40,10 @@ TEST(TextAsRead, HasTheNumbersOfThePlanAndIsStored) {
   make_small_study(study_folder);
   const std::filesystem::path file = study_folder / "protocols" / "small.json";
   write_file(file,
-             replaced(small_protocol(), "Welcome.",
-                      "{trials} {trials|trial|trials}, with {surfaces} surfaces each, {{such}."),
+             replaced(replaced(small_protocol(), "Welcome.",
+                               "{trials} {trials|trial|trials}, with {surfaces} surfaces each, "
+                               "{{such}."),
+                      "I take part of my own free will.", "I take part in {trials} trials."),
              Overwrite::refuse);
   SessionRequests requests{};
   ReadingPerson person{};
@@ -55,13 +61,14 @@ TEST(TextAsRead, HasTheNumbersOfThePlanAndIsStored) {
   ASSERT_EQ(trials, 3U);
   const std::string expected = "Three trials, with two surfaces each, {such}.";
   EXPECT_THAT(person.texts, Contains(expected));
+  EXPECT_THAT(person.texts, Contains("I take part in three trials.\n\nDo you agree?"));
   std::vector<std::string> stored{};
   for (const EventRow& event : study.events(study.sessions().front().id)) {
     if (event.kind != "text_as_read") continue;
-    stored.push_back(event.text);
-    EXPECT_EQ(event.data_json, R"({"place":"/flow/0/screen"})");
+    stored.push_back(event.text + event.data_json);
   }
-  EXPECT_THAT(stored, ElementsAre(expected));
+  EXPECT_THAT(stored, ElementsAre(R"(I take part in three trials.{"place":"/consent/statement"})",
+                                  expected + R"({"place":"/flow/0/screen"})"));
 }
 
 }  // namespace

@@ -24,6 +24,7 @@ using namespace nlohmann::literals;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 const DesignValues kValues{{"scales", {.number = 8}},
                            {"surfaces", {.number = 1}},
@@ -108,13 +109,36 @@ TEST(Placeholders, AreKeptInScreensUntilTheSession) {
       texts_as_read(protocol, texts_with_placeholders(protocol), values);
   ASSERT_EQ(read.size(), 1U);
   EXPECT_THAT(read.front().text, testing::StartsWith("Two surfaces, at most "));
-  EXPECT_THAT(read.front().text, testing::Not(HasSubstr("{")));
+  EXPECT_THAT(read.front().text, Not(HasSubstr("{")));
   const auto step = std::find_if(plan.steps.begin(), plan.steps.end(), [](const PlanStep& each) {
     const auto* const screen = std::get_if<Protocol::Screen>(&each);
     return screen != nullptr && screen->text.starts_with('{');
   });
   ASSERT_NE(step, plan.steps.end());
   EXPECT_EQ(std::get<Protocol::Screen>(as_read(*step, values, "en")).text, read.front().text);
+}
+
+/// It is read before the row and the group of a participant are known.
+TEST(Placeholders, OfTheConsentHoldForEveryParticipant) {
+  json root = json::parse(library_text("roughness_diameter"));
+  root.at("consent").at("statement") = "{trials} trials, {minutes} minutes, {{so}.";
+  const Protocol protocol = read_protocol(root.dump(), "test.json", models());
+  ASSERT_GT(counterbalance_rows(protocol), 1);
+  DesignValues values = values_of_session(protocol, example_plan(protocol, {5, 1}));
+  const std::string expected = with_values(protocol.consent_statement, values, "en");
+  EXPECT_THAT(expected, testing::AllOf(HasSubstr(" minutes, {so}."), Not(HasSubstr("at most"))));
+  EXPECT_EQ(consent_as_read(protocol), expected);
+  const auto read = texts_as_read(protocol, texts_with_placeholders(protocol), values);
+  EXPECT_EQ(read.front().pointer, "/consent/statement");
+  EXPECT_EQ(read.front().text, expected);
+}
+
+TEST(Placeholders, OfTheConsentAreTheLargestWhereSessionsDiffer) {
+  json root = json::parse(library_text("amplitude_jnd"));
+  root.at("consent").at("statement") = "You judge {trials} pairs.";
+  root["/blocks/comparisons/procedure/stop/reversals"_json_pointer] = 8;
+  EXPECT_EQ(consent_as_read(read_protocol(root.dump(), "test.json", models())),
+            "You judge at most 85 pairs.");
 }
 
 /// The numbers of a block are those of every participant: every reader of the protocol has the text with them.

@@ -12,6 +12,7 @@
 
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
+#include "protocols/texts/protocol_texts.h"
 
 namespace asperity {
 
@@ -58,7 +59,7 @@ ConsentCard::ConsentCard(QWidget* parent) : QWidget(parent) {
 }
 
 void ConsentCard::set_statement(const Protocol& protocol) {
-  const QString statement = QString::fromStdString(protocol.consent_statement);
+  const QString statement = QString::fromStdString(consent_as_read(protocol));
   given_->setText(tr("The participant has agreed to this statement (version %1)")
                       .arg(QString::fromStdString(protocol.consent_version)));
   if (statement == statement_->text()) return;

@@ -79,8 +79,8 @@ void check_texts(CheckedDocument& checked) {
         }
         checked.report(place.pointer,
                        in_braces(name) +
-                           " is known when a session begins: use it in a screen or break of "
-                           "\"flow\", or in \"resume\"");
+                           " is known when a session begins: use it in \"consent\", in a screen or "
+                           "break of \"flow\", or in \"resume\"");
         continue;
       }
       if (values_of_design(checked.protocol, place).contains(name)) continue;
