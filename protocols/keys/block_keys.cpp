@@ -81,6 +81,10 @@ void store_arrangement(const json& value, Block& block) {
   read_keys(kArrangementTable, value, &block.arrangement);
 }
 
+constexpr std::string_view kRevisitOfBlockMeaning =
+    "With \"questions\": whether the participant may switch between the surfaces before "
+    "responding.";
+
 constexpr KeyCondition kWithoutVary = reported_as(
     "the levels of vary are presented equally often; remove this key, or list the levels as a "
     "crossed factor",
@@ -223,9 +227,7 @@ constexpr auto kOrderKeys = keys_of(
              "With \"questions\": whether pictures stay hidden until every surface has been felt.",
              TruthShape{}),
          with("questions")),
-    when(revisit_key("With \"questions\": whether the participant may switch between the surfaces "
-                     "before responding."),
-         with("questions")),
+    when(revisit_key(kRevisitOfBlockMeaning), with("questions")),
     required_key(member_key<&Block::exploration>("exploration", "Exploration",
                                                  "The name of the exploration.",
                                                  BoundShape{&kExplorationName})),
