@@ -84,40 +84,40 @@ std::vector<StatedRate> rates_of_intervals() {
   return {
       {"findings/tidy/finding_list.cpp",
        coverage_of(shares) + ") + \" with mean proportions of at most 98 %"},
-      {"findings/tidy/rmanova.cpp", coverage_of(drawn("effects", "pes"))},
-      {"findings/tidy/rmanova.cpp", coverage_of(drawn("effects", "ges"))},
+      {"findings/tidy/families/rmanova.cpp", coverage_of(drawn("effects", "pes"))},
+      {"findings/tidy/families/rmanova.cpp", coverage_of(drawn("effects", "ges"))},
       {"findings/methods/discrimination/thresholds/choices_by_place.cpp",
        coverage_of(drawn("choices_by_place", "place.proportion"))},
-      {"findings/tidy/components.cpp", coverage_of(drawn("components", "proportion.corrected"))},
-      {"findings/tidy/components.cpp", coverage_of(drawn("components", "loading.corrected"))},
-      {"findings/tidy/dprime.cpp", coverage_of(drawn("sensitivity", "dprime.mean"))},
+      {"findings/tidy/families/components.cpp", coverage_of(drawn("components", "proportion.corrected"))},
+      {"findings/tidy/families/components.cpp", coverage_of(drawn("components", "loading.corrected"))},
+      {"findings/tidy/families/dprime.cpp", coverage_of(drawn("sensitivity", "dprime.mean"))},
       {"findings/methods/discrimination/thresholds/discrimination_results.cpp",
        coverage_of(drawn("compared_thresholds", "ratio.jnd"))},
-      {"findings/tidy/group.cpp", coverage_of(drawn("groups", "subj.diff"))},
-      {"findings/tidy/group_values.cpp", coverage_of(drawn("group_numbers", "values.ratio"))},
-      {"findings/tidy/group_values.cpp", coverage_of(drawn("group_profiles", "profile.diff"))},
-      {"findings/tidy/lmm.cpp", coverage_of(alike)},
-      {"findings/tidy/lmm.cpp", "CoverageSpan" + limits(varying)},
-      {"findings/tidy/paired.cpp", coverage_of_pooled("pairs", "bt.ability.sumzero")},
-      {"findings/tidy/ranking.cpp", coverage_of_pooled("worths", "pl.logworth.sumzero")},
-      {"findings/tidy/matching.cpp", coverage_of_pooled("matching", "perfect")},
-      {"findings/tidy/recognition.cpp", coverage_of_pooled("recognition", "pc")},
-      {"findings/tidy/recognition.cpp", coverage_of_pooled("recognition", "dprime")},
-      {"findings/tidy/roc.cpp", coverage_of(drawn("ratings_of_signal", "auc"))},
-      {"findings/tidy/roc.cpp", coverage_of_pooled("areas_of_participants", "auc")},
-      {"findings/tidy/roc.cpp", coverage_of_pooled("areas_of_participants", "uv.az")},
-      {"findings/tidy/roc.cpp", "\"mean of the participants' A_z\", CoverageSpan" +
+      {"findings/tidy/families/group.cpp", coverage_of(drawn("groups", "subj.diff"))},
+      {"findings/tidy/families/group_values.cpp", coverage_of(drawn("group_numbers", "values.ratio"))},
+      {"findings/tidy/families/group_values.cpp", coverage_of(drawn("group_profiles", "profile.diff"))},
+      {"findings/tidy/families/lmm.cpp", coverage_of(alike)},
+      {"findings/tidy/families/lmm.cpp", "CoverageSpan" + limits(varying)},
+      {"findings/tidy/families/paired.cpp", coverage_of_pooled("pairs", "bt.ability.sumzero")},
+      {"findings/tidy/families/ranking.cpp", coverage_of_pooled("worths", "pl.logworth.sumzero")},
+      {"findings/tidy/families/matching.cpp", coverage_of_pooled("matching", "perfect")},
+      {"findings/tidy/families/recognition.cpp", coverage_of_pooled("recognition", "pc")},
+      {"findings/tidy/families/recognition.cpp", coverage_of_pooled("recognition", "dprime")},
+      {"findings/tidy/families/roc.cpp", coverage_of(drawn("ratings_of_signal", "auc"))},
+      {"findings/tidy/families/roc.cpp", coverage_of_pooled("areas_of_participants", "auc")},
+      {"findings/tidy/families/roc.cpp", coverage_of_pooled("areas_of_participants", "uv.az")},
+      {"findings/tidy/families/roc.cpp", "\"mean of the participants' A_z\", CoverageSpan" +
                                     limits(drawn("areas_of_participants", "uv.az.mean"))},
-      {"findings/tidy/roc.cpp", "\"mean of the participants' areas by trapezoids\", CoverageSpan" +
+      {"findings/tidy/families/roc.cpp", "\"mean of the participants' areas by trapezoids\", CoverageSpan" +
                                     limits(drawn("areas_of_participants", "auc.mean"))},
-      {"findings/tidy/response_times.cpp", coverage_of(drawn("response_times", "geomean"))},
+      {"findings/tidy/families/response_times.cpp", coverage_of(drawn("response_times", "geomean"))},
       {"findings/tidy/scale_findings.cpp", coverage_of(drawn("scores", "kendall.W"))},
-      {"findings/tidy/selection.cpp", coverage_of(drawn("choice_effects", "relabel.W"))},
-      {"findings/tidy/psyfit.cpp", coverage_of(psychometric_ends)},
-      {"findings/tidy/psyfit.cpp", coverage_of(drawn("psychometric", "alpha.profile"))},
-      {"findings/tidy/psyfit.cpp", coverage_of(drawn("psychometric", "threshold.overdispersed"))},
-      {"findings/tidy/psyfit.cpp", coverage_of(drawn("bootstrapped", "bootstrap.threshold"))},
-      {"findings/tidy/icc.cpp",
+      {"findings/tidy/families/selection.cpp", coverage_of(drawn("choice_effects", "relabel.W"))},
+      {"findings/tidy/families/psyfit.cpp", coverage_of(psychometric_ends)},
+      {"findings/tidy/families/psyfit.cpp", coverage_of(drawn("psychometric", "alpha.profile"))},
+      {"findings/tidy/families/psyfit.cpp", coverage_of(drawn("psychometric", "threshold.overdispersed"))},
+      {"findings/tidy/families/psyfit.cpp", coverage_of(drawn("bootstrapped", "bootstrap.threshold"))},
+      {"findings/tidy/families/icc.cpp",
        "in simulations of normal ratings the coverage of the 95 % interval "
        "was " +
            span_of(other_targets) + ", with three raters " + span_of(three_raters) +
@@ -222,7 +222,7 @@ std::vector<StatedRate> rates_of_tests() {
   };
   const auto recognised = drawn("recognition", "G.p");
   return {
-      {"findings/tidy/lmm.cpp",
+      {"findings/tidy/families/lmm.cpp",
        "in simulations in which neither levels nor participants differed the Type I error rate at "
        "α = .05 was " +
            up_to(drawn("continuous_scale", "lmm.F.p")) +
@@ -234,7 +234,7 @@ std::vector<StatedRate> rates_of_tests() {
            of_varying},
       {"report/text/report_exploration.cpp",
        "Type I error rates of " + of_varying + " at α = .05 in simulations of ratings"},
-      {"findings/tidy/rmanova.cpp",
+      {"findings/tidy/families/rmanova.cpp",
        "in simulations of four levels and 3 to 12 participants the Type I error rate at α = .05 "
        "was " +
            least_size(drawn("varying_items", "p.GG")) + " to " +
@@ -242,40 +242,40 @@ std::vector<StatedRate> rates_of_tests() {
       {"findings/tidy/scale_findings.cpp",
        "in simulations without differences the Type I error rate at α = .05 was " + iman(12, 20) +
            " with 12 or 20 rows, and " + iman(2, 6) + " with 2 to 6"},
-      {"findings/tidy/group.cpp",
+      {"findings/tidy/families/group.cpp",
        "in simulations of equal groups the Type I error rate at α = .05 was " + up_to(groups_of_3) +
            " with 3 participants in each group, and " + up_to(groups_of_6) + " with 6"},
-      {"findings/tidy/icc.cpp",
+      {"findings/tidy/families/icc.cpp",
        "in simulations of proportions without differences between participants the Type I error "
        "rate at α = .05 was " +
            up_to(drawn("repetitions", "icc.p"))},
-      {"findings/tidy/recognition.cpp",
+      {"findings/tidy/families/recognition.cpp",
        "in simulations of 24 to 144 trials without transmitted information the Type I error rate "
        "at α = .05 was " +
            least_size(recognised) + " to " + greatest_size(recognised) + " %"},
-      {"findings/tidy/selection.cpp",
+      {"findings/tidy/families/selection.cpp",
        "in simulations without a preferred alternative the Type I error rate at α = .05 was " +
            up_to(drawn("selection", "subj.t.p.two", with_participants(12, 20))) +
            " with 12 or 20 participants who differ, and " +
            up_to(drawn("selection", "subj.t.p.two", with_participants(2, 6))) + " with 2 to 6"},
-      {"findings/tidy/glmm.cpp",
+      {"findings/tidy/families/glmm.cpp",
        "in simulations with four items the Type I error rate at α = .05 was " +
            up_to(drawn("crossed_textures", "glmm.p"))},
-      {"findings/tidy/glmm.cpp",
+      {"findings/tidy/families/glmm.cpp",
        "in simulations with covariates the Type I error rate at α = .05 was " +
            up_to(drawn("explored_choices", "glmm.lr.p", with_participants(5, 20))) + ", and " +
            up_to(drawn("explored_choices", "glmm.lr.p", with_participants(2, 4))) +
            " with fewer than five participants"},
-      {"findings/tidy/psyfit.cpp",
+      {"findings/tidy/families/psyfit.cpp",
        "in simulations of equal functions the Type I error rate at α = .05 was " +
            up_to(drawn("psychometric", "lr.same.function.p"))},
-      {"findings/tidy/psyfit.cpp",
+      {"findings/tidy/families/psyfit.cpp",
        "in simulations of the fitted function the Type I error rate at α = .05 was " +
            up_to(drawn("psychometric", "deviance.p.chisq"))},
-      {"findings/tidy/ordinal.cpp",
+      {"findings/tidy/families/ordinal.cpp",
        "in simulations without differences the Type I error rate at α = .05 was " +
            up_to(drawn("ordered_categories", "wald.p")) + "\""},
-      {"findings/tidy/ordinal.cpp",
+      {"findings/tidy/families/ordinal.cpp",
        "in simulations without differences the Type I error rate at α = .05 was " +
            up_to(drawn("ordered_categories", "lr.p", with_participants(3, 20))) + ", and " +
            greatest_size(drawn("ordered_categories", "lr.p", with_participants(2, 2))) +

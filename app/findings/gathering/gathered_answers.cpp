@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/findings/gathering/group_blocks.h"
+#include "app/findings/gathering/questions_of_kind.h"
 #include "app/records/session_conditions.h"
 #include "protocols/design/protocol.h"
 #include "protocols/file/stored_protocol.h"
@@ -59,51 +60,6 @@ std::vector<PresentedMatch> counted_matches(const Study& study, const SessionRow
   return presented_matches(protocol, trials);
 }
 
-/// The questions of one kind in a protocol.
-struct QuestionsOfKind {
-  /// The names of the questions, by block; nothing where the block has only one, whatever its name.
-  std::map<std::string, std::optional<std::set<std::string>>, std::less<>> by_block{};
-  /// The blocks that belong to other kinds only, or nothing: a block that the stored protocol lacks is of
-  /// the protocol's kind.
-  std::optional<std::set<std::string, std::less<>>> others{};
-  /// The blocks of other kinds in which its questions accompany another one.
-  std::set<std::string, std::less<>> accompanied{};
-  /// By block of this kind, the scale that rates the confidence of the response to its question.
-  std::map<std::string, std::string, std::less<>> confidences{};
-  /// By block, the questions that no kind analyses.
-  std::map<std::string, std::set<std::string>, std::less<>> additional{};
-
-  bool is_additional(const std::string& block, const std::string& question) const {
-    const auto names = additional.find(block);
-    return names != additional.end() && names->second.contains(question);
-  }
-  bool has_block(const std::string& block) const {
-    return by_block.contains(block) || (others && !others->contains(block));
-  }
-  bool has(const std::string& block, const std::string& question) const {
-    const auto names = by_block.find(block);
-    if (names == by_block.end()) return has_block(block);
-    return !names->second || names->second->contains(question);
-  }
-};
-
-const std::string& kind_of_stored_block(const std::string& kind_of_protocol,
-                                        const Protocol::Block& block) {
-  return block.kind.empty() ? kind_of_protocol : block.kind;
-}
-
-/// The id of the kind that analyses a question of a block; empty where none does.
-std::string kind_of_stored(const std::string& kind_of_protocol, const Protocol::Block& block,
-                           const Protocol::TrialQuestionTemplate& question) {
-  if (question.is_additional) return {};
-  const std::string& of_block = kind_of_stored_block(kind_of_protocol, block);
-  const ExperimentKind* const known = find_kind(of_block);
-  // The other forms are those of the kind itself.
-  if (known == nullptr || !std::holds_alternative<ScaleForm>(question.form)) return of_block;
-  const ExperimentKind* const kind = kind_of_question(*known, question);
-  return std::string(kind == nullptr ? of_block : kind->id);
-}
-
 /// The pictures of the questions in their order, then the levels of the factors.
 std::vector<std::string> pictures_of(const Protocol& protocol) {
   std::vector<std::string> pictures{};
@@ -116,43 +72,6 @@ std::vector<std::string> pictures_of(const Protocol& protocol) {
     for (const Level& level : factor.levels) pictures.push_back(text_of(level));
   }
   return pictures;
-}
-
-/// What the stored protocol of sessions asks, by kind.
-std::map<std::string, QuestionsOfKind> questions_by_kind(const Protocol& protocol,
-                                                         const std::string& kind_of_protocol) {
-  std::map<std::string, QuestionsOfKind> kinds{};
-  decltype(QuestionsOfKind::additional) additional{};
-  for (const auto& [name, block] : protocol.blocks) {
-    if (matches_roughness(protocol, block)) continue;  // its own analysis: equal_roughness.h
-    for (const Protocol::TrialQuestionTemplate& question : block.questions) {
-      const std::string kind = kind_of_stored(kind_of_protocol, block, question);
-      if (kind.empty()) {
-        additional[name].insert(question.name);
-        continue;
-      }
-      if (kind != kind_of_stored_block(kind_of_protocol, block)) {
-        kinds[kind].accompanied.insert(name);
-      }
-      if (!question.confidence_of().empty()) {
-        kinds[kind_of_stored_block(kind_of_protocol, block)].confidences[name] = question.name;
-      }
-      auto& names = kinds[kind].by_block[name];
-      if (block.questions.size() == 1) continue;
-      if (!names) names.emplace();
-      names->insert(question.name);
-    }
-  }
-  for (auto& [kind, questions] : kinds) questions.additional = additional;
-  // Only where no block is of that kind is there nothing of the protocol's kind.
-  if (!kinds.empty() && !kinds.contains(kind_of_protocol)) return kinds;
-  auto& others = kinds[kind_of_protocol].others.emplace();
-  for (const auto& [name, block] : protocol.blocks) {
-    if (!block.questions.empty() && !kinds[kind_of_protocol].by_block.contains(name)) {
-      others.insert(name);
-    }
-  }
-  return kinds;
 }
 
 /// Collects the responses of a group to questions of one kind from its sessions.

@@ -38,7 +38,7 @@ struct TidyInput {
 ///    spans, Eigen) and typed results, without tables, JSON or names of quantities. Input without an
 ///    answer is std::invalid_argument; an answer that good data can lack is a std::optional, NaN (a
 ///    number undefined for these data), ±infinity, or an enum for the reasons.
-/// 2. `app/findings/tidy/NAME.cpp` with `std::vector<Finding> NAME_findings(const TidyInput&)`:
+/// 2. `app/findings/tidy/families/NAME.cpp` with `std::vector<Finding> NAME_findings(const TidyInput&)`:
 ///    requests its columns from TidyTable and its options from FamilyOptions (both report problems
 ///    in sentences), calls 1., and writes one finding per number with FindingList: `quantity` and
 ///    `key` are the fixed names on which scripts depend, a key has the names of its parts; `n` counts
