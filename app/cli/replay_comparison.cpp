@@ -33,7 +33,7 @@ constexpr int kShownDigits = 4;
 nlohmann::ordered_json json_of(const ReplayComparison& comparison,
                                const std::optional<OtherModelSettings>& other) {
   const ForceDifference& pooled = comparison.pooled;
-  const ProgramIdentity program = this_program();
+  const ProgramIdentity& program = this_program();
   nlohmann::ordered_json json{{"format", "asperity.replay/1"},
                               {"compared_with", program.version + " (" + program.commit + ')'},
                               {"model", nullptr}};

@@ -50,7 +50,7 @@ DeviceProfile test_device(HapticDevice& device, const DeviceTestOptions& options
   }
   DeviceProfile profile = measured_profile(device, options, stop);
   const DeviceCapability& capability = device.capability();
-  const ProgramIdentity program = this_program();
+  const ProgramIdentity& program = this_program();
   profile.name = capability.name;
   profile.serial = capability.serial;
   profile.workspace_minimum_m = capability.workspace_minimum_m;

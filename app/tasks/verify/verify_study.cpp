@@ -386,7 +386,7 @@ VerifyResult verify_once(Study& study, const ModelBuilds& builds, bool replay_to
   std::vector<std::string> failures{};
   add_failure_of([&] { sessions = study.sessions(); }, failures);
   std::vector<SessionFaults> found(sessions.size());
-  const ProgramIdentity program = this_program();
+  const ProgramIdentity& program = this_program();
   // Work shared between threads: parts of the store, then session by session.
   std::array<std::vector<std::string>, kBeside.size()> beside{};
   std::atomic<std::size_t> next{0};
