@@ -12,7 +12,6 @@
 
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
-#include "protocols/texts/protocol_texts.h"
 
 namespace asperity {
 
@@ -58,10 +57,8 @@ ConsentCard::ConsentCard(QWidget* parent) : QWidget(parent) {
           [this] { QSettings().setValue(kSeenBy, seen_by_->text().trimmed()); });
 }
 
-void ConsentCard::set_statement(const Protocol& protocol) {
-  const QString statement = QString::fromStdString(consent_as_read(protocol));
-  given_->setText(tr("The participant has agreed to this statement (version %1)")
-                      .arg(QString::fromStdString(protocol.consent_version)));
+void ConsentCard::set_statement(const QString& statement, const QString& version) {
+  given_->setText(tr("The participant has agreed to this statement (version %1)").arg(version));
   if (statement == statement_->text()) return;
   statement_->setText(statement);
   forget();

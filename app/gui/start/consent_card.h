@@ -8,8 +8,6 @@
 #include <QtCore/QString>
 #include <QtWidgets/QWidget>
 
-#include "protocols/design/protocol.h"
-
 class QCheckBox;
 class QLabel;
 class QLineEdit;
@@ -22,7 +20,7 @@ class ConsentCard final : public QWidget {
   explicit ConsentCard(QWidget* parent = nullptr);
 
   /// Nobody has agreed to it yet, unless the statement is the one that is shown already.
-  void set_statement(const Protocol& protocol);
+  void set_statement(const QString& statement, const QString& version);
   /// Somebody else is to agree.
   void forget();
   void fill_in(bool has_consented, const std::string& seen_by);

@@ -11,6 +11,7 @@
 #include "app/tasks/protocol_files.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/plan/course.h"
+#include "protocols/texts/protocol_texts.h"
 #include "results_schema/error_text.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/hashes/sha256.h"
@@ -39,6 +40,7 @@ ChosenProtocol read_chosen(const std::filesystem::path& file, const std::filesys
     chosen.protocol = std::make_shared<const Protocol>(load_protocol(file, models, study));
     chosen.sha256 = sha256_of(chosen.protocol->source);
     chosen.cost = cost_of(*chosen.protocol, example_plan(*chosen.protocol, {1, 0}));
+    chosen.consent = consent_as_read(*chosen.protocol);
   } catch (const ProtocolError& error) {
     chosen.problems = error.diagnostics();
   } catch (const std::exception& error) {

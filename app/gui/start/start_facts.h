@@ -25,6 +25,7 @@ struct ChosenProtocol {
   std::shared_ptr<const Protocol> protocol{};  ///< null: not read yet, or not valid
   std::string sha256{};                        ///< of its text
   PlanCost cost{};                             ///< of an example plan
+  std::string consent{};                       ///< the statement as it is read; empty: none
   std::vector<Diagnostic> problems{};          ///< why it is not valid
   std::string failure{};                       ///< why the file cannot be read at all
 

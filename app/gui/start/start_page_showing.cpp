@@ -100,7 +100,8 @@ void StartPage::show_protocol() {
                QString("%1 · %2").arg(QString::fromStdString(protocol->name), head).toHtmlEscaped(),
                tail.toHtmlEscaped()));
   participant_->set_questions(questions_about_participant(*protocol));
-  consent_->set_statement(*protocol);
+  consent_->set_statement(QString::fromStdString(now.consent),
+                          QString::fromStdString(protocol->consent_version));
 }
 
 void StartPage::show_noise() {
