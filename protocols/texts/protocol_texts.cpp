@@ -73,6 +73,12 @@ PlanStep as_read(PlanStep step, const DesignValues& of_session, std::string_view
   return step;
 }
 
+Plan as_read(const Protocol& protocol, Plan plan) {
+  const DesignValues values = values_of_session(protocol, plan);
+  for (PlanStep& step : plan.steps) step = as_read(std::move(step), values, protocol.language);
+  return plan;
+}
+
 std::string consent_as_read(const Protocol& protocol) {
   const std::string& text = protocol.consent_statement;
   return with_values(text,

@@ -35,6 +35,8 @@ std::optional<nlohmann::json> with_design_values(const nlohmann::json& root,
 
 /// A step of a plan with its texts as they are read in the session with these values (values_of_session).
 PlanStep as_read(PlanStep step, const DesignValues& of_session, std::string_view language);
+/// A plan (example_plan) with the texts of its steps as its participant reads them.
+Plan as_read(const Protocol& protocol, Plan plan);
 
 /// The statement of a valid protocol that a participant agrees to, with the values of every session.
 std::string consent_as_read(const Protocol& protocol);

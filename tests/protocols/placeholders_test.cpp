@@ -115,7 +115,11 @@ TEST(Placeholders, AreKeptInScreensUntilTheSession) {
     return screen != nullptr && screen->text.starts_with('{');
   });
   ASSERT_NE(step, plan.steps.end());
-  EXPECT_EQ(std::get<Protocol::Screen>(as_read(*step, values, "en")).text, read.front().text);
+  const Plan shown = as_read(protocol, plan);
+  EXPECT_EQ(
+      std::get<Protocol::Screen>(shown.steps[static_cast<std::size_t>(step - plan.steps.begin())])
+          .text,
+      read.front().text);
 }
 
 /// It is read before the row and the group of a participant are known.

@@ -1,6 +1,6 @@
 // Makes the scenes of a step of a plan, and shows them with the view of the participant's window.
 
-#include "app/gui/editor/screen_preview.h"
+#include "app/gui/participant/screen_preview.h"
 
 #include <utility>
 #include <variant>
@@ -117,7 +117,7 @@ void ScreenPreview::make_view() {
 void ScreenPreview::show_step(std::shared_ptr<const Protocol> protocol,
                               std::shared_ptr<const Plan> plan, std::size_t step) {
   // The same screen of the step after a change of the protocol.
-  if (step != step_) screen_ = 0;
+  if (step != step_ || protocol_ == nullptr || protocol->name != protocol_->name) screen_ = 0;
   protocol_ = std::move(protocol);
   plan_ = std::move(plan);
   step_ = step;

@@ -325,10 +325,7 @@ void PlanPreview::make_plan_anew() {
         const PlanCost cost = cost_of(*protocol, *plan);
         const std::vector<PlanPart> parts = parts_of(*protocol, *plan);
         const std::vector<PlannedRun> runs = runs_in(*protocol, parts);
-        const DesignValues values = values_of_session(*protocol, *plan);
-        for (PlanStep& step : plan->steps) {
-          step = as_read(std::move(step), values, protocol->language);
-        }
+        *plan = as_read(*protocol, std::move(*plan));
         return [this, protocol, plan, cost, parts, runs] {
           if (protocol != protocol_) return;
           planned_ = protocol;

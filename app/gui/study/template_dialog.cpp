@@ -2,7 +2,9 @@
 
 #include "app/gui/study/template_dialog.h"
 
+#include <algorithm>
 #include <utility>
+#include <variant>
 
 #include <QtCore/QLocale>
 #include <QtWidgets/QListWidget>
@@ -14,6 +16,9 @@
 #include "app/gui/base/study_table.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
+#include "app/gui/participant/screen_preview.h"
+#include "protocols/plan/course.h"
+#include "protocols/texts/protocol_texts.h"
 
 namespace asperity {
 
@@ -60,7 +65,7 @@ TemplateDialog::TemplateDialog(const std::filesystem::path& study, const ModelRe
   table_->leave_out_when_tight({1});  // which is next to it as well
   table_->setMinimumWidth(kTableWidth);
   columns->addWidget(table_, 3);
-  columns->addWidget(make_detail(), 2);
+  columns->addWidget(make_detail(study), 2);
 
   auto* buttons = new QHBoxLayout();
   buttons->setSpacing(kGrid);
@@ -92,7 +97,7 @@ TemplateDialog::TemplateDialog(const std::filesystem::path& study, const ModelRe
       });
 }
 
-QWidget* TemplateDialog::make_detail() {
+QWidget* TemplateDialog::make_detail(const std::filesystem::path& study) {
   auto* detail = new QWidget(this);
   auto* layout = new QVBoxLayout(detail);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -107,10 +112,20 @@ QWidget* TemplateDialog::make_detail() {
   scroll->setAccessibleName(tr("Description"));
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
-  description_ = make_text({}, scroll);
+  auto* content = new QWidget(scroll);
+  auto* read = new QVBoxLayout(content);
+  read->setContentsMargins(0, 0, 0, 0);
+  read->setSpacing(kMargin);
+  description_ = make_text({}, content);
   description_->setObjectName("template_description");
   description_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  scroll->setWidget(description_);
+  read->addWidget(description_);
+  screen_ = new ScreenPreview(study, content);
+  screen_->setObjectName("template_screen");
+  screen_->hide();
+  read->addWidget(screen_);
+  read->addStretch(1);
+  scroll->setWidget(content);
   layout->addWidget(scroll, 1);
 
   surfaces_ = new QWidget(detail);
@@ -132,6 +147,10 @@ QWidget* TemplateDialog::make_detail() {
   }
   surfaces_->hide();
   layout->addWidget(surfaces_);
+  connect(screen_, &ScreenPreview::step_wanted, this, [this](int step) {
+    if (step < 0 || step >= std::ssize(plan_->steps)) return;
+    screen_->show_step(protocol_, plan_, static_cast<std::size_t>(step));
+  });
   connect(own_, &QRadioButton::toggled, this, &TemplateDialog::show_what_follows);
   connect(reliefs_, &QListWidget::itemChanged, this, &TemplateDialog::show_what_follows);
   return detail;
@@ -177,6 +196,7 @@ void TemplateDialog::show_chosen() {
                                 text(overview->name)}
                         .join(" · "));
     description_->setText(text(overview->protocol.description));
+    show_screens(*overview);
   }
   if (has_textures) {
     needs_->setText(tr("This template compares %n texture(s).", nullptr,
@@ -202,6 +222,17 @@ void TemplateDialog::show_chosen() {
     }
   }
   show_what_follows();
+}
+
+/// Those of the first trial, and from there those of the other steps.
+void TemplateDialog::show_screens(const TemplateOverview& overview) {
+  protocol_ = std::make_shared<const Protocol>(overview.protocol);
+  plan_ = std::make_shared<const Plan>(as_read(*protocol_, example_plan(*protocol_, {1, 0})));
+  const auto first =
+      std::find_if(plan_->steps.begin(), plan_->steps.end(),
+                   [](const PlanStep& step) { return std::holds_alternative<TrialStep>(step); });
+  screen_->show();
+  screen_->show_step(protocol_, plan_, static_cast<std::size_t>(first - plan_->steps.begin()));
 }
 
 TemplateTextures TemplateDialog::textures() const {

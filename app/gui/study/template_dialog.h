@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,10 @@ class QRadioButton;
 
 namespace asperity {
 
+class ScreenPreview;
 class StudyTable;
 
-/// The protocols of the library by title, with what each asks and how long it takes; then the textures that the new protocol has.
+/// The protocols of the library by title, with what each asks, how long it takes and what its participants see; then the textures that the new protocol has.
 class TemplateDialog final : public QDialog {
   Q_OBJECT
  public:
@@ -37,9 +39,10 @@ class TemplateDialog final : public QDialog {
     std::vector<OwnTexture> reliefs{};
   };
 
-  QWidget* make_detail();
+  QWidget* make_detail(const std::filesystem::path& study);
   void show_content(Content content);
   void show_chosen();
+  void show_screens(const TemplateOverview& overview);
   void show_what_follows();
   const TemplateOverview* chosen() const;
   TemplateTextures textures() const;
@@ -49,6 +52,9 @@ class TemplateDialog final : public QDialog {
   QLabel* title_ = nullptr;
   QLabel* facts_ = nullptr;
   QLabel* description_ = nullptr;
+  ScreenPreview* screen_ = nullptr;
+  std::shared_ptr<const Protocol> protocol_{};  ///< of the screens
+  std::shared_ptr<const Plan> plan_{};
   QWidget* surfaces_ = nullptr;
   QLabel* needs_ = nullptr;
   QRadioButton* own_ = nullptr;

@@ -24,6 +24,7 @@
 #include "app/gui/editor/protocol_editor_page.h"
 #include "app/gui/editor/protocol_text_edit.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/participant/participant_view.h"
 #include "app/gui/study/devices_page.h"
 #include "app/gui/study/participants_page.h"
 #include "app/gui/study/protocols_page.h"
@@ -425,6 +426,17 @@ TEST_F(StudyPages, PutATemplateIntoTheStudyUnderAFreeName) {
   EXPECT_FALSE(child<QPushButton>(dialog, "template_create").isEnabled());
   templates.select("chapter_selection");
   EXPECT_EQ(child<QLabel>(dialog, "template_needs").text(), "This template compares 4 textures.");
+  using Scene = ParticipantScene::Kind;
+  const auto& screen = child<ParticipantView>(dialog, "screen_view");
+  ASSERT_TRUE(eventually([&] { return screen.scene().kind == Scene::feel; }))
+      << "the first trial, not the welcome";
+  const auto& words = child<QLabel>(dialog, "screen_words");
+  const QRegularExpression last_of_trial("screen (\\d+) of \\1$");
+  for (int i = 0; i < 10 && !words.text().contains(last_of_trial); ++i) {
+    child<QPushButton>(dialog, "screen_next").click();
+  }
+  ASSERT_TRUE(eventually([&] { return screen.scene().kind == Scene::question; }));
+  EXPECT_EQ(screen.scene().text, "Which surface felt most like the material in the picture?");
   take_screenshot(dialog, "template-dialog", {1040, 620});
   auto& reliefs = child<QListWidget>(dialog, "template_reliefs");
   for (int i = 0; i < reliefs.count(); ++i) {
