@@ -25,7 +25,6 @@
 #include "app/session/rig/recording_columns.h"
 #include "app/session/session_setup.h"
 #include "app/tasks/new_study.h"
-#include "app/tasks/protocol_files.h"
 #include "app/tasks/study_overview.h"
 #include "app/tasks/verify/verify_study.h"
 #include "device/machine.h"

@@ -30,7 +30,7 @@
 #include "app/power/curve/simulate_power.h"
 #include "app/power/power_model.h"
 #include "app/power/simulated_run.h"
-#include "app/tasks/protocol_files.h"
+#include "app/tasks/check_protocol.h"
 #include "app/virtual_studies/physics_studies.h"
 #include "protocols/file/diagnostic.h"
 #ifdef ASPERITY_WITH_WINDOWS

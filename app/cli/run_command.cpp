@@ -24,6 +24,7 @@
 #include "app/session/new_seed.h"
 #include "app/session/respondents/terminal_respondent.h"
 #include "app/session/session_setup.h"
+#include "app/tasks/label_notice.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/run_session.h"
 #include "app/tasks/session_language.h"

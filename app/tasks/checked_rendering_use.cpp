@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/tasks/protocol_files.h"
+#include "app/tasks/check_protocol.h"
 #include "app/tasks/template_overviews.h"
 
 namespace asperity {

@@ -2,6 +2,8 @@
 
 #include "app/tasks/label_notice.h"
 
+#include <algorithm>
+
 #include "app/session/rig/clock.h"
 #include "app/session/session_setup.h"
 #include "app/tasks/study_overview.h"
@@ -125,6 +127,24 @@ std::optional<LabelNotice> label_notice(const Study& study, const Protocol& prot
                   .with(participant, std::to_string(ended), std::to_string(protocol.sessions),
                         time_of(study, *latest)),
       .is_planned = true};
+}
+
+std::optional<Phrase> complaint_about_label(const std::string& label, bool is_virtual) {
+  const bool characters = std::all_of(label.begin(), label.end(), [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+  });
+  if (characters && !label.empty() && label.size() <= 32) {
+    if (is_virtual || !label.starts_with("virtual")) return {};
+    return phrase("ProtocolFiles",
+                  "the participant label \"%1\" is not acceptable for a human participant: labels "
+                  "that begin with \"virtual\" are reserved for virtual participants; use another "
+                  "label")
+        .with(label);
+  }
+  return phrase("ProtocolFiles",
+                "the participant label \"%1\" is not acceptable: it must consist of 1 to 32 "
+                "letters and digits (0-9, A-Z, a-z)")
+      .with(label);
 }
 
 }  // namespace asperity

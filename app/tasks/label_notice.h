@@ -1,4 +1,4 @@
-// Checks the data that a study already has under a participant's label before a session begins.
+// Checks a participant's label, and the data that a study already has under it, before a session begins.
 
 #pragma once
 
@@ -10,6 +10,10 @@
 #include "results_schema/study.h"
 
 namespace asperity {
+
+/// The problem of a label that is to become part of file names; nothing when it is acceptable.
+/// Labels that begin with "virtual" are reserved for virtual participants.
+std::optional<Phrase> complaint_about_label(const std::string& label, bool is_virtual);
 
 /// The sessions of one mode that a participant has with exactly the text of a protocol.
 struct ParticipantSessions {

@@ -17,6 +17,7 @@
 #include "app/records/session_conditions.h"
 #include "app/session/respondents/virtual_participant.h"
 #include "app/session/session_compute.h"
+#include "app/tasks/checks/device_requirements.h"
 #include "app/tasks/group_choice.h"
 #include "app/tasks/label_notice.h"
 #include "app/tasks/protocol_files.h"

@@ -13,7 +13,7 @@
 #include "app/session/respondents/virtual_participant.h"
 #include "app/session/rig/contact_reader.h"
 #include "app/session/session_compute.h"
-#include "app/tasks/protocol_files.h"
+#include "app/tasks/checks/device_requirements.h"
 #include "app/tasks/unfinished_session.h"
 #include "app/words/coded_phrases.h"
 #include "protocols/kinds/experiment_kind.h"

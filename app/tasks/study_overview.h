@@ -14,7 +14,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "app/tasks/protocol_files.h"
+#include "app/tasks/check_protocol.h"
 #include "app/tasks/rendering_use.h"
 #include "device/device_capability.h"
 #include "renderers/force/force_model.h"

@@ -8,7 +8,7 @@
 
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/stimulus_names.h"
-#include "app/tasks/protocol_files.h"
+#include "app/tasks/check_protocol.h"
 #include "protocols/file/translation.h"
 #include "protocols/form/new_values.h"
 #include "results_schema/files/folder_entries.h"

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "app/exports/export_study.h"
+#include "app/tasks/check_protocol.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/simulation/simulation.h"
 #include "app/tasks/study_overview.h"

@@ -17,6 +17,7 @@
 #include "app/tasks/simulation/simulation.h"
 #include "app/tasks/study_overview.h"
 #include "app/tasks/verify/verify_study.h"
+#include "app/tasks/warnings/rehearsed_stimuli.h"
 #include "app/tasks/warnings/texture_warnings.h"
 #include "renderers/built_in_models.h"
 #include "renderers/compute/compute_device.h"

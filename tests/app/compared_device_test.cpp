@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "app/profiles/device_profile.h"
-#include "app/tasks/protocol_files.h"
 #include "protocols/file/library_protocols.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"

@@ -1,5 +1,8 @@
 // The demo study: its tools are felt and recognised, and it asks no more than the simulated device can do.
 
+#include "app/tasks/check_protocol.h"
+#include "app/tasks/protocol_files.h"
+#include "app/tasks/warnings/rehearsed_stimuli.h"
 #include "tests/app/demo_study.h"
 
 #include <set>
@@ -11,7 +14,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/session/rehearsal/rehearsal.h"
-#include "app/tasks/protocol_files.h"
 #include "app/tasks/simulation/simulation.h"
 #include "app/tasks/study_overview.h"
 #include "app/tasks/warnings/texture_warnings.h"

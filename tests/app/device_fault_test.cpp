@@ -21,7 +21,6 @@
 #include "app/session/rig/recording_columns.h"
 #include "app/session/session_course.h"
 #include "app/session/session_requests.h"
-#include "app/tasks/protocol_files.h"
 #include "app/tasks/run_session.h"
 #include "app/words/coded_phrases.h"
 #include "device/pause.h"

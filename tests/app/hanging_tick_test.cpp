@@ -17,7 +17,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/tasks/protocol_files.h"
 #include "app/tasks/run_session.h"
 #include "app/words/coded_phrases.h"
 #include "renderers/built_in_models.h"

@@ -1,5 +1,6 @@
 // Levels that give the same surface, and levels that are finer than the steps of a height file.
 
+#include "app/tasks/check_protocol.h"
 #include "app/tasks/warnings/level_problems.h"
 
 #include <string>
@@ -9,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "app/study_files/height_field_files.h"
-#include "app/tasks/protocol_files.h"
 #include "renderers/built_in_models.h"
 #include "tests/app/small_study.h"
 #include "tests/support/temporary_folder.h"

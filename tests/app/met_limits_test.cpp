@@ -12,7 +12,7 @@
 #include "app/session/attempt_instability.h"
 #include "app/session/attempt_measures.h"
 #include "app/session/rehearsal/rehearsed_device.h"
-#include "app/tasks/protocol_files.h"
+#include "app/tasks/checks/device_requirements.h"
 #include "app/words/coded_phrases.h"
 #include "results_schema/files/atomic_file.h"
 #include "tests/app/scripted_session.h"

@@ -10,6 +10,7 @@
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/simulation/simulation.h"
 #include "app/tasks/verify/verify_study.h"
+#include "app/tasks/warnings/rehearsed_stimuli.h"
 #include "app/tasks/warnings/stimulus_examination.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"

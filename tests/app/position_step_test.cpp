@@ -12,6 +12,7 @@
 #include "app/device_bench/compared_device.h"
 #include "app/session/stimulus_builder.h"
 #include "app/study_files/parameter_json.h"
+#include "app/tasks/protocol_files.h"
 #include "app/tasks/simulation/simulation.h"
 #include "app/tasks/verify/verify_study.h"
 #include "protocols/file/library_protocols.h"

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/tasks/protocol_files.h"
+#include "app/tasks/check_protocol.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
 #include "tests/support/temporary_folder.h"

@@ -1,5 +1,7 @@
 // Protocols of the library in a study, with its own textures and with those of the demonstration.
 
+#include "app/tasks/check_protocol.h"
+#include "app/tasks/protocol_files.h"
 #include "app/tasks/protocol_templates.h"
 
 #include <gmock/gmock.h>
@@ -8,7 +10,6 @@
 
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/protocol_languages.h"
-#include "app/tasks/protocol_files.h"
 #include "app/tasks/template_overviews.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/study_files/height_field_files.h"
-#include "app/tasks/protocol_files.h"
+#include "app/tasks/check_protocol.h"
 #include "app/tasks/rendering_use.h"
 #include "protocols/file/diagnostic.h"
 #include "protocols/file/library_protocols.h"

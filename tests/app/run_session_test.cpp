@@ -1,5 +1,6 @@
 // The way into a session: who takes part, what was asked before, for which hand.
 
+#include "app/tasks/protocol_files.h"
 #include "app/tasks/run_session.h"
 
 #include <stdexcept>
@@ -11,7 +12,6 @@
 #include "app/records/session_conditions.h"
 #include "app/report/text/study_report.h"
 #include "app/tasks/checks/session_checks.h"
-#include "app/tasks/protocol_files.h"
 #include "app/tasks/session_run.h"
 #include "app/tasks/verify/verify_study.h"
 #include "renderers/built_in_models.h"

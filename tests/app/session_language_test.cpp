@@ -1,5 +1,7 @@
 // The language of sessions: translations next to a protocol, and what a participant keeps.
 
+#include "app/tasks/check_protocol.h"
+#include "app/tasks/protocol_files.h"
 #include "app/tasks/session_language.h"
 
 #include <filesystem>
@@ -12,9 +14,9 @@
 
 #include "app/study_files/protocol_languages.h"
 #include "app/study_files/study_protocols.h"
-#include "app/tasks/protocol_files.h"
 #include "app/tasks/run_session.h"
 #include "app/tasks/study_overview.h"
+#include "app/tasks/warnings/session_warnings.h"
 #include "app/words/phrase.h"
 #include "protocols/file/stored_protocol.h"
 #include "renderers/built_in_models.h"

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/tasks/protocol_files.h"
+#include "app/tasks/warnings/session_warnings.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
 #include "tests/app/small_study.h"

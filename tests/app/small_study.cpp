@@ -3,7 +3,7 @@
 #include "tests/app/small_study.h"
 
 #include "app/study_files/height_field_files.h"
-#include "app/tasks/protocol_files.h"
+#include "protocols/file/protocol_reader.h"
 #include "results_schema/study.h"
 #include "stimuli/heights/synthetic_surface.h"
 

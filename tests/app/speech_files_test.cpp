@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "app/session/session_setup.h"
-#include "app/tasks/protocol_files.h"
+#include "app/tasks/check_protocol.h"
 #include "renderers/built_in_models.h"
 #include "tests/app/small_study.h"
 #include "tests/support/temporary_folder.h"

@@ -7,7 +7,6 @@
 
 #include "app/session/session_setup.h"
 #include "app/study_files/program.h"
-#include "app/tasks/protocol_files.h"
 #include "app/words/phrase.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"

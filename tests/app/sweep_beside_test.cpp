@@ -16,7 +16,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/study_files/height_field_files.h"
-#include "app/tasks/protocol_files.h"
 #include "protocols/file/protocol_reader.h"
 #include "renderers/built_in_models.h"
 #include "renderers/force/force_model.h"

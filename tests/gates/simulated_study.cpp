@@ -11,7 +11,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/tasks/new_study.h"
-#include "app/tasks/protocol_files.h"
 #include "app/tasks/simulation/simulation.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/file/protocol_reader.h"

@@ -11,7 +11,7 @@
 #include "app/cli/output/power_output.h"
 #include "app/power/assumption.h"
 #include "app/shards/shard.h"
-#include "app/tasks/protocol_files.h"
+#include "app/tasks/check_protocol.h"
 #include "app/virtual_studies/physics_studies.h"
 #include "protocols/design/protocol.h"
 #include "results_schema/files/atomic_file.h"

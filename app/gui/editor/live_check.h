@@ -11,7 +11,7 @@
 #include <QtCore/QTimer>
 
 #include "app/gui/look/newest_work.h"
-#include "app/tasks/protocol_files.h"
+#include "app/tasks/check_protocol.h"
 
 namespace asperity {
 

@@ -25,6 +25,7 @@
 #include "app/gui/plan/plan_preview.h"
 #include "app/gui/precision/precision_view.h"
 #include "app/study_files/study_protocols.h"
+#include "app/tasks/warnings/session_warnings.h"
 #include "protocols/file/protocol_problems.h"
 #include "results_schema/error_text.h"
 #include "results_schema/files/atomic_file.h"

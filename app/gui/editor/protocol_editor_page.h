@@ -11,6 +11,7 @@
 #include "app/gui/base/study_page.h"
 #include "app/gui/editor/live_check.h"
 #include "app/gui/look/background_task.h"
+#include "app/tasks/warnings/session_warnings.h"
 
 class QFileSystemWatcher;
 class QStackedWidget;

@@ -19,7 +19,7 @@
 #include "app/gui/look/theme.h"
 #include "app/gui/start/group_chooser.h"
 #include "app/records/participant_answers.h"
-#include "app/tasks/protocol_files.h"
+#include "app/tasks/label_notice.h"
 #include "app/tasks/study_overview.h"
 
 namespace asperity {

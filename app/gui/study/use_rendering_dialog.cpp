@@ -20,7 +20,6 @@
 #include "app/gui/look/words.h"
 #include "app/gui/study/template_dialog.h"
 #include "app/study_files/protocol_languages.h"
-#include "app/tasks/protocol_files.h"
 #include "app/tasks/protocol_templates.h"
 #include "results_schema/error_text.h"
 #include "results_schema/files/atomic_file.h"

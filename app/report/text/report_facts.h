@@ -15,7 +15,7 @@
 #include "app/findings/gathering/gathered_answers.h"
 #include "app/records/presented_matches.h"
 #include "app/records/session_conditions.h"
-#include "app/tasks/protocol_files.h"
+#include "app/tasks/check_protocol.h"
 #include "results_schema/study.h"
 
 namespace asperity {

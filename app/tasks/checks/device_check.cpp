@@ -11,6 +11,7 @@
 #include "app/records/session_conditions.h"
 #include "app/session/rig/rig.h"
 #include "app/session/session_setup.h"
+#include "app/tasks/checks/device_requirements.h"
 #include "app/tasks/session_run.h"
 #include "app/tasks/unfinished_session.h"
 #include "device/pointer_device.h"

@@ -9,7 +9,6 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/session/rig/recording_columns.h"
-#include "app/tasks/protocol_files.h"
 #include "protocols/plan/course.h"
 
 namespace asperity {

@@ -7,7 +7,6 @@
 
 #include "app/session/session_setup.h"
 #include "app/tasks/label_notice.h"
-#include "app/tasks/protocol_files.h"
 #include "app/tasks/unfinished_session.h"
 #include "results_schema/study.h"
 

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "app/study_files/protocol_languages.h"
-#include "app/tasks/protocol_files.h"
+#include "app/tasks/check_protocol.h"
+#include "app/tasks/warnings/session_warnings.h"
 #include "protocols/file/protocol_problems.h"
 #include "results_schema/hashes/sha256.h"
 #include "results_schema/hashes/short_hash.h"

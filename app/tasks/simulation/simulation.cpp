@@ -22,6 +22,7 @@
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/session_run.h"
 #include "app/tasks/warnings/plugin_warnings.h"
+#include "app/tasks/warnings/session_warnings.h"
 #include "app/tasks/warnings/stimulus_warnings.h"
 #include "app/words/phrase.h"
 #include "device/simulated_models.h"

@@ -8,8 +8,9 @@
 
 #include "app/session/explored_stimuli.h"
 #include "app/session/stimulus_builder.h"
-#include "app/tasks/protocol_files.h"
+#include "app/tasks/check_protocol.h"
 #include "app/tasks/warnings/checked_protocol.h"
+#include "app/tasks/warnings/rehearsed_stimuli.h"
 #include "protocols/file/diagnostic.h"
 
 namespace asperity {

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "app/tasks/protocol_files.h"
 #include "renderers/built_in_models.h"
 
 namespace asperity {

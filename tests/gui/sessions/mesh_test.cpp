@@ -13,7 +13,6 @@
 #include "app/gui/base/settings.h"
 #include "app/plugins/plugin_files.h"
 #include "app/study_files/textured_mesh_files.h"
-#include "app/tasks/protocol_files.h"
 #include "app/tasks/simulation/simulation.h"
 #include "app/tasks/verify/verify_study.h"
 #include "renderers/built_in_models.h"

@@ -29,8 +29,8 @@
 
 #include "app/gui/look/controls.h"
 #include "app/gui/start/participant_card.h"
+#include "app/tasks/check_protocol.h"
 #include "app/tasks/new_study.h"
-#include "app/tasks/protocol_files.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/hashes/sha256.h"

@@ -21,7 +21,6 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/start/start_page.h"
-#include "app/tasks/protocol_files.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"

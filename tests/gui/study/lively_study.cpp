@@ -5,7 +5,6 @@
 #include <array>
 #include <string>
 
-#include "app/tasks/protocol_files.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"
 
