@@ -20,6 +20,8 @@
 #include <QtWidgets/QStyleOption>
 #include <QtWidgets/QTableView>
 
+#include "app/gui/look/focus_order.h"
+
 namespace asperity {
 
 namespace {
@@ -201,7 +203,9 @@ Banner::Banner(QWidget* parent) : QFrame(parent) {
   shape_->setFont(text_font(TextSize::heading, true));
   text_ = make_text({}, this);
   action_ = make_button({}, ButtonRole::plain, this);
+  action_->setObjectName("banner_action");
   away_ = make_button(tr("Dismiss"), ButtonRole::link, this);
+  away_->setObjectName("banner_dismiss");
   arrange(false);
   connect(action_, &QPushButton::clicked, this, [this] {
     const auto act = on_action_;  // may show other news
@@ -218,6 +222,11 @@ void Banner::arrange(bool narrow) {
   grid_->addWidget(text_, 0, 1, 1, narrow ? 3 : 1);
   grid_->addWidget(action_, narrow ? 1 : 0, 2);
   grid_->addWidget(away_, narrow ? 1 : 0, 3);
+}
+
+void Banner::showEvent(QShowEvent* event) {
+  QFrame::showEvent(event);
+  place_in_focus_order(*this);
 }
 
 void Banner::resizeEvent(QResizeEvent* event) {

@@ -79,7 +79,10 @@ QString shape_of(State state);
 QColor color_of(State state);
 
 /// News in place, with the button that helps, in the colours of the theme, also when that changes; in
-/// a narrow window the buttons stand under the words. Hidden until `show_news`.
+/// a narrow window the buttons stand under the words. Hidden until `show_news`. Tab visits its buttons
+/// after what its page shows above it.
+///
+/// The names of its parts: "banner_action", "banner_dismiss".
 class Banner final : public QFrame {
   Q_OBJECT
  public:
@@ -90,6 +93,7 @@ class Banner final : public QFrame {
   QString text() const;
 
  protected:
+  void showEvent(QShowEvent* event) override;
   void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 

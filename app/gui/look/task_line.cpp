@@ -7,6 +7,7 @@
 
 #include "app/gui/look/background_task.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/focus_order.h"
 
 namespace asperity {
 
@@ -54,6 +55,11 @@ TaskLine::TaskLine(BackgroundTask& task, QWidget* parent) : QWidget(parent), tas
 }
 
 void TaskLine::set_words(const QString& words) { words_->setText(words); }
+
+void TaskLine::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  place_in_focus_order(*this);
+}
 
 void TaskLine::begin() {
   bar_->setRange(0, 0);

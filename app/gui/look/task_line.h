@@ -15,7 +15,7 @@ namespace asperity {
 class BackgroundTask;
 
 /// Seen once the task has run for a moment, until it has ended. The bar moves with what the task
-/// tells, and to and fro while it tells nothing.
+/// tells, and to and fro while it tells nothing. Tab visits its button after what stands above it.
 ///
 /// The names of its parts: "task_words", "task_progress", "task_cancel".
 class TaskLine final : public QWidget {
@@ -30,6 +30,9 @@ class TaskLine final : public QWidget {
  signals:
   /// Once for every run: what the task is to do about it is its owner's business.
   void cancelWanted();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
 
  private:
   void begin();

@@ -135,6 +135,13 @@ QStandardItem* maybe_number_cell(bool there, double value, int decimals) {
 StimuliPage::StimuliPage(OpenStudy& study, QWidget* parent)
     : StudyPage(study, tr("Stimuli"), parent) {
   setObjectName("stimuli_page");
+  filter_ = new QLineEdit(this);
+  filter_->setObjectName("stimuli_filter");
+  filter_->setAccessibleName(tr("Filter"));
+  filter_->setPlaceholderText(tr("Filter"));
+  filter_->setClearButtonEnabled(true);
+  filter_->setFixedWidth(280);
+  head().addWidget(filter_);
   auto* empty = new EmptyState(
       tr("No stimuli yet"),
       tr("Stimuli are pictures, height fields and textured meshes in the study's folder “stimuli”, "
@@ -147,13 +154,6 @@ StimuliPage::StimuliPage(OpenStudy& study, QWidget* parent)
   QPushButton* second = empty->add_action(tr("Copy from another study…"), ButtonRole::plain,
                                           [this] { copy_from_study(); });
   set_empty_state(empty);
-  filter_ = new QLineEdit(this);
-  filter_->setObjectName("stimuli_filter");
-  filter_->setAccessibleName(tr("Filter"));
-  filter_->setPlaceholderText(tr("Filter"));
-  filter_->setClearButtonEnabled(true);
-  filter_->setFixedWidth(280);
-  head().addWidget(filter_);
   auto* made = new WrappedButtons(this);
   QPushButton* generate = make_button(tr("Compute a texture…"), ButtonRole::plain, made);
   generate->setObjectName("stimuli_generate");

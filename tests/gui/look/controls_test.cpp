@@ -2,12 +2,14 @@
 
 #include "app/gui/look/controls.h"
 
+#include <initializer_list>
 #include <string>
 
 #include <QtCore/QLocale>
 #include <QtGui/QImage>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QStyleOption>
@@ -15,7 +17,9 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/base/settings.h"
+#include "app/gui/look/background_task.h"
 #include "app/gui/look/decimal_field.h"
+#include "app/gui/look/task_line.h"
 #include "app/gui/look/words.h"
 #include "app/gui/look/wrapped_buttons.h"
 #include "tests/gui/support/widgets.h"
@@ -178,6 +182,67 @@ TEST_F(Controls, LetTheFocusGoOnFromATable) {
   table.setCurrentCell(0, 0);
   QTest::keyClick(&table, Qt::Key_Tab);
   EXPECT_TRUE(after->hasFocus());
+}
+
+/// Texts of the visible buttons, in the order of focus.
+QStringList visited(const QWidget& page) {
+  QStringList texts{};
+  for (const QWidget* at = page.nextInFocusChain(); at != &page; at = at->nextInFocusChain()) {
+    const auto* button = qobject_cast<const QPushButton*>(at);
+    if (button != nullptr && button->isVisible()) texts << button->text();
+  }
+  return texts;
+}
+
+TEST_F(Controls, AreVisitedBeforeBannersAndLinesBelowThemWhicheverWasMadeFirst) {
+  QWidget page{};
+  auto* layout = new QVBoxLayout(&page);
+  auto* head = new QHBoxLayout();
+  layout->addLayout(head);
+  BackgroundTask task{};
+  auto* upper = new Banner(&page);
+  auto* lower = new Banner(&page);
+  auto* line = new TaskLine(task, &page);
+  for (QWidget* const strip : std::initializer_list<QWidget*>{upper, lower, line}) {
+    layout->addWidget(strip);
+  }
+  // Only now, as pages fill their heads: a part with a button of its own, and buttons.
+  auto* part = new QWidget(&page);
+  auto* inside = new QHBoxLayout(part);
+  inside->addWidget(make_button("Save", ButtonRole::plain, part));
+  head->addWidget(part);
+  head->addWidget(make_button("Export", ButtonRole::plain, &page));
+  QPushButton* stop = make_button("Stop", ButtonRole::danger, &page);
+  head->addWidget(stop);
+  stop->hide();
+  layout->addWidget(make_button("Below", ButtonRole::plain, &page));
+  page.show();
+  EXPECT_EQ(visited(page), (QStringList{"Save", "Export", "Below"}));
+  lower->show_news(State::look, "The second", "Help");
+  EXPECT_EQ(visited(page), (QStringList{"Save", "Export", "Help", "Dismiss", "Below"}));
+  line->show();
+  EXPECT_EQ(visited(page), (QStringList{"Save", "Export", "Help", "Dismiss", "Cancel", "Below"}));
+  upper->show_news(State::look, "The first");
+  EXPECT_EQ(visited(page),
+            (QStringList{"Save", "Export", "Dismiss", "Help", "Dismiss", "Cancel", "Below"}));
+  stop->show();
+  EXPECT_EQ(visited(page), (QStringList{"Save", "Export", "Stop", "Dismiss", "Help", "Dismiss",
+                                        "Cancel", "Below"}));
+  upper->hide();
+  lower->hide();
+  line->hide();
+  EXPECT_EQ(visited(page), (QStringList{"Save", "Export", "Stop", "Below"}));
+}
+
+TEST_F(Controls, KeepTheirOrderBelowABannerThatIsTheFirst) {
+  QWidget page{};
+  auto* layout = new QVBoxLayout(&page);
+  auto* banner = new Banner(&page);
+  layout->addWidget(banner);
+  layout->addWidget(make_button("Below", ButtonRole::plain, &page));
+  banner->show_news(State::look, "Before the page is shown", "Help");
+  page.show();
+  EXPECT_EQ(visited(page), (QStringList{"Help", "Dismiss", "Below"}));
 }
 
 }  // namespace

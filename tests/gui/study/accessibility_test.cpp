@@ -1,5 +1,6 @@
 // Every page and dialog, as somebody meets them who has a keyboard and a screen reader.
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "app/gui/data/attempt_page.h"
 #include "app/gui/devices/driver_setup.h"
 #include "app/gui/editor/protocol_editor_page.h"
+#include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/session/session_dialogs.h"
 #include "app/gui/session/session_window.h"
@@ -55,6 +57,18 @@ class Accessibility : public QuietHome, public testing::WithParamInterface<const
         << complaints();
   }
 
+  /// The page that is shown, as it is, and with each of its banners.
+  static void expect_accessible_page(const StudyWindow& window, const QString& what) {
+    expect_accessible(window, what);
+    const QWidget& page = *child<QStackedWidget>(window, "study_pages").currentWidget();
+    QList<Banner*> banners = page.findChildren<Banner*>();
+    EXPECT_FALSE(banners.empty()) << what.toStdString();
+    banners << &child<Banner>(window, "study_banner");
+    for (Banner* banner : banners) banner->show_news(State::look, "A message", "Try again");
+    expect_accessible(window, what + " with banners");
+    for (Banner* banner : banners) banner->hide();
+  }
+
   /// Deletes the dialog.
   static void expect_accessible_dialog(QDialog* dialog) {
     const std::unique_ptr<QDialog> shown(dialog);
@@ -87,7 +101,7 @@ TEST_P(Accessibility, EveryPageHasNamesAndTheOrderOfReading) {
   const SessionDesk desk(window, nullptr);
   window.resize(1280, 720);
   window.show();
-  expect_accessible(window, "welcome");
+  expect_accessible_page(window, "welcome");
   ASSERT_TRUE(window.open_study(folder));
   const auto& pages = child<QStackedWidget>(window, "study_pages");
   for (const char* const key :
@@ -100,7 +114,7 @@ TEST_P(Accessibility, EveryPageHasNamesAndTheOrderOfReading) {
       const auto* table = window.findChild<QWidget*>("study_pages")->findChild<StudyTable*>();
       return table == nullptr || !table->isVisible() || table->shown_rows() > 0;
     });
-    expect_accessible(window, key);
+    expect_accessible_page(window, key);
   }
   EXPECT_GE(pages.count(), 11);
 
@@ -112,9 +126,27 @@ TEST_P(Accessibility, EveryPageHasNamesAndTheOrderOfReading) {
   const auto* start = window.findChild<StartPage*>();
   ASSERT_NE(start, nullptr);
   EXPECT_TRUE(eventually([&] { return start->is_read(); }));
-  expect_accessible(window, "start");
+  expect_accessible_page(window, "start");
 
   expect_accessible_dialog(new WithdrawDialog(*window.study(), "P001"));
+}
+
+TEST_P(Accessibility, EveryEmptyPageHasNamesAndTheOrderOfReading) {
+  Study::create(home() / "empty", "empty");
+  StudyWindow window{};
+  const SessionDesk desk(window, nullptr);
+  window.resize(1280, 720);
+  window.show();
+  ASSERT_TRUE(window.open_study(home() / "empty"));
+  for (const char* const key : {"protocols", "participants", "sessions", "stimuli", "analysis"}) {
+    window.show_page(key);
+    EXPECT_TRUE(eventually([&window] {
+      const auto empty = window.findChildren<EmptyState*>();
+      return std::any_of(empty.begin(), empty.end(),
+                         [](const EmptyState* state) { return state->isVisible(); });
+    })) << key;
+    expect_accessible_page(window, QString("empty %1").arg(key));
+  }
 }
 
 TEST_P(Accessibility, EveryDialogHasNamesAndTheOrderOfReading) {
@@ -143,6 +175,15 @@ TEST_P(Accessibility, TheSessionWindowHasNamesAndTheOrderOfReading) {
     window->show();
     window->refresh();
     expect_accessible(*window, QString("session at %1").arg(size.width()));
+    for (const char* const name : {"trouble", "device_trouble", "news"}) {
+      auto& banner = child<Banner>(*window, name);
+      banner.show_news(State::look, "A message", "Try again");
+      const auto steps = [&window] { return steps_against_reading(*window).filter("banner_"); };
+      EXPECT_TRUE(eventually([&steps] { return steps().empty(); }))
+          << name << " at " << size.width() << '\n'
+          << steps().join('\n').toStdString();
+      banner.hide();
+    }
   }
 }
 

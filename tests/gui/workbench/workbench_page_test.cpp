@@ -30,6 +30,7 @@
 #include "app/gui/workbench/relief_view.h"
 #include "app/gui/workbench/signal_plots.h"
 #include "stimuli/photographs/synthetic_photograph.h"
+#include "tests/gui/support/accessible.h"
 #include "tests/gui/support/screenshot.h"
 #include "tests/gui/support/widgets.h"
 #include "tests/gui/workbench/page_of_the_workbench.h"
@@ -618,6 +619,17 @@ TEST_F(BrickOnTheWorkbench, ShowsTheProfileUnderTheMouse) {
     found |= same;
   }
   EXPECT_TRUE(found);
+}
+
+TEST_F(BrickOnTheWorkbench, VisitsBannersInTheOrderOfReading) {
+  const std::array banners{&find<Banner>("banner"), &find<Banner>("recipe_banner")};
+  for (Banner* banner : banners) banner->show_news(State::look, "A message", "Try again");
+  const auto steps = [] { return steps_against_reading(*page_).filter("banner_"); };
+  EXPECT_TRUE(eventually([&steps] { return steps().empty(); })) << steps().join('\n').toStdString();
+  for (Banner* banner : banners) {
+    EXPECT_TRUE(banner->isVisible());
+    banner->hide();
+  }
 }
 
 TEST_F(Workbench, LooksFinished) {
