@@ -1,4 +1,4 @@
-// Starts a check after a pause in typing, and discards the result of an older text.
+// Checks one text at a time, and begins again with the newest one where it has changed meanwhile.
 
 #include "app/gui/editor/live_check.h"
 
@@ -8,44 +8,42 @@ namespace asperity {
 
 namespace {
 
-constexpr int kPause_ms = 250;  // longer than between two keys, shorter than a person waits for
+constexpr int kOneAction_ms = 10;  // an action that changes the text several times is checked once
 
 }  // namespace
 
 LiveCheck::LiveCheck(Text text, Check check, QObject* parent)
     : QObject(parent), text_(std::move(text)), check_(std::move(check)) {
-  pause_.setSingleShot(true);
-  pause_.setInterval(kPause_ms);
-  connect(&pause_, &QTimer::timeout, this, &LiveCheck::begin);
+  soon_.setSingleShot(true);
+  soon_.setInterval(kOneAction_ms);
+  connect(&soon_, &QTimer::timeout, this, &LiveCheck::begin);
 }
 
 void LiveCheck::want() {
   ++wanted_;
   settled_ = false;
-  pause_.start();
-}
-
-void LiveCheck::want_now() {
-  want();
-  pause_.stop();
-  begin();
+  if (!is_checking_ && !soon_.isActive()) soon_.start();
 }
 
 void LiveCheck::begin() {
+  is_checking_ = true;
   work_.ask(
       [this, number = wanted_, text = text_(), check = check_]() -> NewestWork::Delivery {
-        auto result = std::make_shared<const ProtocolCheck>(check(text));
+        const auto result = std::make_shared<const ProtocolCheck>(check(text));
         return [this, number, result] {
-          if (number != wanted_) return;
-          settled_ = true;
-          emit checked(result);
+          if (ends_newest(number)) emit checked(result);
         };
       },
       [this, number = wanted_](const QString& what) {
-        if (number != wanted_) return;
-        settled_ = true;
-        emit failed(what);
+        if (ends_newest(number)) emit failed(what);
       });
+}
+
+bool LiveCheck::ends_newest(std::uint64_t number) {
+  is_checking_ = false;
+  settled_ = number == wanted_;
+  if (!settled_) begin();
+  return settled_;
 }
 
 }  // namespace asperity

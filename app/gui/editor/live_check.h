@@ -15,8 +15,8 @@
 
 namespace asperity {
 
-/// Waits until the typing pauses, takes the text and has it checked. What comes back for a text that
-/// was changed meanwhile is dropped. Belongs to the GUI thread.
+/// Has the text checked as soon as it has changed. While a check runs, further changes wait for its end: then the newest text
+/// is checked, and what was found in the older one is dropped. Belongs to the GUI thread.
 class LiveCheck final : public QObject {
   Q_OBJECT
  public:
@@ -28,9 +28,7 @@ class LiveCheck final : public QObject {
 
   /// The text has changed: what is known of it no longer holds.
   void want();
-  /// Without waiting for a pause.
-  void want_now();
-  /// Neither waiting nor checking: what `checked` said last holds.
+  /// Neither waiting nor checking: what `checked` delivered last holds.
   bool is_settled() const noexcept { return settled_; }
 
  signals:
@@ -39,11 +37,14 @@ class LiveCheck final : public QObject {
 
  private:
   void begin();
+  /// The check of the text with this number has ended. Returns whether it is the newest one, which is checked otherwise.
+  bool ends_newest(std::uint64_t number);
 
   Text text_{};
   Check check_{};
-  QTimer pause_{};
+  QTimer soon_{};
   std::uint64_t wanted_ = 0;
+  bool is_checking_ = false;
   bool settled_ = true;
   NewestWork work_{};
 };

@@ -324,7 +324,7 @@ void ProtocolEditorPage::show_content(const std::string& bytes) {
     show_why_read_only();
   }
   show_whether_saved();
-  check_->want_now();
+  check_->want();
 }
 
 void ProtocolEditorPage::show_why_read_only() {
@@ -347,7 +347,7 @@ void ProtocolEditorPage::take_content(const std::string& bytes) {
   as_it_is_ = false;
   edit_->document()->setModified(byte_order_mark_);
   show_whether_saved();
-  check_->want_now();
+  check_->want();
 }
 
 void ProtocolEditorPage::show_whether_saved() {
@@ -365,7 +365,7 @@ void ProtocolEditorPage::show_whether_saved() {
 // What the text is checked against may have changed meanwhile: the files and the sessions of the study.
 void ProtocolEditorPage::showEvent(QShowEvent* event) {
   StudyPage::showEvent(event);
-  if (!file_.empty()) check_->want_now();
+  if (!file_.empty()) check_->want();
 }
 
 void ProtocolEditorPage::hideEvent(QHideEvent* event) {

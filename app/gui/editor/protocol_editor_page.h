@@ -28,8 +28,8 @@ class QuestionBar;
 class ScreenPreview;
 class StudyTable;
 
-/// The text is checked at every pause in the typing, and the stimuli of a valid one are examined once it has been
-/// still for longer.
+/// The text is checked while it is typed, and the stimuli of a valid one are examined once it has been still for a
+/// while.
 ///
 /// What is typed is in one of three places: in the file, in the field, or a step of its undo. A file
 /// that somebody else has changed is never written over without asking; a file that the field could

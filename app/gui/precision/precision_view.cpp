@@ -163,8 +163,8 @@ void PrecisionView::show_protocol(const std::filesystem::path& file,
     protocol_ = std::move(protocol);
     is_read_ = false;
     reading_.abandon();
-    restart();
-    pause_.stop();  // the design is read first
+    restart();  // the design is read after a pause: the text may be changed again
+    return;
   }
   if (isVisible()) proceed();
 }

@@ -44,7 +44,8 @@ class PrecisionView final : public QWidget {
   explicit PrecisionView(OpenStudy& study, QWidget* parent = nullptr);
   ~PrecisionView() override;
 
-  /// A protocol without problems, as the text of the file is now. The same text as before continues its studies.
+  /// A protocol without problems, as the text of the file is now. The same text as before continues its studies; those of
+  /// another text begin after a moment without another one.
   void show_protocol(const std::filesystem::path& file, std::shared_ptr<const Protocol> protocol);
   /// The text has changed: no study is simulated until `show_protocol`.
   void hold_for_new_text();

@@ -2,8 +2,12 @@
 
 #include "app/gui/editor/live_check.h"
 
+#include <atomic>
 #include <future>
+#include <stdexcept>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
@@ -37,7 +41,7 @@ TEST(LiveCheck, ChecksOnAnotherThread) {
   EXPECT_NE(checked_on, std::this_thread::get_id());
 }
 
-TEST(LiveCheck, WaitsForAPauseInTheTyping) {
+TEST(LiveCheck, ChecksOnceWhatOneActionChangesSeveralTimes) {
   int checks = 0;
   std::string text{};
   LiveCheck live([&] { return text; },
@@ -57,36 +61,78 @@ TEST(LiveCheck, WaitsForAPauseInTheTyping) {
   EXPECT_EQ(said, std::vector<std::string>{"typed"});
 }
 
-TEST(LiveCheck, DropsWhatItFindsInATextThatIsNoLongerThere) {
+TEST(LiveCheck, BeginsWhileTheTypingContinues) {
+  std::atomic<bool> has_begun{false};
+  LiveCheck live([] { return std::string("text"); },
+                 [&](const std::string& text) {
+                   has_begun = true;
+                   return echo(text);
+                 });
+  // A key in every round of events: there is no pause.
+  EXPECT_TRUE(eventually([&] {
+    live.want();
+    return has_begun.load();
+  }));
+}
+
+TEST(LiveCheck, ChecksOnlyTheNewestOfTheTextsThatWereTypedDuringACheck) {
   std::promise<void> go_on{};
-  std::shared_future<void> gate = go_on.get_future().share();
-  std::promise<void> begun{};
+  const std::shared_future<void> gate = go_on.get_future().share();
+  std::atomic<bool> has_begun{false};
+  std::vector<std::string> given{};
   std::string text = "old";
   LiveCheck live([&] { return text; },
-                 [&](const std::string& given) {
-                   if (given == "old") {
-                     begun.set_value();
-                     gate.wait();
-                   }
-                   return echo(given);
+                 [&](const std::string& now) {
+                   given.push_back(now);
+                   has_begun = true;
+                   gate.wait();
+                   return echo(now);
                  });
   std::vector<std::string> said{};
   QObject::connect(&live, &LiveCheck::checked,
                    [&](const LiveCheck::Result& result) { said.push_back(result->file); });
-  live.want_now();
-  begun.get_future().wait();
-  text = "new";
-  live.want_now();
+  live.want();
+  EXPECT_TRUE(eventually([&] { return has_begun.load(); }));
+  for (const char* const typed : {"newer", "newest"}) {
+    text = typed;
+    live.want();
+  }
+  EXPECT_FALSE(live.is_settled());
   go_on.set_value();
   ASSERT_TRUE(eventually([&] { return live.is_settled(); }));
-  EXPECT_EQ(said, std::vector<std::string>{"new"});
+  EXPECT_EQ(given, (std::vector<std::string>{"old", "newest"}));
+  EXPECT_EQ(said, std::vector<std::string>{"newest"});
+}
+
+TEST(LiveCheck, ChecksTheNewestTextWhereTheOneBeforeCouldNotBeChecked) {
+  std::promise<void> go_on{};
+  const std::shared_future<void> gate = go_on.get_future().share();
+  std::atomic<bool> has_begun{false};
+  std::string text = "old";
+  LiveCheck live([&] { return text; },
+                 [&](const std::string& now) {
+                   has_begun = true;
+                   gate.wait();
+                   if (now == "old") throw std::runtime_error("no disk");
+                   return echo(now);
+                 });
+  QSignalSpy checked(&live, &LiveCheck::checked);
+  QSignalSpy failed(&live, &LiveCheck::failed);
+  live.want();
+  EXPECT_TRUE(eventually([&] { return has_begun.load(); }));
+  text = "new";
+  live.want();
+  go_on.set_value();
+  ASSERT_TRUE(eventually([&] { return live.is_settled(); }));
+  EXPECT_EQ(checked.size(), 1);
+  EXPECT_EQ(failed.size(), 0);
 }
 
 TEST(LiveCheck, SaysWhyATextCouldNotBeChecked) {
   LiveCheck live([] { return std::string{}; },
                  [](const std::string&) -> ProtocolCheck { throw std::runtime_error("no disk"); });
   QSignalSpy failed(&live, &LiveCheck::failed);
-  live.want_now();
+  live.want();
   ASSERT_TRUE(failed.wait(kPatience_ms));
   EXPECT_EQ(failed[0][0].toString(), "no disk");
   EXPECT_TRUE(live.is_settled());
