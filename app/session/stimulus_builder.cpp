@@ -131,8 +131,9 @@ std::string recipe_of(const BodyDescription& body, BodyRole role, const std::str
 
 }  // namespace
 
-StimulusBuilder::StimulusBuilder(const ModelRegistry& models, std::filesystem::path study_folder)
-    : models_(models), study_folder_(std::move(study_folder)) {}
+StimulusBuilder::StimulusBuilder(const ModelRegistry& models, std::filesystem::path study_folder,
+                                 KeptHeightFields* kept)
+    : models_(models), study_folder_(std::move(study_folder)), kept_(kept) {}
 
 void StimulusBuilder::compute_on(std::shared_ptr<const Compute> compute) {
   computed_ = computed_on(std::move(compute), models_);
@@ -142,7 +143,9 @@ LoadedHeightField StimulusBuilder::height_field(const std::string& study_path) {
   const std::lock_guard lock(fields_mutex_);
   const auto found = fields_.find(study_path);
   if (found != fields_.end()) return found->second;
-  return fields_.emplace(study_path, load_height_field(study_folder_ / study_path)).first->second;
+  const std::filesystem::path png = study_folder_ / study_path;
+  return fields_.emplace(study_path, kept_ != nullptr ? kept_->load(png) : load_height_field(png))
+      .first->second;
 }
 
 std::shared_ptr<const HeightField> StimulusBuilder::height_field_without_long_wavelengths(

@@ -61,8 +61,10 @@ struct LoadedBody {
 /// Threads: any; sessions that are simulated in parallel share one.
 class StimulusBuilder final {
  public:
-  /// An empty folder: without a study (`can_make`).
-  StimulusBuilder(const ModelRegistry& models, std::filesystem::path study_folder);
+  /// An empty folder: without a study (`can_make`). `kept` (null: none) has height fields of earlier builders, and outlives
+  /// this one.
+  StimulusBuilder(const ModelRegistry& models, std::filesystem::path study_folder,
+                  KeptHeightFields* kept = nullptr);
 
   /// From now on the contacts of two textured bodies are evaluated on this device. To be called before the first stimulus
   /// is prepared for a session.
@@ -111,6 +113,7 @@ class StimulusBuilder final {
   const ModelRegistry& models_;
   std::optional<ModelRegistry> computed_{};  ///< the same, on a compute device
   std::filesystem::path study_folder_{};
+  KeptHeightFields* kept_ = nullptr;
   double position_step_m_ = 0.0;  ///< of the device; 0: unknown, or none
   std::mutex fields_mutex_{};
   std::mutex suggestions_mutex_{};

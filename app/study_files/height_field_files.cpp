@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <span>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -92,6 +94,34 @@ LoadedHeightField load_height_field(const std::filesystem::path& png) {
   FilesRead read = read_files(png);
   return {.field = std::make_shared<const HeightField>(std::move(read.stored.field)),
           .sha256 = sha256_of(read.sidecar)};
+}
+
+LoadedHeightField KeptHeightFields::load(const std::filesystem::path& png) {
+  const std::array<FileState, 2> files{state_of(png), state_of(sidecar_of(png))};
+  const auto found = kept_.find(png);
+  if (found != kept_.end() && files[0] && files[1] && found->second.files == files) {
+    found->second.is_used = true;
+    return found->second.loaded;
+  }
+  if (found != kept_.end()) kept_.erase(found);
+  return kept_.emplace(png, Kept{.files = files, .loaded = load_height_field(png)})
+      .first->second.loaded;
+}
+
+void KeptHeightFields::forget_unused() {
+  for (auto field = kept_.begin(); field != kept_.end();) {
+    const bool is_used = std::exchange(field->second.is_used, false);
+    field = is_used ? std::next(field) : kept_.erase(field);
+  }
+}
+
+KeptHeightFields::FileState KeptHeightFields::state_of(const std::filesystem::path& file) {
+  std::error_code failed{};
+  const auto time = std::filesystem::last_write_time(file, failed);
+  if (failed) return {};
+  const std::uintmax_t size = std::filesystem::file_size(file, failed);
+  if (failed) return {};
+  return std::pair(time, size);
 }
 
 bool has_hash(const std::filesystem::path& png, const std::string& sha256) {

@@ -2,9 +2,14 @@
 
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "results_schema/files/atomic_file.h"
@@ -27,6 +32,29 @@ struct LoadedHeightField {
 ///
 /// Errors: ResultsError or std::invalid_argument, naming the file.
 LoadedHeightField load_height_field(const std::filesystem::path& png);
+
+/// Height fields that are kept in memory, for one check of a protocol after another. Not for several threads at once.
+class KeptHeightFields final {
+ public:
+  /// `load_height_field`, unless FILE.png and FILE.png.json have the times and sizes of the last call.
+  ///
+  /// Errors: as `load_height_field`.
+  LoadedHeightField load(const std::filesystem::path& png);
+  /// Removes the fields that have not been loaded since the last call.
+  void forget_unused();
+
+ private:
+  /// The time and the size of a file; absent where there is no file.
+  using FileState = std::optional<std::pair<std::filesystem::file_time_type, std::uintmax_t>>;
+  struct Kept {
+    std::array<FileState, 2> files{};  ///< the PNG and its sidecar, before they were read
+    LoadedHeightField loaded{};
+    bool is_used = true;
+  };
+  static FileState state_of(const std::filesystem::path& file);
+
+  std::map<std::filesystem::path, Kept> kept_{};
+};
 
 /// Whether `load_height_field` would return this hash, without decoding the picture. False if a file is missing.
 bool has_hash(const std::filesystem::path& png, const std::string& sha256);

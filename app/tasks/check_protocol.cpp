@@ -77,8 +77,7 @@ std::vector<Diagnostic> warnings_about_translations(const std::string& file,
 
 /// For a protocol with other problems: the problems of files that are named in valid places.
 void add_problems_of_files(const ProtocolReading& reading, const std::filesystem::path& study,
-                           const ModelRegistry& models, ProtocolCheck& check) {
-  StimulusBuilder builder(models, study);
+                           StimulusBuilder& builder, ProtocolCheck& check) {
   const auto is_looked_at = [&reading](const Diagnostic& place) {
     return !may_follow_from(reading.repair, place.pointer, {}) &&
            std::none_of(
@@ -116,7 +115,8 @@ ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegis
 ProtocolCheck check_protocol_text(const std::string& text, const std::string& file_name,
                                   const ModelRegistry& models,
                                   const std::optional<std::filesystem::path>& study,
-                                  const std::optional<std::string>& device) {
+                                  const std::optional<std::string>& device,
+                                  KeptHeightFields* kept) {
   ProtocolCheck check{};
   check.file = file_name;
   const auto whole_file = [&check](const std::string& message) {
@@ -132,14 +132,17 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
   }
   check.diagnostics = reading.problems;
   if (!reading.problems.empty()) {
-    if (study && reading.protocol) add_problems_of_files(reading, *study, models, check);
+    if (study && reading.protocol) {
+      StimulusBuilder builder(models, *study, kept);
+      add_problems_of_files(reading, *study, builder, check);
+    }
     sort_by_line(check.diagnostics);
     return check;
   }
   check.protocol = std::move(reading.protocol);
   const CheckedProtocol checked(*check.protocol, check.file);
   if (study) {
-    StimulusBuilder builder(models, *study);
+    StimulusBuilder builder(models, *study, kept);
     check.diagnostics = problems_of_files(checked, *study, builder);
     if (check.diagnostics.empty()) check.diagnostics = problems_of_scaled_heights(checked, builder);
   }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/study_files/height_field_files.h"
 #include "protocols/design/protocol.h"
 #include "protocols/file/diagnostic.h"
 #include "protocols/plan/plan.h"
@@ -36,10 +37,12 @@ struct ProtocolCheck {
 ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegistry& models,
                              const std::optional<std::filesystem::path>& study,
                              const std::optional<std::string>& device);
-/// The same for a text that need not be on disk. `file_name` names the file in its problems.
+/// The same for a text that need not be on disk. `file_name` names the file in its problems. `kept` (null: none) has height
+/// fields that earlier checks have read.
 ProtocolCheck check_protocol_text(const std::string& text, const std::string& file_name,
                                   const ModelRegistry& models,
                                   const std::optional<std::filesystem::path>& study,
-                                  const std::optional<std::string>& device);
+                                  const std::optional<std::string>& device,
+                                  KeptHeightFields* kept = nullptr);
 
 }  // namespace asperity

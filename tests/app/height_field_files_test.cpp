@@ -2,10 +2,13 @@
 
 #include "app/study_files/height_field_files.h"
 
+#include <chrono>
 #include <cstddef>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -88,6 +91,41 @@ TEST(HeightFieldFiles, AreReplacedTogether) {
   save(folder / "a.png", 2e-4F, Overwrite::allow);
   EXPECT_NEAR(load_height_field(folder / "a.png").field->maximum_m(), 2e-4, 1e-8);
   EXPECT_EQ(files_in_folder(folder), 2);
+}
+
+TEST(KeptHeightFields, AreReadAgainWhenAFileHasChanged) {
+  const TemporaryFolder folder;
+  const std::filesystem::path png = folder / "a.png";
+  save(png, 1e-4F, Overwrite::refuse);
+  KeptHeightFields kept{};
+  const LoadedHeightField first = kept.load(png);
+  EXPECT_NEAR(first.field->maximum_m(), 1e-4, 1e-8);
+  EXPECT_EQ(kept.load(png).field, first.field) << "the same object";
+  save(png, 2e-4F, Overwrite::allow);
+  // Whatever the steps of the file system's clock.
+  std::filesystem::last_write_time(
+      sidecar_of(png), std::filesystem::last_write_time(sidecar_of(png)) + std::chrono::seconds(1));
+  EXPECT_NEAR(kept.load(png).field->maximum_m(), 2e-4, 1e-8);
+  EXPECT_NE(kept.load(png).sha256, first.sha256);
+  std::filesystem::remove(png);
+  EXPECT_THROW(kept.load(png), std::exception);
+  save(png, 3e-4F, Overwrite::allow);
+  EXPECT_NEAR(kept.load(png).field->maximum_m(), 3e-4, 1e-8);
+}
+
+TEST(KeptHeightFields, AreForgottenUnlessTheyHaveBeenLoadedMeanwhile) {
+  const TemporaryFolder folder;
+  for (const char* const name : {"a.png", "b.png"}) save(folder / name, 1e-4F, Overwrite::refuse);
+  KeptHeightFields kept{};
+  const std::weak_ptr<const HeightField> a = kept.load(folder / "a.png").field;
+  const std::weak_ptr<const HeightField> b = kept.load(folder / "b.png").field;
+  kept.forget_unused();
+  EXPECT_FALSE(a.expired());
+  EXPECT_FALSE(b.expired());
+  kept.load(folder / "a.png");
+  kept.forget_unused();
+  EXPECT_FALSE(a.expired());
+  EXPECT_TRUE(b.expired());
 }
 
 }  // namespace

@@ -24,6 +24,7 @@
 #include "app/gui/participant/screen_preview.h"
 #include "app/gui/plan/plan_preview.h"
 #include "app/gui/precision/precision_view.h"
+#include "app/study_files/height_field_files.h"
 #include "app/study_files/study_protocols.h"
 #include "app/tasks/warnings/session_warnings.h"
 #include "protocols/file/protocol_problems.h"
@@ -90,9 +91,12 @@ ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
   connect(watcher_, &QFileSystemWatcher::directoryChanged, this, &ProtocolEditorPage::look_at_disk);
   check_ = new LiveCheck(
       [this] { return as_it_is_ ? on_disk_ : content(); },
-      [&models = study.models(), folder = study.folder()](const std::string& written) {
-        ProtocolCheck check = check_protocol_text(written, {}, models, folder, std::nullopt);
+      [&models = study.models(), folder = study.folder(),
+       kept = std::make_shared<KeptHeightFields>()](const std::string& written) {
+        ProtocolCheck check =
+            check_protocol_text(written, {}, models, folder, std::nullopt, kept.get());
         if (!check.protocol) return check;
+        if (check.is_valid()) kept->forget_unused();  // all files that it names have been looked up
         append(check.warnings, warnings_about_sessions({*check.protocol, {}}, folder, models));
         sort_by_line(check.warnings);
         return check;

@@ -140,6 +140,23 @@ TEST_F(ProtocolEditor, ShowsTheWarningsThatNeedTheStimuliOnceTheTextIsStill) {
   EXPECT_TRUE(underlined().isEmpty()) << "it is of another text";
 }
 
+TEST_F(ProtocolEditor, LooksUpTheFilesAgainWhenItIsShown) {
+  open();
+  const std::filesystem::path relief = folder_ / "stimuli" / "metal.png";
+  const std::string content = read_file(relief);
+  for (const bool is_there : {false, true}) {
+    page_->hide();
+    if (is_there) {
+      write_file(relief, content, Overwrite::refuse);
+    } else {
+      std::filesystem::remove(relief);
+    }
+    page_->show();
+    ASSERT_TRUE(checked());
+    EXPECT_EQ(page_->result()->is_valid(), is_there) << label("editor_state").toStdString();
+  }
+}
+
 TEST_F(ProtocolEditor, AbandonsAnExaminationWhenTheTextChangesOrIsNotShown) {
   const auto gate = std::make_shared<GatedExamination>();
   open(gate);
