@@ -46,7 +46,7 @@ class ReliefView final : public QWidget {
   QPointF position_of(const glm::dvec2& point_m) const;
 
   QSize sizeHint() const override { return {800, 500}; }
-  QSize minimumSizeHint() const override { return {320, 200}; }
+  QSize minimumSizeHint() const override { return {240, 120}; }
 
  signals:
   void pointed(double x_m, double y_m);  ///< the mouse is over this place

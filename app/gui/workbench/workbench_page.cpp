@@ -15,8 +15,10 @@
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QButtonGroup>
 #include <QtWidgets/QFileDialog>
+#include <QtWidgets/QGridLayout>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QScrollArea>
+#include <QtWidgets/QScrollBar>
 #include <QtWidgets/QStackedWidget>
 
 #include "app/gui/base/open_study.h"
@@ -36,6 +38,97 @@ namespace asperity {
 namespace {
 
 constexpr int kPanelWidth = 392;
+
+/// Two groups of controls: at both ends of a row, or one below the other where a row has no room for them.
+class GroupsOfControls final : public QWidget {
+ public:
+  explicit GroupsOfControls(QWidget* parent) : QWidget(parent) {
+    grid_ = new QGridLayout(this);
+    grid_->setContentsMargins(0, 0, 0, 0);
+    grid_->setSpacing(kGrid);
+    grid_->setColumnStretch(0, 1);
+    for (QHBoxLayout*& row : groups_) {
+      row = new QHBoxLayout(new QWidget(this));
+      row->setContentsMargins(0, 0, 0, 0);
+      row->setSpacing(kGrid);
+    }
+    place();
+  }
+  QHBoxLayout& first() { return *groups_[0]; }
+  QHBoxLayout& second() { return *groups_[1]; }
+
+  QSize minimumSizeHint() const override {
+    const int least =
+        std::max(group(0)->minimumSizeHint().width(), group(1)->minimumSizeHint().width());
+    return {least, QWidget::minimumSizeHint().height()};
+  }
+
+ protected:
+  bool event(QEvent* event) override {
+    if (event->type() == QEvent::LayoutRequest) arrange();  // a control was shown or hidden
+    return QWidget::event(event);
+  }
+  void resizeEvent(QResizeEvent* event) override {
+    QWidget::resizeEvent(event);
+    arrange();
+  }
+
+ private:
+  QWidget* group(std::size_t number) const { return groups_[number]->parentWidget(); }
+
+  void arrange() {
+    const int needed = group(0)->sizeHint().width() + kGrid + group(1)->sizeHint().width();
+    const bool has_two_rows = needed > width();
+    if (has_two_rows == has_two_rows_) return;
+    has_two_rows_ = has_two_rows;
+    place();
+    // The page does not ask for another height while it gives heights.
+    QMetaObject::invokeMethod(
+        this, [this] { updateGeometry(); }, Qt::QueuedConnection);
+  }
+
+  void place() {
+    grid_->addWidget(group(0), 0, 0, 1, has_two_rows_ ? 2 : 1);
+    grid_->addWidget(group(1), has_two_rows_ ? 1 : 0, has_two_rows_ ? 0 : 1, Qt::AlignLeft);
+  }
+
+  QGridLayout* grid_ = nullptr;
+  std::array<QHBoxLayout*, 2> groups_{};
+  bool has_two_rows_ = false;
+};
+
+/// Its content has the size of the area, and scrolls where it needs more. An area that adapts its content by itself would give it
+/// the height that it prefers, because the content contains texts that wrap.
+class AreaOfWorkspace final : public QScrollArea {
+ public:
+  AreaOfWorkspace(QWidget* inside, QWidget* parent) : QScrollArea(parent) {
+    setObjectName("workspace");
+    setFrameShape(QFrame::NoFrame);
+    setFocusPolicy(Qt::NoFocus);
+    viewport()->setAutoFillBackground(false);
+    setWidget(inside);
+    inside->setAutoFillBackground(false);  // setWidget turns it on
+  }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QScrollArea::resizeEvent(event);
+    fit();
+  }
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (watched == widget() && event->type() == QEvent::LayoutRequest) fit();
+    return QScrollArea::eventFilter(watched, event);
+  }
+
+ private:
+  void fit() {
+    const QSize least = widget()->minimumSizeHint();
+    QSize room = maximumViewportSize();
+    if (least.width() > room.width()) room.rheight() -= horizontalScrollBar()->sizeHint().height();
+    if (least.height() > room.height()) room.rwidth() -= verticalScrollBar()->sizeHint().width();
+    widget()->resize(room.expandedTo(least));
+  }
+};
 
 QScrollArea* scrolled(QWidget* inside, QWidget* parent) {
   auto* area = new QScrollArea(parent);
@@ -112,14 +205,12 @@ QWidget* WorkbenchPage::make_empty() {
 }
 
 QWidget* WorkbenchPage::make_head() {
-  auto* head = new QWidget(this);
-  auto* layout = new QHBoxLayout(head);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(kGrid);
+  auto* head = new GroupsOfControls(this);
+  QHBoxLayout& modes = head->first();
   QLabel* title = make_title(tr("Workbench"), head);
   title->setWordWrap(false);
-  layout->addWidget(title);
-  layout->addSpacing(kMargin);
+  modes.addWidget(title);
+  modes.addSpacing(kMargin);
   mode_ = new QButtonGroup(this);
   const std::array<QString, 2> words{tr("Make a relief"), tr("Compare force models")};
   for (int i = 0; i < 2; ++i) {
@@ -131,21 +222,21 @@ QWidget* WorkbenchPage::make_head() {
     button->setMinimumWidth(bold.horizontalAdvance(button->text()) + 2 * kMargin);
     button->hide();  // until there is something to choose for
     mode_->addButton(button, i);
-    layout->addWidget(button);
+    modes.addWidget(button);
   }
+  modes.addStretch(1);
   connect(mode_, &QButtonGroup::idClicked, this,
           [this](int id) { set_mode(static_cast<Mode>(id)); });
-  layout->addStretch(1);
   auto* fields = make_button(tr("Relief of the study"), ButtonRole::plain, head);
   fields->setObjectName("open_height_field");
   auto* menu = new QMenu(fields);
   connect(menu, &QMenu::aboutToShow, this, [this, menu] { fill_study_menu(*menu); });
   fields->setMenu(menu);
-  layout->addWidget(fields);
+  head->second().addWidget(fields);
   QPushButton* open = make_button(tr("Open a photograph…"), ButtonRole::plain, head);
   open->setObjectName("open_photograph");
   connect(open, &QPushButton::clicked, this, &WorkbenchPage::choose_file);
-  layout->addWidget(open);
+  head->second().addWidget(open);
   return head;
 }
 
@@ -237,7 +328,7 @@ QWidget* WorkbenchPage::make_workspace() {
   models->addWidget(renderings_);
   side_->addWidget(comparing);
   layout->addWidget(side_);
-  return work;
+  return new AreaOfWorkspace(work, pages_);
 }
 
 void WorkbenchPage::set_mode(Mode mode) {

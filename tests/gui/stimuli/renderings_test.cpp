@@ -2,6 +2,8 @@
 
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QDoubleSpinBox>
+#include <QtWidgets/QScrollArea>
+#include <QtWidgets/QScrollBar>
 
 #include "app/gui/base/command_lines.h"
 #include "app/gui/editor/protocol_editor_page.h"
@@ -82,6 +84,41 @@ TEST_F(RenderingsTest, AreSavedFromTheWorkbenchWithTheirValues) {
       << news().toStdString();
   EXPECT_EQ(read_file(rendering_file(folder(), "brick_height_map")), before)
       << "nothing is replaced";
+}
+
+TEST_F(RenderingsTest, AreReachedInASmallWindow) {
+  const WorkbenchPage& page = compare("brick.png");
+  const auto place_of = [&page](const char* name) {
+    const auto& control = child<QWidget>(page, name);
+    return QRect(control.mapTo(&page, QPoint(0, 0)), control.size());
+  };
+  const auto is_whole = [&](const char* name) {
+    return page.rect().contains(place_of(name)) &&
+           place_of(name).width() >= child<QWidget>(page, name).sizeHint().width();
+  };
+  const auto& area = child<QScrollArea>(page, "workspace");
+  window_.resize(910, 512);
+  for (const char* const name :
+       {"mode_making", "mode_comparing", "open_height_field", "open_photograph"}) {
+    EXPECT_TRUE(eventually([&] { return is_whole(name); })) << name;
+  }
+  EXPECT_TRUE(eventually([&] {
+    return place_of("mode_comparing").bottom() < place_of("open_photograph").top() &&
+           place_of("open_photograph").bottom() < place_of("workspace").top();
+  }));
+  const auto& use = child<QPushButton>(page, "rendering_use");
+  EXPECT_TRUE(eventually([&] {
+    const QRect place(use.mapTo(area.widget(), QPoint(0, 0)), use.size());
+    return area.widget()->rect().contains(place);
+  }));
+  window_.resize(1280, 720);
+  EXPECT_TRUE(eventually([&] {
+    return place_of("mode_comparing").center().y() == place_of("open_photograph").center().y();
+  }));
+  EXPECT_TRUE(eventually([&] { return is_whole("rendering_use"); }));
+  EXPECT_TRUE(eventually([&] {
+    return !area.horizontalScrollBar()->isVisible() && !area.verticalScrollBar()->isVisible();
+  }));
 }
 
 TEST_F(RenderingsTest, AreNotSavedForAReliefThatHasChanged) {
