@@ -762,14 +762,13 @@ void TrialAttempt::take_surface_away() {
 }
 
 bool TrialAttempt::has_to_be_seen() const {
-  // A text is written, and the options that were chosen of several are seen.
-  const auto is_seen = [](const Question& question) {
-    return question.is_answered_by<TextForm>() || question.is_answered_by<MultipleChoiceForm>() ||
+  const auto is_shown = [](const Question& question) {
+    return is_seen(question.form) ||
            std::any_of(question.options.begin(), question.options.end(),
                        [](const Option& option) { return option.picture.has_value(); });
   };
   return trial_.standard_picture.has_value() ||
-         std::any_of(trial_.questions.begin(), trial_.questions.end(), is_seen);
+         std::any_of(trial_.questions.begin(), trial_.questions.end(), is_shown);
 }
 
 std::string TrialAttempt::recording_path() const {

@@ -28,6 +28,7 @@ struct ChosenOption {
 struct MultipleChoiceForm {
   static constexpr std::string_view kName = "multiple_choice";
   static constexpr std::string_view kDescription = "a multiple choice";
+  static constexpr bool kIsSeen = true;  ///< see is_seen
   bool operator==(const MultipleChoiceForm&) const = default;
 };
 struct ChosenOptions {

@@ -90,6 +90,14 @@ bool has_options(const AnswerForm& form) noexcept {
                     form);
 }
 
+bool is_seen(const AnswerForm& form) noexcept {
+  return std::visit(
+      []<class Form>(const Form&) {
+        return requires { Form::kIsSeen; };
+      },
+      form);
+}
+
 std::optional<NumberRange> numbers_of(const AnswerForm& form) noexcept {
   return std::visit(
       [](const auto& each) -> std::optional<NumberRange> {

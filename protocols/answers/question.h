@@ -82,6 +82,8 @@ std::string_view description_of(const AnswerForm& form);
 
 /// Whether a participant chooses from Question::options.
 bool has_options(const AnswerForm& form) noexcept;
+/// Whether a participant has to see the page to answer, so that an eye mask is taken off: what is typed, or several options.
+bool is_seen(const AnswerForm& form) noexcept;
 /// Of the numbers with which a question can be answered; nothing where it is not answered by numbers.
 std::optional<NumberRange> numbers_of(const AnswerForm& form) noexcept;
 

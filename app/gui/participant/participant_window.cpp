@@ -12,7 +12,9 @@
 #include <QtWidgets/QBoxLayout>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/participant/pages/page_for.h"
 #include "app/gui/participant/pages/participant_brush.h"
+#include "app/gui/participant/pages/participant_page.h"
 
 namespace asperity {
 
@@ -62,7 +64,8 @@ void ParticipantWindow::follow() {
   if (!ended) thanks_->stop();
   // What is typed as a text has to go to one field: this window's, from the moment that it is asked
   // for.
-  const bool asks_for_text = view_->scene().is_answered_by<TextForm>();
+  const bool asks_for_text =
+      page_for(view_->scene()).typing(view_->scene()) == ParticipantPage::Typing::text;
   if (asks_for_text && !asked_for_text_ && isVisible() && !keys_->own_keyboard()) {
     activateWindow();
   }
