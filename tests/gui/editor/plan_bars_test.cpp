@@ -10,6 +10,7 @@
 #include <QtWidgets/QLabel>
 #include <gtest/gtest.h>
 
+#include "protocols/file/protocol_reader.h"
 #include "protocols/plan/course.h"
 #include "tests/gui/support/widgets.h"
 #include "tests/protocols/protocol_files.h"
