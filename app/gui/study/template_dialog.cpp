@@ -24,9 +24,9 @@ namespace asperity {
 
 namespace {
 
-constexpr QSize kSize{1040, 620};
-constexpr int kTableWidth = 480;
-constexpr int kReliefsHeight = 144;
+constexpr QSize kSize{1120, 700};
+constexpr int kTableWidth = 400;
+constexpr int kReliefsHeight = 120;
 
 QString trials_of(const TemplateOverview& overview) {
   return QString::number(overview.cost.trials);
@@ -64,8 +64,8 @@ TemplateDialog::TemplateDialog(const std::filesystem::path& study, const ModelRe
   table_->wrap_texts();
   table_->leave_out_when_tight({1});  // which is next to it as well
   table_->setMinimumWidth(kTableWidth);
-  columns->addWidget(table_, 3);
-  columns->addWidget(make_detail(study), 2);
+  columns->addWidget(table_, 1);
+  columns->addWidget(make_detail(study), 1);
 
   auto* buttons = new QHBoxLayout();
   buttons->setSpacing(kGrid);
@@ -97,10 +97,15 @@ TemplateDialog::TemplateDialog(const std::filesystem::path& study, const ModelRe
       });
 }
 
+/// Everything about the chosen template in one scroll area: what has to be chosen first, then what can be read.
 QWidget* TemplateDialog::make_detail(const std::filesystem::path& study) {
-  auto* detail = new QWidget(this);
+  auto* scroll = new QScrollArea(this);
+  scroll->setAccessibleName(tr("Description"));
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  auto* detail = new QWidget(scroll);
   auto* layout = new QVBoxLayout(detail);
-  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setContentsMargins(0, 0, kGrid, 0);
   layout->setSpacing(kGrid);
   title_ = make_heading({}, detail);
   title_->setObjectName("template_title");
@@ -108,31 +113,14 @@ QWidget* TemplateDialog::make_detail(const std::filesystem::path& study) {
   facts_ = make_text({}, detail, true);
   layout->addWidget(title_);
   layout->addWidget(facts_);
-  auto* scroll = new QScrollArea(detail);
-  scroll->setAccessibleName(tr("Description"));
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  auto* content = new QWidget(scroll);
-  auto* read = new QVBoxLayout(content);
-  read->setContentsMargins(0, 0, 0, 0);
-  read->setSpacing(kMargin);
-  description_ = make_text({}, content);
-  description_->setObjectName("template_description");
-  description_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  read->addWidget(description_);
-  screen_ = new ScreenPreview(study, content);
-  screen_->setObjectName("template_screen");
-  screen_->hide();
-  read->addWidget(screen_);
-  read->addStretch(1);
-  scroll->setWidget(content);
-  layout->addWidget(scroll, 1);
 
   surfaces_ = new QWidget(detail);
   auto* surfaces = new QVBoxLayout(surfaces_);
   surfaces->setContentsMargins(0, 0, 0, 0);
   needs_ = make_text({}, surfaces_);
   needs_->setObjectName("template_needs");
+  copied_ = new QRadioButton(tr("Textures of the template"), surfaces_);
+  copied_->setObjectName("template_copied");
   own_ = new QRadioButton(tr("Textures of this study, in this order:"), surfaces_);
   own_->setObjectName("template_own");
   reliefs_ = new QListWidget(surfaces_);
@@ -140,20 +128,28 @@ QWidget* TemplateDialog::make_detail(const std::filesystem::path& study) {
   reliefs_->setAccessibleName(tr("Textures of this study"));
   reliefs_->setDragDropMode(QAbstractItemView::InternalMove);
   reliefs_->setFixedHeight(kReliefsHeight);
-  copied_ = new QRadioButton(tr("Textures of the template (written into the study)"), surfaces_);
-  copied_->setObjectName("template_copied");
   for (QWidget* const widget : std::initializer_list<QWidget*>{needs_, copied_, own_, reliefs_}) {
     surfaces->addWidget(widget);
   }
   surfaces_->hide();
   layout->addWidget(surfaces_);
+
+  screen_ = new ScreenPreview(study, detail);
+  screen_->setObjectName("template_screen");
+  screen_->hide();
+  layout->addWidget(screen_);
+  description_ = make_text({}, detail);
+  description_->setObjectName("template_description");
+  layout->addWidget(description_);
+  layout->addStretch(1);
+  scroll->setWidget(detail);
   connect(screen_, &ScreenPreview::step_wanted, this, [this](int step) {
     if (step < 0 || step >= std::ssize(plan_->steps)) return;
     screen_->show_step(protocol_, plan_, static_cast<std::size_t>(step));
   });
   connect(own_, &QRadioButton::toggled, this, &TemplateDialog::show_what_follows);
   connect(reliefs_, &QListWidget::itemChanged, this, &TemplateDialog::show_what_follows);
-  return detail;
+  return scroll;
 }
 
 void TemplateDialog::show_content(Content content) {
@@ -262,8 +258,14 @@ void TemplateDialog::show_what_follows() {
     wrong = tr("Choose at least one texture.");
   }
   create_->setEnabled(wrong.isEmpty());
-  what_follows_->setText(
-      wrong.isEmpty() ? tr("The protocol can be changed afterwards, also its textures.") : wrong);
+  if (!wrong.isEmpty()) {
+    what_follows_->setText(wrong);
+  } else if (copied_->isChecked()) {
+    what_follows_->setText(
+        tr("The textures are written into the study. The protocol can be changed afterwards."));
+  } else {
+    what_follows_->setText(tr("The protocol can be changed afterwards, also its textures."));
+  }
 }
 
 }  // namespace asperity

@@ -18414,12 +18414,16 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Mindestens eine Textur wählen.</translation>
     </message>
     <message>
+        <source>The textures are written into the study. The protocol can be changed afterwards.</source>
+        <translation>Die Texturen werden in die Studie geschrieben. Das Protokoll kann danach geändert werden.</translation>
+    </message>
+    <message>
         <source>The protocol can be changed afterwards, also its textures.</source>
         <translation>Das Protokoll kann danach geändert werden, auch seine Texturen.</translation>
     </message>
     <message>
-        <source>Textures of the template (written into the study)</source>
-        <translation>Texturen der Vorlage (sie werden in die Studie geschrieben)</translation>
+        <source>Textures of the template</source>
+        <translation>Texturen der Vorlage</translation>
     </message>
     <message>
         <source>Make textures in the workbench first: this template needs photographs or reliefs of the study.</source>

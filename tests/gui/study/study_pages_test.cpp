@@ -437,7 +437,8 @@ TEST_F(StudyPages, PutATemplateIntoTheStudyUnderAFreeName) {
   }
   ASSERT_TRUE(eventually([&] { return screen.scene().kind == Scene::question; }));
   EXPECT_EQ(screen.scene().text, "Which surface felt most like the material in the picture?");
-  take_screenshot(dialog, "template-dialog", {1040, 620});
+  take_screenshot(dialog, "template-dialog", {1120, 700});
+  take_screenshot(dialog, "template-dialog-small", {910, 512});
   auto& reliefs = child<QListWidget>(dialog, "template_reliefs");
   for (int i = 0; i < reliefs.count(); ++i) {
     const bool is_rendered =
