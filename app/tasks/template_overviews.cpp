@@ -12,6 +12,7 @@
 #include "protocols/file/translation.h"
 #include "protocols/form/new_values.h"
 #include "results_schema/files/folder_entries.h"
+#include "results_schema/hashes/sha256.h"
 
 namespace asperity {
 
@@ -29,21 +30,23 @@ std::string text_in(const LibraryProtocol& protocol, const std::string& language
   return std::string(protocol.text);
 }
 
-/// The study-relative file of the photograph that the relief was made from; empty if the study has none.
+/// The study-relative file of the photograph that the relief was made from; empty if the study has none. The file of the
+/// photograph's name is used only with its content: the relief of a photograph brick.png is saved as brick.png, too.
 std::string photograph_in(const std::filesystem::path& stimuli, const std::filesystem::path& png) {
-  std::vector<std::string> names{photograph_of(png).filename().string()};
+  std::error_code unknown{};
   try {
-    names.insert(names.begin(), provenance_of(png).source_name);
+    const HeightFieldProvenance made = provenance_of(png);
+    const std::filesystem::path source =
+        stimuli / std::filesystem::path(made.source_name).filename();
+    if (!made.source_name.empty() && std::filesystem::is_regular_file(source, unknown) &&
+        sha256_of_file(source) == made.source_sha256) {
+      return "stimuli/" + source.filename().string();
+    }
   } catch (const std::exception&) {  // the check of the protocol states what is wrong with the file
   }
-  for (const std::string& name : names) {
-    std::error_code unknown{};
-    const std::filesystem::path file = stimuli / std::filesystem::path(name).filename();
-    if (!name.empty() && std::filesystem::is_regular_file(file, unknown)) {
-      return "stimuli/" + file.filename().string();
-    }
-  }
-  return {};
+  const std::filesystem::path saved = stimuli / photograph_of(png).filename();
+  return std::filesystem::is_regular_file(saved, unknown) ? "stimuli/" + saved.filename().string()
+                                                          : std::string();
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 // Protocols of the library in a study, with its own textures and with those of the demonstration.
 
-#include "app/tasks/check_protocol.h"
-#include "app/tasks/protocol_files.h"
 #include "app/tasks/protocol_templates.h"
 
 #include <gmock/gmock.h>
@@ -10,9 +8,12 @@
 
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/protocol_languages.h"
+#include "app/tasks/check_protocol.h"
+#include "app/tasks/protocol_files.h"
 #include "app/tasks/template_overviews.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
+#include "results_schema/hashes/sha256.h"
 #include "stimuli/heights/synthetic_surface.h"
 #include "tests/app/small_study.h"
 #include "tests/support/temporary_folder.h"
@@ -26,13 +27,15 @@ class ProtocolFromTemplate : public testing::Test {
  protected:
   ProtocolFromTemplate() { make_small_study(study_); }
 
-  /// A relief of the study, with a photograph.
-  void add_relief(const std::string& name) const {
+  /// A relief of the study, with a photograph. `made_from`: the file name of the photograph before it was saved.
+  void add_relief(const std::string& name, const std::string& made_from = {}) const {
     constexpr std::size_t kPixels = 128;
     const SurfaceCanvas canvas{0.02, kPixels, 3};
     const HeightField field = make_surface("noise", {}, canvas);
     HeightFieldProvenance made{};
-    made.kind = "noise";
+    made.kind = made_from.empty() ? "noise" : "photograph";
+    made.source_name = made_from;
+    made.source_sha256 = sha256_of(made_from);
     save_height_field(study_ / "stimuli" / (name + ".png"), field, made, Overwrite::refuse);
     write_file(study_ / "stimuli" / (name + "_photo.png"),
                read_file(study_ / "stimuli" / (name + ".png")), Overwrite::refuse);
@@ -94,6 +97,22 @@ TEST_F(ProtocolFromTemplate, ComparesTheTexturesOfTheStudy) {
     "true_height_field": "stimuli/brick.png"})"));
   // Trials that present textures of the template are gone.
   EXPECT_EQ(protocol["blocks"]["range"]["listed"].size(), 1U);
+}
+
+/// Of a photograph gravel.png two reliefs were saved: under the proposed name, and as stones.png.
+TEST_F(ProtocolFromTemplate, ShowsNoReliefAsAPhotograph) {
+  add_relief("gravel", "gravel.png");
+  add_relief("stones", "gravel.png");
+  std::vector<std::string> pictures{};
+  for (const OwnTexture& own : named(reliefs_of_study(study_), {"gravel", "stones"})) {
+    pictures.push_back(own.picture);
+  }
+  EXPECT_EQ(pictures,
+            (std::vector<std::string>{"stimuli/gravel_photo.png", "stimuli/stones_photo.png"}));
+  // The photograph itself is in the study.
+  write_file(study_ / "stimuli" / "pebbles.jpg", "pebbles.jpg", Overwrite::refuse);
+  add_relief("pebbles", "pebbles.jpg");
+  EXPECT_EQ(named(reliefs_of_study(study_), {"pebbles"}).at(0).picture, "stimuli/pebbles.jpg");
 }
 
 TEST_F(ProtocolFromTemplate, HasAsManyTexturesAsTheStudy) {
