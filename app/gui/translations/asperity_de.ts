@@ -16369,6 +16369,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Empfohlenes Verfahren: %1 mit einer spektralen Neigung von %2, weil es bei neun von zehn vermessenen Oberflächen dem Relief näher kam als die unbearbeitete Helligkeit.</translation>
     </message>
     <message>
+        <source>Use the recommended method</source>
+        <translation>Empfohlene Methode verwenden</translation>
+    </message>
+    <message>
         <source>&lt;b&gt;Did the light come from one lamp at the side?&lt;/b&gt;</source>
         <translation>&lt;b&gt;Kam das Licht von einer Lampe an der Seite?&lt;/b&gt;</translation>
     </message>

@@ -8,12 +8,14 @@
 #include <QtCore/QSignalBlocker>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QComboBox>
+#include <QtWidgets/QPushButton>
 #include <QtWidgets/QScrollArea>
 
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
 #include "app/gui/workbench/opened_picture.h"
 #include "app/gui/workbench/parameter_form.h"
+#include "stimuli/photographs/photograph_advice.h"
 #include "stimuli/photographs/texture_method.h"
 
 namespace asperity {
@@ -124,6 +126,11 @@ QWidget* RecipePanel::make_light_card() {
   recommendation_->setObjectName("recommendation");
   recommendation_->setFont(text_font(TextSize::small));
   inside->addWidget(recommendation_);
+  use_ = make_button(tr("Use the recommended method"), ButtonRole::plain, card);
+  use_->setObjectName("use_recommendation");
+  inside->addWidget(use_, 0, Qt::AlignLeft);
+  connect(use_, &QPushButton::clicked, this, &RecipePanel::use_recommendation);
+  connect(this, &RecipePanel::edited, this, &RecipePanel::recommend);
   recommend();
   return card;
 }
@@ -250,6 +257,28 @@ void RecipePanel::show_stated(const Statements& stated) {
 
 void RecipePanel::recommend() {
   recommendation_->setText(recommendation_words(light(), direction_deg_));
+  use_->setVisible(light() && !uses_recommendation());
+}
+
+bool RecipePanel::uses_recommendation() const {
+  const MethodRecommendation recommended = recommended_method(*light());
+  const TextureRecipe now = recipe();
+  return now.method == recommended.method && now.spectral_tilt == recommended.spectral_tilt;
+}
+
+// The direction of the lamp stays: the picture does not show from which of the two sides the light came.
+void RecipePanel::use_recommendation() {
+  const MethodRecommendation recommended = recommended_method(*light());
+  const ParameterValues wanted{{"method", std::string(recommended.method)},
+                               {"spectral_tilt", recommended.spectral_tilt}};
+  for (ParameterForm* form : forms_) {
+    ParameterValues values = form->values();
+    for (auto& [name, value] : values) {
+      if (const auto of = wanted.find(name); of != wanted.end()) value = of->second;
+    }
+    form->set_values(values);
+  }
+  emit edited();
 }
 
 void RecipePanel::show_recipe(const TextureRecipe& recipe, const Statements& stated) {

@@ -13,6 +13,7 @@
 class QComboBox;
 class QLabel;
 class QLayout;
+class QPushButton;
 
 namespace asperity {
 
@@ -58,6 +59,8 @@ class RecipePanel final : public QWidget {
   void show_stated(const Statements& stated);
   std::optional<PhotographLight> light() const;
   void recommend();
+  bool uses_recommendation() const;
+  void use_recommendation();
   void say_what_it_shows(int kind);
 
   Banner* banner_ = nullptr;
@@ -68,6 +71,7 @@ class RecipePanel final : public QWidget {
   QLabel* expectation_ = nullptr;
   StateLabel* hint_ = nullptr;
   QLabel* recommendation_ = nullptr;
+  QPushButton* use_ = nullptr;
   QLabel* advice_ = nullptr;
   std::vector<ParameterForm*> forms_{};
 };

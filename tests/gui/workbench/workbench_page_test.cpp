@@ -188,6 +188,21 @@ TEST_F(BrickOnTheWorkbench, AsksAboutTheLightBeforeItRecommendsAMethod) {
   EXPECT_TRUE(find<QLabel>("recommendation").text().contains("Pentland"));
 }
 
+TEST_F(BrickOnTheWorkbench, UsesTheRecommendedMethod) {
+  drop_all({photograph("stone", 256, PhotographCase::bright_height)});
+  auto& use = find<QPushButton>("use_recommendation");
+  EXPECT_FALSE(use.isVisible()) << "the light is not stated";
+  auto& light = find<QComboBox>("light");
+  light.setCurrentIndex(0);
+  use.click();
+  EXPECT_EQ(page_->work().recipe.method, "brightness");
+  EXPECT_DOUBLE_EQ(page_->work().recipe.spectral_tilt, 0.5);
+  EXPECT_EQ(find<QComboBox>("method").currentText(), "Brightness");
+  EXPECT_FALSE(use.isVisible()) << "nothing is left to change";
+  light.setCurrentIndex(1);
+  EXPECT_TRUE(use.isVisible());
+}
+
 TEST_F(BrickOnTheWorkbench, HasAControlForEveryParameterOfTheRecipe) {
   for (const Parameter& parameter : texture_recipe_parameters()) {
     auto* control = page_->findChild<QWidget*>(QString::fromStdString(parameter.name));
