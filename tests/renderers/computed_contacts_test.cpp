@@ -103,10 +103,13 @@ TEST_F(BallsOnAPlate, AreTheSameInEveryBitFromRunToRun) {
 TEST_F(BallsOnAPlate, AreEvaluatedByTheProcessorWithoutAnAnswerInTime) {
   const auto late = contacts(std::chrono::nanoseconds(0));
   const auto here = contacts_here();
-  for (int tick = 0; tick < 3; ++tick) {
-    const auto found = late->find(at(tick), {}, kTickOfTest_s);
-    const auto expected = here->find(at(tick), {}, kTickOfTest_s);
-    EXPECT_TRUE(late->left_out().is_computed_here) << tick;
+  int computed_here = 0;
+  // On a busy machine an answer may be there before it is waited for.
+  for (int tick = 0; tick < 100 && computed_here < 3; ++tick) {
+    const auto found = late->find(at(tick % 3), {}, kTickOfTest_s);
+    const auto expected = here->find(at(tick % 3), {}, kTickOfTest_s);
+    if (!late->left_out().is_computed_here) continue;
+    ++computed_here;
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
       EXPECT_EQ(found[i].penetration.depth_m, expected[i].penetration.depth_m);
@@ -114,6 +117,7 @@ TEST_F(BallsOnAPlate, AreEvaluatedByTheProcessorWithoutAnAnswerInTime) {
       EXPECT_EQ(found[i].penetration.lever_m, expected[i].penetration.lever_m);
     }
   }
+  EXPECT_EQ(computed_here, 3);
 }
 
 }  // namespace
