@@ -51,7 +51,10 @@ std::optional<std::string> list_entry_around(const json& root, const std::string
   return {};
 }
 
-std::string without_texture(const std::string& text, const std::string& name) {
+/// Without the texture and the entries of lists that refer to it. Other places, such as the level of an anchor, name
+/// `remaining` in its place.
+std::string without_texture(std::string text, const std::string& name,
+                            const std::string& remaining) {
   const JsonDocument protocol(text, kTemplate);
   std::vector<std::string> removed{};
   for (const NameUse& use : uses_of_texture(protocol, name)) {
@@ -59,11 +62,13 @@ std::string without_texture(const std::string& text, const std::string& name) {
       removed.push_back(use.pointer);
     } else if (const auto entry = list_entry_around(protocol.root(), use.pointer)) {
       removed.push_back(*entry);
+    } else if (!use.is_in_formula) {
+      text = with_value(JsonDocument(text, kTemplate), use.pointer, json_string(remaining)).text;
     }
   }
   std::sort(removed.begin(), removed.end());
   removed.erase(std::unique(removed.begin(), removed.end()), removed.end());
-  return without(protocol, removed).text;
+  return without(JsonDocument(text, kTemplate), removed).text;
 }
 
 /// With a copy of the texture behind it, and of the entries that are its name.
@@ -120,8 +125,9 @@ std::string with_textures(const JsonDocument& protocol, std::span<const OwnTextu
     names.push_back("texture_of_the_study_" + std::to_string(names.size()));
     text = with_copied_texture(text, names[names.size() - 2], names.back());
   }
+  const std::string& middle = names[textures.size() / 2];  // in the order of the template
   for (std::size_t i = textures.size(); i < names.size(); ++i) {
-    text = without_texture(text, names[i]);
+    text = without_texture(std::move(text), names[i], middle);
   }
   // In two steps, because a texture can have the name of another one of the template.
   for (std::size_t i = 0; i < textures.size(); ++i) {

@@ -17,9 +17,10 @@ struct OwnTexture {
 };
 
 /// The protocol's text with these textures in place of its own, in their order and with all references: levels of factors, listed
-/// trials, pictures. Of a protocol with more textures, the others are removed with what refers to them; of one with fewer, the
-/// last one is copied with the entries of lists that name it. Files that belong to the template's textures (their true
-/// relief, recordings, measured features) are left out.
+/// trials, pictures. Of a protocol with more textures, the others are removed with the entries of lists that refer to them, and
+/// a place outside of lists, such as an anchor, names a remaining one; of one with fewer, the last one is copied with the
+/// entries of lists that name it. Files that belong to the template's textures (their true relief, recordings, measured
+/// features) are left out.
 ///
 /// The result can have problems, such as a list that is too short: the check states them. Errors: ProtocolError if a name cannot be
 /// one, or if a texture has the name of a level that is none.

@@ -129,6 +129,17 @@ TEST_F(ProtocolFromTemplate, HasAsManyTexturesAsTheStudy) {
   }
 }
 
+TEST_F(ProtocolFromTemplate, HasAnAnchorAmongFewerTextures) {
+  for (const char* const name : {"a", "b", "c"}) add_relief(name);
+  const auto file =
+      protocol_from_template(study_, "roughness_force",
+                             {.from = TemplateTextures::From::study,
+                              .own = named(reliefs_of_study(study_), {"a", "b", "c"})});
+  const nlohmann::json protocol = nlohmann::json::parse(read_file(file));
+  EXPECT_EQ(protocol["blocks"]["main"]["anchor"]["texture"], "b")
+      << "the template's is the fourth texture, in the middle";
+}
+
 TEST_F(ProtocolFromTemplate, WritesTheTexturesOfTheDemonstration) {
   using From = TemplateTextures::From;
   add_relief("file_fine");  // another texture of this name
