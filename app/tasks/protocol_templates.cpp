@@ -3,11 +3,13 @@
 #include "app/tasks/protocol_templates.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -104,6 +106,44 @@ std::string with_demo_stimuli(std::string text, const std::filesystem::path& stu
   return text;
 }
 
+/// The names of the tests of an estimation by any stimuli that correspond to those by spacing; "peaks" has none.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kTestsOfStimuli{
+    {{"spacing", "stimuli"}, {"interaction", "stimuli_by_condition"}}};
+
+/// An estimation by the spacing of textures that state none compares them as any other stimuli, by their factor.
+std::string with_estimated_stimuli(std::string text, const std::string& name) {
+  const nlohmann::json root = nlohmann::json::parse(text);
+  const nlohmann::json::json_pointer by_spacing("/estimation/spacing");
+  if (!root.contains(by_spacing)) return text;
+  const auto textures = root.value("textures", nlohmann::json::object());
+  const auto levels = root.value("factors", nlohmann::json::object())
+                          .value(root.at(by_spacing).get<std::string>(), nlohmann::json::object())
+                          .value("levels", nlohmann::json::array());
+  const bool have_spacings =
+      std::all_of(levels.begin(), levels.end(), [&textures](const nlohmann::json& level) {
+        return !level.is_string() ||
+               textures.value(level, nlohmann::json::object()).contains("spacing_m");
+      });
+  if (have_spacings) return text;
+  const auto with = [&](const std::string& pointer, const nlohmann::json& value) {
+    text = with_value(JsonDocument(text, name), pointer, value.dump()).text;
+  };
+  with("/estimation/factor", root.at(by_spacing));
+  text = without(JsonDocument(text, name), std::vector{by_spacing.to_string()}).text;
+  const nlohmann::json::json_pointer family("/analysis/family");
+  if (!root.contains(family)) return text;
+  std::vector<std::string> tests{};
+  for (const std::string test : root.at(family)) {
+    const auto* const found =
+        std::find_if(kTestsOfStimuli.begin(), kTestsOfStimuli.end(),
+                     [&test](const auto& names) { return names.first == test; });
+    if (found != kTestsOfStimuli.end()) tests.emplace_back(found->second);
+    if (found == kTestsOfStimuli.end() && test != "peaks") tests.push_back(test);
+  }
+  with(family.to_string(), tests);
+  return text;
+}
+
 /// The translation without the texts that the protocol does not have: those of textures that are not in the study.
 std::string translation_of(const std::string& protocol, const LibraryTranslation& translation) {
   std::set<std::string> addresses{};
@@ -148,13 +188,19 @@ std::filesystem::path protocol_from_template(const std::filesystem::path& study,
                                        return exists('.' + std::string(each.language));
                                      });
   });
-  std::string text(protocol.text);
-  if (textures.from == TemplateTextures::From::study) {
-    text = with_textures(JsonDocument(protocol.text, std::string(name)), textures.own);
-  } else if (textures.from == TemplateTextures::From::demonstration) {
+  std::string text = text_from_template(name, textures);
+  if (textures.from == TemplateTextures::From::demonstration) {
     text = with_demo_stimuli(std::move(text), study);
   }
   return write_protocol(study, protocol, own_name, text);
+}
+
+std::string text_from_template(std::string_view name, const TemplateTextures& textures) {
+  const LibraryProtocol& protocol = library_protocol(name);
+  if (textures.from != TemplateTextures::From::study) return std::string(protocol.text);
+  const std::string source(name);
+  return with_estimated_stimuli(with_textures(JsonDocument(protocol.text, source), textures.own),
+                                source);
 }
 
 std::filesystem::path write_library_protocol(const std::filesystem::path& study,

@@ -34,8 +34,15 @@ std::filesystem::path protocol_from_template(const std::filesystem::path& study,
                                              std::string_view name,
                                              const TemplateTextures& textures = {});
 
-/// The same under a name that the study does not have, with the textures of its names. Errors: ResultsError when a file cannot
-/// be written.
+/// The text that the protocol's file gets, without the names that files of the demonstration have in the study. An estimation by
+/// spacing with own textures, which state no spacing, is one by stimuli: "factor" in place of "spacing", with the tests of
+/// that way.
+///
+/// Errors: as `protocol_from_template`, for the name and for own textures.
+std::string text_from_template(std::string_view name, const TemplateTextures& textures);
+
+/// `protocol_from_template` under a name that the study does not have, with the textures of its names. Errors: ResultsError when
+/// a file cannot be written.
 std::filesystem::path write_library_protocol(const std::filesystem::path& study,
                                              const LibraryProtocol& protocol,
                                              const std::string& name);

@@ -140,6 +140,28 @@ TEST_F(ProtocolFromTemplate, HasAnAnchorAmongFewerTextures) {
       << "the template's is the fourth texture, in the middle";
 }
 
+TEST_F(ProtocolFromTemplate, EstimatesTexturesThatHaveNoSpacing) {
+  for (int i = 0; i < 8; ++i) add_relief("own_" + std::to_string(i));
+  const std::vector<OwnTexture> all =
+      named(reliefs_of_study(study_),
+            {"own_0", "own_1", "own_2", "own_3", "own_4", "own_5", "own_6", "own_7"});
+  ASSERT_EQ(all.size(), 8U);
+  for (const char* const name : {"roughness_diameter", "roughness_force", "roughness_speed"}) {
+    for (const std::size_t count : {2U, 3U, 7U, 8U}) {
+      const std::vector<OwnTexture> own(all.begin(), all.begin() + static_cast<int>(count));
+      const auto file =
+          protocol_from_template(study_, name, {.from = TemplateTextures::From::study, .own = own});
+      EXPECT_EQ(problems_of(file), "") << name << " " << count;
+      EXPECT_EQ(problems_of(protocol_in_language(file, "de")), "") << name << " " << count;
+      const nlohmann::json protocol = nlohmann::json::parse(read_file(file));
+      EXPECT_EQ(protocol["estimation"]["factor"], "texture");
+      EXPECT_FALSE(protocol["estimation"].contains("spacing"));
+      EXPECT_EQ(protocol["analysis"]["family"],
+                nlohmann::json({"stimuli", "stimuli_by_condition"}));
+    }
+  }
+}
+
 TEST_F(ProtocolFromTemplate, WritesTheTexturesOfTheDemonstration) {
   using From = TemplateTextures::From;
   add_relief("file_fine");  // another texture of this name
