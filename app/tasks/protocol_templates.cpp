@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -201,6 +202,15 @@ std::string text_from_template(std::string_view name, const TemplateTextures& te
   const std::string source(name);
   return with_estimated_stimuli(with_textures(JsonDocument(protocol.text, source), textures.own),
                                 source);
+}
+
+ProtocolCheck check_of_template(const std::filesystem::path& study, std::string_view name,
+                                const TemplateTextures& textures, const ModelRegistry& models,
+                                KeptHeightFields* kept) {
+  // The files of the demonstration are not written yet.
+  const bool has_files = textures.from != TemplateTextures::From::demonstration;
+  return check_protocol_text(text_from_template(name, textures), std::string(name), models,
+                             has_files ? std::optional(study) : std::nullopt, std::nullopt, kept);
 }
 
 std::filesystem::path write_library_protocol(const std::filesystem::path& study,

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/tasks/check_protocol.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/form/own_textures.h"
 
@@ -40,6 +41,11 @@ std::filesystem::path protocol_from_template(const std::filesystem::path& study,
 ///
 /// Errors: as `protocol_from_template`, for the name and for own textures.
 std::string text_from_template(std::string_view name, const TemplateTextures& textures);
+
+/// The check of this text, before anything is written. `kept`: as for `check_protocol_text`. Errors: as `text_from_template`.
+ProtocolCheck check_of_template(const std::filesystem::path& study, std::string_view name,
+                                const TemplateTextures& textures, const ModelRegistry& models,
+                                KeptHeightFields* kept = nullptr);
 
 /// `protocol_from_template` under a name that the study does not have, with the textures of its names. Errors: ResultsError when
 /// a file cannot be written.

@@ -162,6 +162,29 @@ TEST_F(ProtocolFromTemplate, EstimatesTexturesThatHaveNoSpacing) {
   }
 }
 
+TEST_F(ProtocolFromTemplate, IsCheckedBeforeItIsWritten) {
+  using From = TemplateTextures::From;
+  for (const char* const name : {"a", "b", "c"}) add_relief(name);
+  const std::vector<OwnTexture> own = named(reliefs_of_study(study_), {"a", "b", "c"});
+  const auto check = [&](const char* name, const TemplateTextures& textures) {
+    return check_of_template(study_, name, textures, models_);
+  };
+  // One of the models of the map renders recordings, which reliefs of the study do not have.
+  const TemplateTextures of_study{.from = From::study, .own = own};
+  const ProtocolCheck map = check("map_of_renderings", of_study);
+  ASSERT_FALSE(map.diagnostics.empty());
+  EXPECT_THAT(map.diagnostics.front().message, testing::HasSubstr("\"recording\""));
+  EXPECT_FALSE(check("photo_matching", {.from = From::study, .own = {own.front()}}).is_valid());
+  // The files of the template's textures are not in the study yet.
+  EXPECT_TRUE(check("map_of_renderings", {.from = From::demonstration}).is_valid());
+  EXPECT_FALSE(std::filesystem::exists(study_ / "protocols" / "map_of_renderings.json"));
+  // What is written has the problems of the check.
+  const auto file = protocol_from_template(study_, "map_of_renderings", of_study);
+  const ProtocolCheck written = check_protocol(file, models_, study_, std::nullopt);
+  ASSERT_EQ(written.diagnostics.size(), map.diagnostics.size());
+  EXPECT_EQ(written.diagnostics.front().message, map.diagnostics.front().message);
+}
+
 TEST_F(ProtocolFromTemplate, WritesTheTexturesOfTheDemonstration) {
   using From = TemplateTextures::From;
   add_relief("file_fine");  // another texture of this name

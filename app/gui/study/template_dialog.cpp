@@ -3,10 +3,12 @@
 #include "app/gui/study/template_dialog.h"
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 #include <variant>
 
 #include <QtCore/QLocale>
+#include <QtCore/QSignalBlocker>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QRadioButton>
 #include <QtWidgets/QScrollArea>
@@ -19,6 +21,7 @@
 #include "app/gui/participant/screen_preview.h"
 #include "protocols/plan/course.h"
 #include "protocols/texts/protocol_texts.h"
+#include "results_schema/error_text.h"
 
 namespace asperity {
 
@@ -41,7 +44,10 @@ QString minutes_of(const TemplateOverview& overview) {
 
 TemplateDialog::TemplateDialog(const std::filesystem::path& study, const ModelRegistry& models,
                                QWidget* parent)
-    : QDialog(parent) {
+    : QDialog(parent),
+      study_(study),
+      models_(models),
+      height_fields_(std::make_shared<KeptHeightFields>()) {
   setObjectName("template_dialog");
   setWindowTitle(tr("New protocol from a template"));
   setAttribute(Qt::WA_DeleteOnClose);
@@ -128,7 +134,11 @@ QWidget* TemplateDialog::make_detail(const std::filesystem::path& study) {
   reliefs_->setAccessibleName(tr("Textures of this study"));
   reliefs_->setDragDropMode(QAbstractItemView::InternalMove);
   reliefs_->setFixedHeight(kReliefsHeight);
-  for (QWidget* const widget : std::initializer_list<QWidget*>{needs_, copied_, own_, reliefs_}) {
+  state_ = new StateLabel(surfaces_);
+  state_->setObjectName("template_state");
+  state_->setWordWrap(true);
+  for (QWidget* const widget :
+       std::initializer_list<QWidget*>{needs_, copied_, own_, reliefs_, state_}) {
     surfaces->addWidget(widget);
   }
   surfaces_->hide();
@@ -147,8 +157,13 @@ QWidget* TemplateDialog::make_detail(const std::filesystem::path& study) {
     if (step < 0 || step >= std::ssize(plan_->steps)) return;
     screen_->show_step(protocol_, plan_, static_cast<std::size_t>(step));
   });
-  connect(own_, &QRadioButton::toggled, this, &TemplateDialog::show_what_follows);
-  connect(reliefs_, &QListWidget::itemChanged, this, &TemplateDialog::show_what_follows);
+  for (QRadioButton* const button : {own_, copied_}) {
+    connect(button, &QRadioButton::toggled, this, [this](bool is_chosen) {
+      if (is_chosen) check_chosen();
+    });
+  }
+  connect(reliefs_, &QListWidget::itemChanged, this, &TemplateDialog::check_chosen);
+  connect(reliefs_->model(), &QAbstractItemModel::rowsMoved, this, &TemplateDialog::check_chosen);
   return scroll;
 }
 
@@ -201,21 +216,101 @@ void TemplateDialog::show_chosen() {
     copied_->setToolTip(overview->textures.are_of_demonstration
                             ? QString()
                             : tr("These textures are photographs that are not part of Asperity."));
+  }
+  choose_textures();
+}
+
+/// Ticks as many textures of the study as the template has, and chooses these or the template's: the first with which the
+/// protocol is valid. Until that is known none is chosen.
+void TemplateDialog::choose_textures() {
+  const TemplateOverview* const overview = chosen();
+  std::vector<TemplateTextures> possible{};
+  if (overview != nullptr && !overview->textures.names.empty()) {
+    const QSignalBlocker quiet_reliefs(reliefs_);
     const auto count = static_cast<int>(overview->textures.names.size());
     for (int i = 0; i < reliefs_->count(); ++i) {
       reliefs_->item(i)->setCheckState(i < count ? Qt::Checked : Qt::Unchecked);
     }
     own_->setEnabled(!content_.reliefs.empty());
     for (QRadioButton* const button : {own_, copied_}) {
-      button->setAutoExclusive(false);  // so that none is chosen where none is possible
+      const QSignalBlocker quiet(button);
+      button->setAutoExclusive(false);  // so that none is chosen
       button->setChecked(false);
       button->setAutoExclusive(true);
     }
-    if (own_->isEnabled()) {
-      own_->setChecked(true);
-    } else if (copied_->isEnabled()) {
-      copied_->setChecked(true);
-    }
+    using From = TemplateTextures::From;
+    if (own_->isEnabled()) possible.push_back({.from = From::study, .own = ticked()});
+    if (copied_->isEnabled()) possible.push_back({.from = From::demonstration});
+  }
+  check(std::move(possible));
+}
+
+void TemplateDialog::check_chosen() {
+  const TemplateTextures wanted = textures();
+  using From = TemplateTextures::From;
+  const bool can_be_checked =
+      wanted.from == From::demonstration || (wanted.from == From::study && !wanted.own.empty());
+  check(can_be_checked ? std::vector{wanted} : std::vector<TemplateTextures>{});
+}
+
+/// Checks the protocol with these textures, or with the next ones where it is not valid, and so on; shows the first ones where
+/// it is valid with none.
+void TemplateDialog::check(std::vector<TemplateTextures> possible) {
+  const std::uint64_t number = ++shown_;
+  is_refused_ = false;
+  state_->setVisible(!possible.empty());
+  show_what_follows();
+  if (possible.empty()) return;
+  state_->set_state(State::unknown, tr("Checking…"));
+  work_.ask(
+      [this, number, possible = std::move(possible), name = chosen()->name, study = study_,
+       &models = models_, kept = height_fields_]() -> NewestWork::Delivery {
+        std::vector<Checked> all{};
+        for (const TemplateTextures& textures : possible) {
+          all.push_back({.textures = textures});
+          try {
+            all.back().check = check_of_template(study, name, textures, models, kept.get());
+          } catch (const std::exception& error) {
+            all.back().refusal = message_of(error);
+          }
+          if (all.back().check.is_valid()) break;
+        }
+        kept->forget_unused();
+        const Checked& first = all.back().check.is_valid() ? all.back() : all.front();
+        return [this, number, first] {
+          if (number == shown_) take(first);  // otherwise another choice is being checked
+        };
+      },
+      [this, number](const QString& what) {
+        if (number == shown_) state_->set_state(State::unknown, what);
+      });
+}
+
+void TemplateDialog::take(const Checked& checked) {
+  {
+    QRadioButton* const button =
+        checked.textures.from == TemplateTextures::From::study ? own_ : copied_;
+    const QSignalBlocker quiet_own(own_);
+    const QSignalBlocker quiet_copied(copied_);
+    button->setChecked(true);
+  }
+  is_refused_ = !checked.refusal.empty();
+  const std::vector<Diagnostic>& problems = checked.check.diagnostics;
+  if (is_refused_) {
+    state_->set_state(
+        State::stop,
+        tr("With these textures no protocol can be created: %1").arg(text(checked.refusal)));
+  } else if (problems.empty()) {
+    state_->set_state(State::fine, tr("With these textures the protocol is valid."));
+  } else {
+    const Diagnostic& first = problems.front();
+    const QString what = first.pointer.empty() ? text(first.message)
+                                               : text(first.pointer) + ": " + text(first.message);
+    state_->set_state(State::look,
+                      problems.size() == 1
+                          ? tr("With these textures the protocol has a problem: %1").arg(what)
+                          : tr("With these textures the protocol has %1 problems, the first: %2")
+                                .arg(QString::number(problems.size()), what));
   }
   show_what_follows();
 }
@@ -235,32 +330,42 @@ TemplateTextures TemplateDialog::textures() const {
   using From = TemplateTextures::From;
   if (chosen() == nullptr || chosen()->textures.names.empty()) return {};
   if (copied_->isChecked()) return {.from = From::demonstration};
-  TemplateTextures textures{.from = From::study};
+  return {.from = From::study, .own = ticked()};
+}
+
+std::vector<OwnTexture> TemplateDialog::ticked() const {
+  std::vector<OwnTexture> own{};
   for (int i = 0; i < reliefs_->count(); ++i) {
     const QListWidgetItem& item = *reliefs_->item(i);
     if (item.checkState() != Qt::Checked) continue;
-    textures.own.push_back(content_.reliefs[item.data(Qt::UserRole).toULongLong()]);
+    own.push_back(content_.reliefs[item.data(Qt::UserRole).toULongLong()]);
   }
-  return textures;
+  return own;
 }
 
 void TemplateDialog::show_what_follows() {
   const TemplateOverview* const overview = chosen();
   reliefs_->setEnabled(own_->isChecked());
+  const bool has_textures = overview != nullptr && !overview->textures.names.empty();
+  const bool is_chosen = own_->isChecked() || copied_->isChecked();
   QString wrong{};
   if (overview == nullptr) {
     wrong = content_.templates.empty() ? what_follows_->text() : tr("Choose a template.");
-  } else if (!overview->textures.names.empty() && !own_->isChecked() && !copied_->isChecked()) {
+  } else if (has_textures && !is_chosen && (own_->isEnabled() || copied_->isEnabled())) {
+    wrong = tr("The textures are being checked.");
+  } else if (has_textures && !is_chosen) {
     wrong =
         tr("Make textures in the workbench first: this template needs photographs or reliefs "
            "of the study.");
-  } else if (own_->isChecked() && surfaces_->isVisibleTo(this) && textures().own.empty()) {
+  } else if (has_textures && own_->isChecked() && ticked().empty()) {
     wrong = tr("Choose at least one texture.");
+  } else if (has_textures && is_refused_) {
+    wrong = tr("Choose other textures.");
   }
   create_->setEnabled(wrong.isEmpty());
   if (!wrong.isEmpty()) {
     what_follows_->setText(wrong);
-  } else if (copied_->isChecked()) {
+  } else if (has_textures && copied_->isChecked()) {
     what_follows_->setText(
         tr("The textures are written into the study. The protocol can be changed afterwards."));
   } else {

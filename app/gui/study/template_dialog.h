@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -10,6 +11,8 @@
 #include <QtWidgets/QDialog>
 
 #include "app/gui/look/background_task.h"
+#include "app/gui/look/newest_work.h"
+#include "app/study_files/height_field_files.h"
 #include "app/tasks/template_overviews.h"
 
 class QLabel;
@@ -20,9 +23,11 @@ class QRadioButton;
 namespace asperity {
 
 class ScreenPreview;
+class StateLabel;
 class StudyTable;
 
-/// The protocols of the library by title, with what each asks, how long it takes and what its participants see; then the textures that the new protocol has.
+/// The protocols of the library by title, with what each asks, how long it takes and what its participants see; then the
+/// textures that the new protocol has. It is checked with them before it is created.
 class TemplateDialog final : public QDialog {
   Q_OBJECT
  public:
@@ -39,14 +44,28 @@ class TemplateDialog final : public QDialog {
     std::vector<OwnTexture> reliefs{};
   };
 
+  /// The check of the protocol with one of the possible textures.
+  struct Checked {
+    TemplateTextures textures{};
+    ProtocolCheck check{};
+    std::string refusal{};  ///< why no protocol can be made with them; empty: one can
+  };
+
   QWidget* make_detail(const std::filesystem::path& study);
   void show_content(Content content);
   void show_chosen();
   void show_screens(const TemplateOverview& overview);
+  void choose_textures();
+  void check_chosen();
+  void check(std::vector<TemplateTextures> possible);
+  void take(const Checked& checked);
   void show_what_follows();
   const TemplateOverview* chosen() const;
   TemplateTextures textures() const;
+  std::vector<OwnTexture> ticked() const;
 
+  std::filesystem::path study_{};
+  const ModelRegistry& models_;
   Content content_{};
   StudyTable* table_ = nullptr;
   QLabel* title_ = nullptr;
@@ -60,9 +79,14 @@ class TemplateDialog final : public QDialog {
   QRadioButton* own_ = nullptr;
   QRadioButton* copied_ = nullptr;
   QListWidget* reliefs_ = nullptr;
+  StateLabel* state_ = nullptr;  ///< of the protocol with the chosen textures
+  bool is_refused_ = false;
+  std::uint64_t shown_ = 0;                            ///< the check whose result is waited for
+  std::shared_ptr<KeptHeightFields> height_fields_{};  ///< of the worker
   QLabel* what_follows_ = nullptr;
   QPushButton* create_ = nullptr;
   BackgroundTask task_{};
+  NewestWork work_{};
 };
 
 }  // namespace asperity

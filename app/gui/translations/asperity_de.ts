@@ -18433,6 +18433,34 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>Make textures in the workbench first: this template needs photographs or reliefs of the study.</source>
         <translation>Zuerst in der Werkstatt Texturen herstellen: Diese Vorlage braucht Fotos oder Reliefs der Studie.</translation>
     </message>
+    <message>
+        <source>Checking…</source>
+        <translation>Wird geprüft…</translation>
+    </message>
+    <message>
+        <source>With these textures no protocol can be created: %1</source>
+        <translation>Mit diesen Texturen lässt sich kein Protokoll erstellen: %1</translation>
+    </message>
+    <message>
+        <source>With these textures the protocol is valid.</source>
+        <translation>Mit diesen Texturen ist das Protokoll gültig.</translation>
+    </message>
+    <message>
+        <source>With these textures the protocol has a problem: %1</source>
+        <translation>Mit diesen Texturen hat das Protokoll ein Problem: %1</translation>
+    </message>
+    <message>
+        <source>With these textures the protocol has %1 problems, the first: %2</source>
+        <translation>Mit diesen Texturen hat das Protokoll %1 Probleme, das erste: %2</translation>
+    </message>
+    <message>
+        <source>The textures are being checked.</source>
+        <translation>Die Texturen werden geprüft.</translation>
+    </message>
+    <message>
+        <source>Choose other textures.</source>
+        <translation>Andere Texturen wählen.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::TextCard</name>

@@ -306,6 +306,8 @@ TEST_F(RenderingsTest, AreUsedInAProtocolFromATemplate) {
   auto& templates = child<StudyTable>(choice, "template_table");
   ASSERT_TRUE(eventually([&] { return templates.shown_rows() == 25; }));
   templates.select("semantic_differential");
+  const auto& create = child<QPushButton>(choice, "template_create");
+  ASSERT_TRUE(eventually([&] { return create.isEnabled(); })) << "its textures are chosen";
   click("template_create", choice);
   ASSERT_TRUE(eventually([&] { return state(use).startsWith("✓"); })) << state(use).toStdString();
   EXPECT_EQ(child<QComboBox>(use, "use_protocol").currentText(), "semantic_differential_2")

@@ -7,6 +7,7 @@
 
 #include <QtCore/QPointer>
 #include <QtCore/QRegularExpression>
+#include <QtGui/QTextDocumentFragment>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
@@ -15,6 +16,7 @@
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QPushButton>
+#include <QtWidgets/QRadioButton>
 #include <QtWidgets/QSplitter>
 #include <QtWidgets/QTabWidget>
 
@@ -416,6 +418,59 @@ TEST_F(PagesToRead, SayWhyAProtocolThatWasRunIsNeitherRenamedNorDeleted) {
                                       "chapter_recognition.json"));
 }
 
+void tick_only(QDialog& template_dialog, const QStringList& textures) {
+  auto& reliefs = child<QListWidget>(template_dialog, "template_reliefs");
+  for (int i = 0; i < reliefs.count(); ++i) {
+    const bool is_ticked = textures.contains(reliefs.item(i)->text());
+    reliefs.item(i)->setCheckState(is_ticked ? Qt::Checked : Qt::Unchecked);
+  }
+}
+
+TEST_F(StudyPages, ReportTheProblemsOfATemplateWithTheChosenTextures) {
+  open_demo();
+  table_of("protocols", "protocols_table", 3);
+  child<QPushButton>(window_, "protocols_new").click();
+  auto& dialog = child<QDialog>(window_, "template_dialog");
+  auto& templates = child<StudyTable>(dialog, "template_table");
+  ASSERT_TRUE(eventually([&] { return templates.shown_rows() == 25; }));
+  auto& own = child<QRadioButton>(dialog, "template_own");
+  const auto& copied = child<QRadioButton>(dialog, "template_copied");
+  const auto state = [&] {
+    const QString html = child<QLabel>(dialog, "template_state").text();
+    return QTextDocumentFragment::fromHtml(html).toPlainText().simplified();
+  };
+  const auto& create = child<QPushButton>(dialog, "template_create");
+  const auto shows = [&](const char* start) {
+    return eventually([&] { return state().startsWith(start); });
+  };
+  constexpr const char* kValid = "✓ With these textures the protocol is valid.";
+  constexpr const char* kProblem = "▲ With these textures the protocol has ";
+
+  templates.select("chapter_selection");
+  EXPECT_TRUE(shows(kValid)) << state().toStdString();
+  EXPECT_TRUE(own.isChecked());
+  tick_only(dialog, {});
+  EXPECT_FALSE(child<QLabel>(dialog, "template_state").isVisibleTo(&dialog));
+  EXPECT_FALSE(create.isEnabled());
+
+  // One of its models renders recordings, of which the template has one for its own texture.
+  templates.select("map_of_renderings");
+  EXPECT_TRUE(shows(kValid)) << state().toStdString();
+  EXPECT_TRUE(copied.isChecked());
+  own.click();
+  EXPECT_TRUE(shows(kProblem)) << state().toStdString();
+  EXPECT_TRUE(state().contains("the asset \"recording\"")) << state().toStdString();
+  EXPECT_TRUE(create.isEnabled()) << "it can be corrected in the form";
+  take_screenshot(dialog, "template-dialog-problem", {1120, 700});
+
+  templates.select("roughness_force");
+  EXPECT_TRUE(shows(kValid)) << state().toStdString();
+  EXPECT_TRUE(own.isChecked());
+  tick_only(dialog, {"brick"});
+  EXPECT_TRUE(shows(kProblem)) << state().toStdString();
+  EXPECT_TRUE(create.isEnabled());
+}
+
 TEST_F(StudyPages, PutATemplateIntoTheStudyUnderAFreeName) {
   open_demo();
   const StudyTable& table = table_of("protocols", "protocols_table", 3);
@@ -439,12 +494,8 @@ TEST_F(StudyPages, PutATemplateIntoTheStudyUnderAFreeName) {
   EXPECT_EQ(screen.scene().text, "Which surface felt most like the material in the picture?");
   take_screenshot(dialog, "template-dialog", {1120, 700});
   take_screenshot(dialog, "template-dialog-small", {910, 512});
-  auto& reliefs = child<QListWidget>(dialog, "template_reliefs");
-  for (int i = 0; i < reliefs.count(); ++i) {
-    const bool is_rendered =
-        QStringList{"brick", "metal", "stone", "wood"}.contains(reliefs.item(i)->text());
-    reliefs.item(i)->setCheckState(is_rendered ? Qt::Checked : Qt::Unchecked);
-  }
+  child<QRadioButton>(dialog, "template_own").click();
+  tick_only(dialog, {"brick", "metal", "stone", "wood"});
   child<QPushButton>(dialog, "template_create").click();
   ASSERT_TRUE(eventually([&] { return table.shown_rows() == 4; }));
   EXPECT_TRUE(table.selected_key().endsWith("chapter_selection_2.json"));
