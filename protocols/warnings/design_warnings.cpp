@@ -1,12 +1,14 @@
-// Checks each block for unused factors, priors, parts and unbalanced positions.
+// Checks each block for unused factors, priors, parts and unbalanced positions, and scales of one name for one wording.
 
 #include "protocols/warnings/design_warnings.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include <nlohmann/json.hpp>
 
@@ -86,6 +88,7 @@ class DesignWarnings final {
       warn_of_parts(block, pointer);
       warn_of_positions(block, pointer);
     }
+    warn_of_scales();
     return std::move(found_);
   }
 
@@ -183,6 +186,37 @@ class DesignWarnings final {
          "positions need not be balanced within each level, so that a level can have the "
          "comparison more often in one position: " +
              remedy);
+  }
+
+  /// Responses to a scale are stored under its name, and analyses pool those of all blocks.
+  void warn_of_scales() {
+    struct Place {
+      std::string block{};
+      const Question* question = nullptr;
+    };
+    std::map<std::string, Place> first{};
+    for (const auto& [name, block] : protocol_.blocks) {
+      for (std::size_t i = 0; i < block.questions.size(); ++i) {
+        const Question& scale = block.questions[i];
+        if (!scale.is_answered_by<ScaleForm>()) continue;
+        const auto [known, is_new] = first.try_emplace(scale.name, Place{name, &scale});
+        const Question& other = *known->second.question;
+        if (is_new || (scale.prompt == other.prompt && scale.form == other.form)) continue;
+        const bool is_prompt = scale.prompt != other.prompt;
+        const bool is_labels =
+            std::get<ScaleForm>(scale.form).labels != std::get<ScaleForm>(other.form).labels;
+        warn(pointer_to(pointer_to("/blocks", name) + "/questions", i) +
+                 (is_prompt ? "/prompt" : "/scale"),
+             "the scale " + in_quotes(scale.name) + " has " +
+                 (is_prompt   ? "another question"
+                  : is_labels ? "other labels"
+                              : "other points") +
+                 " in block " + in_quotes(name) + " than in block " +
+                 in_quotes(known->second.block) +
+                 ", and the responses are stored under one name; state the same wording and scale "
+                 "in both, or another name");
+      }
+    }
   }
 
   const Protocol& protocol_;

@@ -16,7 +16,9 @@ namespace asperity {
 /// - procedure of which the prior of the threshold and the differences of the levels have no value in common;
 /// - block in which a participant is given one of so many parts of the pairs that these need not connect all levels;
 /// - main block of a choice between surfaces with constant stimuli whose positions need not be balanced within each level
-///   (balances_every_row).
+///   (balances_every_row);
+/// - scale with another question, other labels or other points than the scale of the same name in another block, whose
+///   responses are stored under the same name.
 ///
 /// `file_name` is the file in the diagnostics.
 std::vector<Diagnostic> warnings_about_design(const Protocol& protocol,

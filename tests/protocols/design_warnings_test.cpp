@@ -50,6 +50,25 @@ TEST(DesignWarnings, NameACrossedFactorThatNothingUses) {
                                     "factor \"speed\"")));
 }
 
+TEST(DesignWarnings, AreAboutAScaleOfOneNameWithTwoWordings) {
+  json file = test::library_file("semantic_differential");
+  json& range = file["blocks"]["range"]["questions"];
+  json& ratings = file["blocks"]["ratings"]["questions"];
+  ratings[2]["name"] = range[2]["name"] = "pleasant";
+  EXPECT_THAT(warned(file), IsEmpty());
+  ratings[2]["prompt"] = "How pleasant did it feel?";
+  EXPECT_THAT(warned(file), ElementsAre(HasSubstr(
+                                "/blocks/ratings/questions/2/prompt: the scale \"pleasant\" has "
+                                "another question in block \"ratings\" than in block "
+                                "\"range\"")));
+  range[2]["prompt"] = ratings[2]["prompt"];
+  ratings[2]["scale"]["labels"] = {"unpleasant", "pleasant"};
+  EXPECT_THAT(warned(file), ElementsAre(AllOf(HasSubstr("/blocks/ratings/questions/2/scale: "),
+                                              HasSubstr("has other labels"))));
+  ratings[2]["name"] = "pleasure";
+  EXPECT_THAT(warned(file), IsEmpty());
+}
+
 TEST(DesignWarnings, AreAboutAPriorOutsideTheLevels) {
   json file = test::library_file("amplitude_jnd_psi");
   for (auto& [name, block] : file["blocks"].items()) {
