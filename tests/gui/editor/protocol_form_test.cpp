@@ -367,6 +367,87 @@ TEST_F(FormOfProtocol, RenamesATextureWithItsReferences) {
   EXPECT_EQ(tree()["factors"]["texture"]["levels"][4], "fine_cones");
 }
 
+/// Names a control with the focus, for messages.
+std::string focus_text() {
+  const QWidget* const focused = QApplication::focusWidget();
+  if (focused == nullptr) return "nothing";
+  return std::string(focused->metaObject()->className()) + " " +
+         focused->objectName().toStdString() + " " + focused->accessibleName().toStdString();
+}
+
+TEST_F(FormOfProtocol, KeepsAnEntryOpenWhenItIsRenamed) {
+  int renamed = 0;
+  for (const LibraryProtocol& library : library_protocols()) {
+    const json file = json::parse(library.text);
+    for (const char* const registry :
+         {"textures", "bodies", "stimuli", "factors", "explorations", "blocks", "questions"}) {
+      if (!file.contains(registry)) continue;
+      const std::string list = "/" + std::string(registry);
+      const std::string key = file[registry].items().begin().key();
+      SCOPED_TRACE(std::string(library.name) + " " + list + "/" + key);
+      open(std::string(library.text));
+      form().go_to(list + "/" + key);
+      QApplication::processEvents();
+      auto& name = child<FormPart>(form(), ("name:" + list + "/" + key).c_str());
+      name.focusProxy()->setFocus();
+      static_cast<QLineEdit&>(*name.focusProxy()).selectAll();
+      QTest::keyClicks(QApplication::focusWidget(), "other_name");
+      QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+      EXPECT_FALSE(QApplication::focusWidget()->objectName().startsWith("remove"));
+      QApplication::processEvents();
+      ASSERT_TRUE(tree()[registry].contains("other_name"));
+      const std::string entry = list + "/other_name";
+      const auto& card = child<QWidget>(form(), ("card:" + entry).c_str());
+      const auto& key_field = child<FormPart>(form(), ("name:" + entry).c_str());
+      EXPECT_TRUE(key_field.isVisible());
+      EXPECT_TRUE(card.isAncestorOf(QApplication::focusWidget())) << focus_text();
+      EXPECT_FALSE(key_field.isAncestorOf(QApplication::focusWidget())) << focus_text();
+      EXPECT_TRUE(QApplication::focusWidget()->accessibleName() != "Fold “other_name”" &&
+                  !QApplication::focusWidget()->objectName().startsWith("remove"))
+          << focus_text();
+      undo();
+      QApplication::processEvents();
+      EXPECT_EQ(text(), library.text);
+      EXPECT_TRUE(child<FormPart>(form(), ("name:" + list + "/" + key).c_str()).isVisible());
+      ++renamed;
+    }
+  }
+  EXPECT_GE(renamed, 40);
+}
+
+TEST_F(FormOfProtocol, KeepsTheFocusInANameThatIsConfirmed) {
+  open(library_text("amplitude_jnd"));
+  ASSERT_NE(part("/blocks/practice"), nullptr);
+  auto& name =
+      static_cast<QLineEdit&>(*child<FormPart>(form(), "name:/blocks/practice").focusProxy());
+  name.setFocus();
+  name.selectAll();
+  QTest::keyClicks(&name, "training");
+  QTest::keyClick(&name, Qt::Key_Return);
+  QApplication::processEvents();
+  const auto& renamed = child<FormPart>(form(), "name:/blocks/training");
+  EXPECT_TRUE(renamed.isAncestorOf(QApplication::focusWidget())) << focus_text();
+}
+
+TEST_F(FormOfProtocol, NeverGivesTheFocusToAButtonThatRemoves) {
+  open(library_text("semantic_differential"));
+  ASSERT_NE(part("/textures/stone/code"), nullptr);
+  auto& remove = child<QToolButton>(form(), "remove:/textures/stone");
+  remove.setFocus();
+  QTest::keyClick(&remove, Qt::Key_Space);
+  EXPECT_FALSE(tree()["textures"].contains("stone"));
+  EXPECT_FALSE(QApplication::focusWidget()->objectName().startsWith("remove")) << focus_text();
+  QApplication::processEvents();
+  EXPECT_FALSE(QApplication::focusWidget()->objectName().startsWith("remove")) << focus_text();
+  // In a list the next entry is at the place of the one that is gone.
+  ASSERT_NE(part("/blocks/ratings/questions/1/name"), nullptr);
+  auto& of_list = child<QToolButton>(form(), "remove:/blocks/ratings/questions/1");
+  of_list.setFocus();
+  QTest::keyClick(&of_list, Qt::Key_Space);
+  QApplication::processEvents();
+  EXPECT_EQ(QApplication::focusWidget()->objectName(), "choose:/blocks/ratings/questions/1");
+}
+
 TEST_F(FormOfProtocol, ShowsTheLastStateOfATextThatCannotBeRead) {
   const std::string before = library_text("amplitude_jnd");
   open(before);
@@ -406,7 +487,7 @@ TEST_F(FormOfProtocol, ShowsListedTrialsAsATable) {
   EXPECT_EQ(text(), replaced(before, "{\"texture\": \"metal\"}, {\"texture\": \"brick\"}",
                              "{\"texture\": \"metal\"}, {\"texture\": \"stone\"}"));
   table.selectRow(3);
-  click("remove:/blocks/range/listed");
+  click("remove_rows:/blocks/range/listed");
   click("add:/blocks/range/listed");
   EXPECT_EQ(tree()["blocks"]["range"]["listed"].size(), 4U);
   EXPECT_EQ(tree()["blocks"]["range"]["listed"][3]["texture"], "metal");

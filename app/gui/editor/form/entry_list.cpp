@@ -107,6 +107,11 @@ std::string EntryList::structure(const std::vector<Entry>& entries) const {
 }
 
 void EntryList::refresh() {
+  if (context().renamed) {
+    std::set<std::string> ticked{};
+    for (const std::string& one : ticked_) ticked.insert(context().renamed(one));
+    ticked_ = std::move(ticked);
+  }
   std::vector<Entry> present = present_entries();
   const std::string now = structure(present);
   if (now != made_) {
@@ -243,6 +248,7 @@ void EntryList::add_card(Entry& entry, std::size_t index) {
 void EntryList::add_tools(QHBoxLayout& row, Entry& entry, std::size_t index) {
   if (is_excerpt()) return;
   entry.chosen = new QCheckBox(this);
+  entry.chosen->setObjectName(kChoosing + text(entry.pointer));
   entry.chosen->setToolTip(tr("Ticked entries are moved, duplicated and removed together."));
   connect(entry.chosen, &QCheckBox::clicked, this, [this, pointer = entry.pointer](bool is_ticked) {
     if (is_ticked) {
@@ -267,7 +273,9 @@ void EntryList::add_tools(QHBoxLayout& row, Entry& entry, std::size_t index) {
     move(index, 1);
   })->setEnabled(index + 1 < entries_.size());
   add("+", tr("Duplicate “%1”"), Action::duplicate, [this, index] { duplicate(index); });
-  add("×", tr("Remove “%1”"), Action::remove, [this, index] { remove(index); });
+  add("×", tr("Remove “%1”"), Action::remove, [this, index] {
+    remove(index);
+  })->setObjectName(kRemovingValue + text(entry.pointer));
 }
 
 QStringList EntryList::keys_to_add(QStringList& labels) const {

@@ -35,6 +35,8 @@ struct FormContext {
   std::function<void()> write_pending{};
   /// Parts have been made: the order of the keyboard has to be that of the layout again.
   bool has_new_parts = false;
+  /// While a text with other names is shown: the pointer to a value by its pointer in the text before.
+  std::function<std::string(const std::string& pointer)> renamed{};
   bool is_refreshing = false;  ///< parts are shown or made again, which is no edit
   std::set<std::string>
       opened{};  ///< the cards and lists of settings that are unfolded, by pointer
@@ -80,6 +82,13 @@ QString problems_at(const FormContext& context, const std::string& pointer, Prob
 /// A hidden label for such sentences, and the sentences in it with their mark.
 QLabel* make_problem_label(QWidget* parent);
 void show_problem(QLabel& label, const QString& sentences);
+
+/// The object name of every button that removes something begins with this.
+inline constexpr QLatin1StringView kRemoving("remove");
+/// The object name of a button that removes a value, before the pointer.
+inline constexpr QLatin1StringView kRemovingValue("remove:");
+/// That of the box that ticks an entry.
+inline constexpr QLatin1StringView kChoosing("choose:");
 
 /// A small button with a sign, whose name is read aloud and shown as its tip.
 QToolButton* make_tool(const QString& sign, const QString& name, QWidget* parent);

@@ -3,11 +3,14 @@
 #include "app/gui/editor/form/form_source.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <QtCore/QCoreApplication>
 #include <nlohmann/json.hpp>
 
 #include "app/gui/look/words.h"
+#include "protocols/design/json_pointer.h"
+#include "protocols/editing/text_entries.h"
 #include "protocols/form/new_values.h"
 
 namespace asperity {
@@ -28,6 +31,29 @@ std::vector<std::string> parts_of(const std::string& pointer) {
 void add_new(QStringList& names, const std::string& name) {
   const QString added = text(name);
   if (!names.contains(added)) names.append(added);
+}
+
+/// Whether the object or list at the pointer has this part.
+bool is_member(const JsonDocument& document, const std::string& container,
+               const std::string& part) {
+  const nlohmann::json::json_pointer path(container);
+  return document.root().contains(path) && document.root().at(path).is_structured() &&
+         document.root().contains(path / part);
+}
+
+/// The key that has replaced one of the object; nullopt if more than its name has changed.
+std::optional<std::string> key_in_place(const JsonDocument& before, const std::string& object,
+                                        const JsonDocument& after, const std::string& object_after,
+                                        const std::string& key) {
+  const nlohmann::json::json_pointer path(object_after);
+  if (!after.root().contains(path) || !after.root().at(path).is_object()) return {};
+  const TextContainer old_entries(before, object);
+  const TextContainer entries(after, object_after);
+  if (!old_entries.is_object() || old_entries.entries().size() != entries.entries().size()) {
+    return {};
+  }
+  const std::string& renamed = entries.entries()[old_entries.index_of(key)].key;
+  return old_entries.has(renamed) ? std::nullopt : std::optional(renamed);
 }
 
 }  // namespace
@@ -95,6 +121,27 @@ const Parameter* FormSource::parameter_at(const std::string& pointer) const {
     if (parameter->name == parts.back()) return parameter;
   }
   return nullptr;
+}
+
+std::string renamed_pointer(const JsonDocument& before, const JsonDocument& after,
+                            const std::string& pointer) {
+  const nlohmann::json::json_pointer path(pointer);
+  if (after.root().contains(path)) return pointer;
+  std::string there{};
+  std::string here{};
+  bool is_same = true;  // so far both texts have the value
+  for (const std::string& part : parts_of(pointer)) {
+    std::string key = part;
+    is_same = is_same && is_member(before, here, part);
+    if (is_same && !is_member(after, there, part)) {
+      const auto renamed = key_in_place(before, here, after, there, part);
+      if (renamed) key = *renamed;
+      is_same = renamed.has_value();
+    }
+    here = pointer_to(here, part);
+    there = pointer_to(there, key);
+  }
+  return there;
 }
 
 QString text_of_keys(std::string_view english) {

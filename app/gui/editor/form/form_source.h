@@ -46,6 +46,11 @@ class FormSource final {
   const std::vector<ModelDeclaration>& models_;
 };
 
+/// The pointer to the same value where keys around it have other names: a key of `before` is taken for the one at its position
+/// in an object of the same size that has the first no more. Otherwise unchanged.
+std::string renamed_pointer(const JsonDocument& before, const JsonDocument& after,
+                            const std::string& pointer);
+
 /// A text of the tables of keys, which are English, in the language of the windows.
 QString text_of_keys(std::string_view english);
 /// The meaning of a key, and where it belongs to it that of every word.

@@ -165,6 +165,7 @@ void ObjectRows::add_field(const FormEntry& entry) {
   states->addWidget(state);
   states->addWidget(reset);
   grid_->addLayout(states, line, kStateColumn, Qt::AlignTop | Qt::AlignRight);
+  reset->setObjectName(kRemovingValue + text(entry.pointer));
   connect(reset, &QToolButton::clicked, this, [this, pointer = entry.pointer] { remove(pointer); });
   QLabel* problem = make_problem_label(this);
   grid_->addWidget(problem, line + 1, kFieldColumn, 1, 2);
@@ -184,6 +185,7 @@ void ObjectRows::add_section(const FormEntry& entry) {
   if (!entry.key->is_required) {
     reset = make_tool(QString(QChar(0xD7)), tr("Remove “%1”").arg(text_of_keys(entry.key->label)),
                       this);
+    reset->setObjectName(kRemovingValue + text(entry.pointer));
     head->addWidget(reset);
     connect(reset, &QToolButton::clicked, this,
             [this, pointer = entry.pointer] { remove(pointer); });

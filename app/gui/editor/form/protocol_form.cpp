@@ -134,8 +134,9 @@ void ProtocolForm::show_text(const std::string& written) {
   try {
     auto source = std::make_shared<const FormSource>(written, models_);
     if (source->document().root().is_object()) {
-      context_.source = std::move(source);
+      const auto before = std::exchange(context_.source, std::move(source));
       can_be_edited_ = true;
+      if (before != nullptr) follow_names(before);
       state_->hide();
     } else {
       show_unreadable(tr("the text is not an object {…}"));
@@ -148,6 +149,21 @@ void ProtocolForm::show_text(const std::string& written) {
   } else {
     refresh();
   }
+  context_.renamed = {};
+}
+
+/// What is unfolded stays so under another name, also when that is undone.
+void ProtocolForm::follow_names(const std::shared_ptr<const FormSource>& before) {
+  context_.renamed = [before, after = context_.source](const std::string& pointer) {
+    return renamed_pointer(before->document(), after->document(), pointer);
+  };
+  std::set<std::string> opened{};
+  for (const std::string& one : context_.opened) {
+    const bool is_of_settings = one.ends_with('/');
+    const std::string value = is_of_settings ? one.substr(0, one.size() - 1) : one;
+    opened.insert(context_.renamed(value) + (is_of_settings ? "/" : ""));
+  }
+  context_.opened = std::move(opened);
 }
 
 void ProtocolForm::show_unreadable(const QString& why) {
@@ -198,16 +214,8 @@ void ProtocolForm::refresh() {
   if (content_ == nullptr || context_.source == nullptr) return;
   // A part that is made again loses the focus to nothing: its field gets it back.
   QWidget* const focused = QApplication::focusWidget();
-  std::string pointer{};
-  int cursor = -1;
-  for (QWidget* at = focused; at != nullptr && at != content_; at = at->parentWidget()) {
-    if (const auto* const part = qobject_cast<FormPart*>(at)) {
-      pointer = part->pointer();
-      break;
-    }
-  }
-  if (const auto* const line = qobject_cast<QLineEdit*>(focused)) cursor = line->cursorPosition();
   const bool was_here = focused != nullptr && content_->isAncestorOf(focused);
+  const Focus focus = was_here ? focus_of(*focused) : Focus{};
   const int scrolled = area_->verticalScrollBar()->value();
   if (context_.is_refreshing) return;
   context_.is_refreshing = true;
@@ -216,32 +224,67 @@ void ProtocolForm::refresh() {
   if (std::exchange(context_.has_new_parts, false)) order_for_keyboard();
   content_->setEnabled(can_be_edited_ && !read_only_);
   if (!was_here || QApplication::focusWidget() == focused) return;
+  // Qt gave the focus to any other control, which may be a button that removes something.
+  area_->setFocus();
   // After the layout has shown what was made.
-  QTimer::singleShot(0, content_, [this, name = focused->objectName(), pointer, cursor, scrolled] {
-    give_focus_back(name, pointer, cursor);
+  QTimer::singleShot(0, content_, [this, focus, scrolled] {
+    if (QApplication::focusWidget() == area_) give_focus_back(focus);
     area_->verticalScrollBar()->setValue(scrolled);
   });
 }
 
-void ProtocolForm::give_focus_back(const QString& name, const std::string& pointer, int cursor) {
+ProtocolForm::Focus ProtocolForm::focus_of(const QWidget& focused) const {
+  const auto now = [this](const std::string& pointer) {
+    return context_.renamed ? context_.renamed(pointer) : pointer;
+  };
+  // "open:/factors/speed", or a pointer alone.
+  const auto name_now = [&now](const QString& name) {
+    const qsizetype begin = name.indexOf('/');
+    if (begin < 0) return name;
+    return name.left(begin) + text(now(name.mid(begin).toStdString()));
+  };
+  Focus focus{.name = name_now(focused.objectName())};
+  for (const QWidget* at = &focused; at != nullptr && at != content_; at = at->parentWidget()) {
+    if (const auto* const part = qobject_cast<const FormPart*>(at)) {
+      focus.part = name_now(part->objectName());
+      focus.pointer = now(part->pointer());
+      break;
+    }
+  }
+  if (const auto* const line = qobject_cast<const QLineEdit*>(&focused)) {
+    focus.cursor = line->cursorPosition();
+  }
+  return focus;
+}
+
+void ProtocolForm::give_focus_back(const Focus& focus) {
+  // Never to a button that removes something, which may belong to another value now.
+  const auto takes_focus = [](const QWidget& widget) {
+    return widget.isVisible() && (widget.focusPolicy() & Qt::TabFocus) != 0 &&
+           !widget.objectName().startsWith(kRemoving);
+  };
+  QString name = focus.name;
+  if (name.startsWith(kRemovingValue)) name.replace(0, kRemovingValue.size(), kChoosing);
   QWidget* control = nullptr;
   for (QWidget* const same : content_->findChildren<QWidget*>(name)) {  // the button that unfolds
-    if (!name.isEmpty() && same->isVisible()) control = same;
+    if (!name.isEmpty() && takes_focus(*same)) control = same;
   }
-  FormPart* const part = part_at(pointer);
+  for (FormPart* const part : content_->findChildren<FormPart*>(focus.part)) {
+    if (control == nullptr && part->isVisible()) control = part->focusProxy();
+  }
+  FormPart* const part = part_at(focus.pointer);
   if (control == nullptr && part != nullptr) {
     control = part->focusProxy();
     // Of a list whose button is gone, the first control.
     for (QWidget* next = part->nextInFocusChain(); control == nullptr && next != part;
          next = next->nextInFocusChain()) {
-      const bool takes_focus = next->isVisible() && (next->focusPolicy() & Qt::TabFocus) != 0;
-      if (part->isAncestorOf(next) && takes_focus) control = next;
+      if (part->isAncestorOf(next) && takes_focus(*next)) control = next;
     }
   }
   if (control == nullptr) return;
   control->setFocus();
-  if (auto* const line = qobject_cast<QLineEdit*>(control); line != nullptr && cursor >= 0) {
-    line->setCursorPosition(cursor);
+  if (auto* const line = qobject_cast<QLineEdit*>(control); line != nullptr && focus.cursor >= 0) {
+    line->setCursorPosition(focus.cursor);
   }
 }
 

@@ -55,11 +55,19 @@ class ProtocolForm final : public QWidget {
   void edit(const FormContext::Edit& edit, const std::string& step);
   void act_on_entry(EntryAction action);
   void show_unreadable(const QString& why);
+  void follow_names(const std::shared_ptr<const FormSource>& before);
   void refresh();
   void show_help(QWidget* focused);
   void order_for_keyboard();
-  /// To the control of this object name or of this part, after it was made again. `cursor`: in a line; negative: none.
-  void give_focus_back(const QString& name, const std::string& pointer, int cursor);
+  /// To the control of this object name or of this part, after it was made again.
+  struct Focus {
+    QString name{};         ///< of the control; can be empty
+    QString part{};         ///< the object name of the part around it
+    std::string pointer{};  ///< of that part
+    int cursor = -1;        ///< in a line; negative: none
+  };
+  Focus focus_of(const QWidget& focused) const;
+  void give_focus_back(const Focus& focus);
   void count_problems();
   FormPart* part_at(const std::string& pointer) const;
 

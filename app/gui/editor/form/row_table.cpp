@@ -69,7 +69,7 @@ RowTable::RowTable(FormContext& context, const std::string& pointer, QWidget* pa
   });
   add(tr("Up"), "up", [this] { move(-1); });
   add(tr("Down"), "down", [this] { move(1); });
-  add(tr("Remove"), "remove", [this] {
+  add(tr("Remove"), "remove_rows", [this] {
     std::vector<std::string> pointers{};
     for (const int row : selected_rows()) {
       pointers.push_back(pointer_to(this->pointer(), static_cast<std::size_t>(row)));
