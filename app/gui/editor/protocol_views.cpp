@@ -178,7 +178,7 @@ void ProtocolViews::show_problems(const std::vector<Diagnostic>& problems,
   places_ = problems;
   places_.insert(places_.end(), warnings.begin(), warnings.end());
   edit_->show_problems(problems, warnings);
-  form_->show_problems(places_);
+  form_->show_problems(problems, warnings);
 }
 
 void ProtocolViews::go_to_problem(std::size_t index) {

@@ -13,6 +13,7 @@
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
+#include <QtWidgets/QListWidget>
 #include <QtWidgets/QPlainTextEdit>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QTableWidget>
@@ -476,6 +477,29 @@ TEST_F(FormOfProtocol, ShowsAProblemNextToItsField) {
   for (const QLabel* const label : form().findChildren<QLabel*>("form_problem")) {
     EXPECT_FALSE(label->isVisible());
   }
+}
+
+TEST_F(FormOfProtocol, ShowsAWarningInAnotherColourThanAProblem) {
+  open(library_text("amplitude_jnd"));
+  Diagnostic remark{};
+  remark.pointer = "/material/stiffness_N_per_m";
+  remark.message = "rather stiff";
+  const auto shown = [this] {
+    for (const QLabel* const label : form().findChildren<QLabel*>("form_problem")) {
+      if (label->isVisible()) return label->text() + " " + label->styleSheet();
+    }
+    return QString();
+  };
+  const auto& pages = child<QListWidget>(form(), "form_pages");
+  ASSERT_NE(part(remark.pointer), nullptr);
+  views_.show_problems({}, {remark});
+  EXPECT_EQ(shown(), "▲ rather stiff color: " + color_of(State::look).name());
+  EXPECT_TRUE(pages.currentItem()->text().endsWith("▲ 1"));
+  views_.show_problems({remark}, {});
+  EXPECT_EQ(shown(), "✕ rather stiff color: " + color_of(State::stop).name());
+  EXPECT_TRUE(pages.currentItem()->text().endsWith("✕ 1"));
+  views_.show_problems({remark}, {remark});
+  EXPECT_EQ(shown(), "✕ rather stiff\n▲ rather stiff color: " + color_of(State::stop).name());
 }
 
 TEST_F(FormOfProtocol, ShowsListedTrialsAsATable) {

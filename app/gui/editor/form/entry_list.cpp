@@ -146,10 +146,10 @@ void EntryList::show_entry(const Entry& entry, std::size_t index) const {
   }
   // A folded card states what is wrong in it.
   const bool is_folded = entry.content == nullptr;
-  const QString sentences =
+  show_problems(
+      *entry.problem,
       problems_at(context(), entry.pointer,
-                  is_folded || entry.summary == nullptr ? Problems::within : Problems::of_value);
-  show_problem(*entry.problem, sentences);
+                  is_folded || entry.summary == nullptr ? Problems::within : Problems::of_value));
 }
 
 QString EntryList::title_of(const Entry& entry, std::size_t index) const {

@@ -8,7 +8,6 @@
 #include <QtWidgets/QLayout>
 #include <QtWidgets/QToolButton>
 
-#include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
 
 namespace asperity {
@@ -42,26 +41,39 @@ void FormPart::remove(const std::string& pointer, const std::string& step) const
   context_.edit([&](const JsonDocument& text) { return without(text, std::array{pointer}); }, step);
 }
 
-QString problems_at(const FormContext& context, const std::string& pointer, Problems which) {
-  QStringList sentences{};
-  for (const auto& [place, sentence] : context.problems) {
+std::vector<Remark> problems_at(const FormContext& context, const std::string& pointer,
+                                Problems which) {
+  std::vector<Remark> found{};
+  for (const auto& [place, remarks] : context.problems) {
     const bool is_within = which == Problems::within && place.starts_with(pointer + "/");
-    if (place == pointer || is_within) sentences.append(sentence);
+    if (place == pointer || is_within) found.insert(found.end(), remarks.begin(), remarks.end());
   }
-  return sentences.join("\n");
+  return found;
 }
 
 QLabel* make_problem_label(QWidget* parent) {
   QLabel* label = make_text({}, parent);
   label->setObjectName("form_problem");
-  label->setStyleSheet("color: " + color_of(State::stop).name());
   label->hide();
   return label;
 }
 
-void show_problem(QLabel& label, const QString& sentences) {
-  label.setText(sentences.isEmpty() ? QString() : shape_of(State::stop) + " " + sentences);
-  label.setVisible(!sentences.isEmpty());
+void show_problems(QLabel& label, const std::vector<Remark>& remarks) {
+  QStringList lines{};
+  State worst = State::look;
+  for (const Remark& remark : remarks) {
+    if (remark.state == State::stop) worst = State::stop;
+    lines.append(shape_of(remark.state) + " " + remark.sentence);
+  }
+  const QString style = "color: " + color_of(worst).name();
+  if (!lines.isEmpty() && label.styleSheet() != style) label.setStyleSheet(style);
+  label.setText(lines.join("\n"));
+  label.setVisible(!lines.isEmpty());
+}
+
+void show_problem(QLabel& label, const QString& sentence) {
+  show_problems(label, sentence.isEmpty() ? std::vector<Remark>{}
+                                          : std::vector<Remark>{{State::stop, sentence}});
 }
 
 QToolButton* make_tool(const QString& sign, const QString& name, QWidget* parent) {

@@ -8,10 +8,12 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <QtWidgets/QWidget>
 
 #include "app/gui/editor/form/form_source.h"
+#include "app/gui/look/controls.h"
 #include "protocols/form/form_edits.h"
 
 class QLabel;
@@ -19,6 +21,12 @@ class QLayout;
 class QToolButton;
 
 namespace asperity {
+
+/// A problem (State::stop) or a warning (State::look).
+struct Remark {
+  State state = State::stop;
+  QString sentence{};
+};
 
 /// What all parts of a form share. Belongs to the form.
 struct FormContext {
@@ -30,7 +38,8 @@ struct FormContext {
   std::function<void(const std::string& pointer)> show_in_text{};
   /// Shows all parts again, of which some are unfolded.
   std::function<void()> refresh{};
-  std::map<std::string, QString> problems{};  ///< sentences of the check, by pointer
+  /// Of the check, by pointer.
+  std::map<std::string, std::vector<Remark>> problems{};
   /// Writes a name that was typed and is not complete; empty if there is none. It comes before any other edit.
   std::function<void()> write_pending{};
   /// Parts have been made: the order of the keyboard has to be that of the layout again.
@@ -75,13 +84,17 @@ class FormPart : public QWidget {
   QString meaning_{};
 };
 
-/// The sentences about the value at a pointer; with `within`, also those about what it contains.
+/// The remarks about the value at a pointer; with `within`, also those about what it contains.
 enum class Problems { of_value, within };
-QString problems_at(const FormContext& context, const std::string& pointer, Problems which);
+std::vector<Remark> problems_at(const FormContext& context, const std::string& pointer,
+                                Problems which);
 
-/// A hidden label for such sentences, and the sentences in it with their mark.
+/// A hidden label for remarks.
 QLabel* make_problem_label(QWidget* parent);
-void show_problem(QLabel& label, const QString& sentences);
+/// Each in a line with the mark of its state, in the colour of the worst.
+void show_problems(QLabel& label, const std::vector<Remark>& remarks);
+/// One problem; hides the label if the sentence is empty.
+void show_problem(QLabel& label, const QString& sentence);
 
 /// The object name of every button that removes something begins with this.
 inline constexpr QLatin1StringView kRemoving("remove");

@@ -249,9 +249,8 @@ void ObjectRows::show_state(const Row& row) const {
   if (row.problem != nullptr) {
     // What a field contains has no row of its own.
     const bool is_field = row.state != nullptr;
-    const QString sentences =
-        problems_at(context(), row.entry.pointer, is_field ? Problems::within : Problems::of_value);
-    show_problem(*row.problem, sentences);
+    show_problems(*row.problem, problems_at(context(), row.entry.pointer,
+                                            is_field ? Problems::within : Problems::of_value));
   }
   if (row.state == nullptr) return;
   const bool is_default = !row.entry.is_present && !row.entry.key->is_required;

@@ -298,27 +298,41 @@ void ProtocolForm::order_for_keyboard() {
   }
 }
 
-void ProtocolForm::show_problems(const std::vector<Diagnostic>& problems) {
+void ProtocolForm::show_problems(const std::vector<Diagnostic>& problems,
+                                 const std::vector<Diagnostic>& warnings) {
   context_.problems.clear();
   for (const Diagnostic& problem : problems) {
-    QString& sentences = context_.problems[problem.pointer];
-    sentences += (sentences.isEmpty() ? "" : "\n") + text(problem.message);
+    context_.problems[problem.pointer].push_back({State::stop, text(problem.message)});
+  }
+  for (const Diagnostic& warning : warnings) {
+    context_.problems[warning.pointer].push_back({State::look, text(warning.message)});
   }
   count_problems();
   refresh();
 }
 
-/// The number of problems of a page is next to its name.
+/// The number of problems and warnings of a page is next to its name, with the mark of the worst.
 void ProtocolForm::count_problems() {
-  std::vector<qsizetype> counts(form_pages().size());
-  for (const auto& [pointer, sentences] : context_.problems) {
+  struct Count {
+    std::size_t remarks = 0;
+    State worst = State::look;
+  };
+  std::vector<Count> counts(form_pages().size());
+  for (const auto& [pointer, remarks] : context_.problems) {
     const FormPage& page = form_page_of(pointer);
-    counts[static_cast<std::size_t>(&page - form_pages().data())] += 1 + sentences.count('\n');
+    Count& count = counts[static_cast<std::size_t>(&page - form_pages().data())];
+    count.remarks += remarks.size();
+    for (const Remark& remark : remarks) {
+      if (remark.state == State::stop) count.worst = State::stop;
+    }
   }
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const QString label = text_of_keys(form_pages()[i].label);
     pages_->item(static_cast<int>(i))
-        ->setText(counts[i] == 0 ? label : QString("%1  ▲ %2").arg(label).arg(counts[i]));
+        ->setText(counts[i].remarks == 0 ? label
+                                         : QString("%1  %2 %3")
+                                               .arg(label, shape_of(counts[i].worst))
+                                               .arg(counts[i].remarks));
   }
 }
 

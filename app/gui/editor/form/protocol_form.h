@@ -37,7 +37,8 @@ class ProtocolForm final : public QWidget {
   /// Writes a name that was typed and not confirmed, before the text is saved or left.
   void commit();
   /// The problems and warnings of the text, next to their fields.
-  void show_problems(const std::vector<Diagnostic>& problems);
+  void show_problems(const std::vector<Diagnostic>& problems,
+                     const std::vector<Diagnostic>& warnings);
 
   /// Shows the page with the value, unfolded, and gives its field the focus.
   void go_to(const std::string& pointer);
