@@ -102,7 +102,7 @@ QString factors_of(const Trial& trial) {
   return factors.join(" · ");
 }
 
-/// "A: height_map of metal, stiffness_N_per_m 500"
+/// "A: height_map of metal, stiffness 500 N/m"
 QString surface_in_full(const PlannedPresentation& surface) {
   const StimulusDescription& stimulus = surface.stimulus;
   QString words = stimulus.texture.empty()
@@ -110,9 +110,9 @@ QString surface_in_full(const PlannedPresentation& surface) {
                       : PlanPreview::tr("%1: %2 of %3")
                             .arg(text(surface.code), text(stimulus.model), text(stimulus.texture));
   for (const auto& [name, value] : stimulus.parameters) {
-    const auto* number = std::get_if<double>(&value);
-    words += ", " + text(name) + ' ' +
-             text(number != nullptr ? text_of_number(*number) : std::get<std::string>(value));
+    const auto* const number = std::get_if<double>(&value);
+    words += ", " + (number != nullptr ? text_of_level(name, *number)
+                                       : text(name) + ' ' + text(std::get<std::string>(value)));
   }
   return words;
 }

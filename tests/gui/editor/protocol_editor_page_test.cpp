@@ -737,6 +737,16 @@ TEST_F(ProtocolEditor, DoesNotChangeAFileThatItCannotShowByteForByte) {
   }
 }
 
+TEST_F(ProtocolEditor, ShowsTheParametersOfSurfacesInTheirUnits) {
+  open();
+  edit().replace_text(QString::fromStdString(library_text("amplitude_jnd")));
+  ASSERT_TRUE(checked());
+  EXPECT_TRUE(eventually([&] { return label("plan_detail").contains("wavelength 2.5 mm"); }))
+      << label("plan_detail").toStdString();
+  EXPECT_TRUE(label("plan_detail").contains("amplitude 50 µm"));
+  EXPECT_FALSE(label("plan_detail").contains("_m "));
+}
+
 TEST_F(ProtocolEditor, ShowsOneOfItsSidesWhereTheyHaveNoRoomTogether) {
   open();
   auto& plan = child<QWidget>(*page_, "editor_plan_side");
