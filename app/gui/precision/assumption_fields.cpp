@@ -25,6 +25,7 @@ namespace asperity {
 namespace {
 
 constexpr int kAssumptionFieldWidth = 88;
+constexpr int kLeastFieldWidth = 64;
 constexpr int kShownDigits = 3;
 
 /// The words of "BLOCK.QUESTION.PARAMETER".
@@ -141,12 +142,12 @@ void AssumptionFields::add_row(std::size_t index, QGridLayout& grid, int line) {
   QLabel* caption = make_text(parts_of_name(assumption.name).parameter, rows_);
   QLabel* unit = make_text(unit_text(assumption), rows_, true);
   QLabel* source = make_text({}, rows_, true);
-  unit->setWordWrap(false);
   for (QLabel* label : {caption, unit, source}) label->setFont(text_font(TextSize::small));
   field->setObjectName(text(assumption.name));
   field->setAccessibleName(assumption_caption(assumption.name));
   field->setAccessibleDescription(text(assumption.meaning));
-  field->setFixedWidth(kAssumptionFieldWidth);
+  field->setMinimumWidth(kLeastFieldWidth);
+  field->setMaximumWidth(kAssumptionFieldWidth);
   field->setAlignment(Qt::AlignRight);
   caption->setBuddy(field);
   caption->setToolTip(tip);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <QtTest/QTest>
+#include <QtWidgets/QApplication>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
@@ -14,6 +15,7 @@
 #include "app/gui/base/command_lines.h"
 #include "app/gui/base/study_table.h"
 #include "app/gui/editor/protocol_editor_page.h"
+#include "app/gui/precision/assumption_fields.h"
 #include "app/gui/precision/precision_view.h"
 #include "protocols/file/protocol_reader.h"
 #include "results_schema/files/atomic_file.h"
@@ -95,6 +97,16 @@ TEST_F(PrecisionOfAProtocol, NamesTheValuesThatAreMissing) {
   EXPECT_EQ(child<QLineEdit>(view_, "comparisons.rougher.threshold").text(), "7.07") << "in µm";
   EXPECT_TRUE(is_still());
   EXPECT_EQ(view_.studies(), 0);
+}
+
+TEST_F(PrecisionOfAProtocol, CutsNoAssumptionInANarrowColumn) {
+  view_.resize(320, 600);
+  show("semantic_differential");
+  const char* const field = "ratings.rough.level";
+  require([&] { return view_.findChild<QLineEdit*>(field) != nullptr; }, "fields");
+  QApplication::processEvents();
+  const auto& fields = *view_.findChild<AssumptionFields*>();
+  EXPECT_LE(fields.width(), fields.parentWidget()->width());
 }
 
 TEST_F(PrecisionOfAProtocol, ShowsFiguresWithTheirMonteCarloErrors) {
