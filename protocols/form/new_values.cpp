@@ -3,6 +3,7 @@
 #include "protocols/form/new_values.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <variant>
 #include <vector>
@@ -33,6 +34,18 @@ ordered_json number_of(const NumberShape& shape) {
   }
   if (shape.is_whole) return static_cast<std::int64_t>(std::ceil(number));
   return number;
+}
+
+constexpr std::string_view kGroups = "groups";
+
+/// Whether a factor that is named here gets its level in each trial from the block or the flow.
+bool sets_levels(const std::string& pointer) {
+  if (pointer.starts_with("/flow/")) return true;
+  constexpr std::array<std::string_view, 4> kSetting{"/crossed", "/listed", "/drawn", "/all_pairs"};
+  return pointer.starts_with("/blocks/") &&
+         std::any_of(kSetting.begin(), kSetting.end(), [&pointer](std::string_view key) {
+           return pointer.find(key) != std::string::npos;
+         });
 }
 
 struct NewValue {
@@ -116,6 +129,19 @@ std::vector<std::string> declared_names(const ProtocolNames& names, std::string_
 
 ordered_json new_value(const ValueShape& shape, const ProtocolNames& names) {
   return std::visit(NewValue{names}, shape);
+}
+
+ordered_json new_value_of(const ProtocolKey& key, const ProtocolNames& names) {
+  if (key.name != kGroups) return new_value(key.shape, names);
+  const auto is_set = [&names](const std::string& factor) {
+    return std::any_of(names.uses.begin(), names.uses.end(), [&factor](const NameUse& use) {
+      return use.registry == kFactorNames && use.name == factor && !use.is_declared &&
+             sets_levels(use.pointer);
+    });
+  };
+  const std::vector<std::string> factors = declared_names(names, kFactorNames);
+  const auto free = std::find_if_not(factors.begin(), factors.end(), is_set);
+  return {{"factor", free == factors.end() ? std::string() : *free}};
 }
 
 }  // namespace asperity

@@ -10,6 +10,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "protocols/keys/names_in.h"
+#include "protocols/shapes/key.h"
 #include "protocols/shapes/shape.h"
 
 namespace asperity {
@@ -27,5 +28,8 @@ std::vector<std::string> declared_names(const ProtocolNames& names, std::string_
 /// registry has, an object with its required keys. A text is empty, which the check refuses where it is required; with a pattern, and without names in a registry,
 /// it is "new".
 nlohmann::ordered_json new_value(const ValueShape& shape, const ProtocolNames& names);
+
+/// The same for a key. The factor of groups is one that neither blocks nor the flow set; if there is none, its name is empty.
+nlohmann::ordered_json new_value_of(const ProtocolKey& key, const ProtocolNames& names);
 
 }  // namespace asperity

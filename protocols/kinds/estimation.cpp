@@ -255,7 +255,7 @@ void check_estimation(const Protocol& protocol, ProblemSink& problems) {
   if (has_spacing) check_spacings(protocol, estimation.spacing, problems);
   if (has_items && !has_spacing) check_items(protocol, problems);
   if (has_spacing || has_items) check_modulus(protocol, problems);
-  if (estimation.condition == estimation.factor()) {
+  if (!estimation.condition.empty() && estimation.condition == estimation.factor()) {
     problems.report("/estimation/condition",
                     estimation.spacing.empty()
                         ? "the items and the condition are the same factor; name another one"

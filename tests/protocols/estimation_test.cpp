@@ -23,6 +23,7 @@ using ::testing::ElementsAre;
 using ::testing::Field;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 /// Three models are estimated, twice each.
 struct EstimatedModels {
@@ -169,6 +170,9 @@ TEST(Estimation, TakesAParameterThatItsBlocksVary) {
 TEST(Estimation, RefusesWhatItCannotAnalyse) {
   EXPECT_THAT(problems_of_models({.estimation = R"("condition": "model")"}),
               has_problem("/estimation", "exactly one of \"spacing\""));
+  EXPECT_THAT(problems_of_models({.estimation = R"("modulus": "free")"}),
+              Not(has_problem("/estimation/condition", "same factor")))
+      << "none is stated";
   EXPECT_THAT(problems_of_models({.estimation = R"("factor": "modell")"}),
               has_problem("/estimation/factor", "did you mean \"model\""));
   EXPECT_THAT(problems_of_models({.estimation = R"("factor": "model", "predictor": "level")"}),

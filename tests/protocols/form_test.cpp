@@ -255,6 +255,16 @@ TEST(NewValues, HaveTheFormOfTheirShape) {
   }
 }
 
+// Groups begin with a factor that can be theirs, or with none.
+TEST(NewValues, HaveAFactorOfGroupsThatNoBlockSets) {
+  json protocol = test::library_file("semantic_differential");
+  const ProtocolKey& groups = *kProtocolTable.find("groups");
+  EXPECT_EQ(json::parse(new_value_of(groups, names_in(protocol)).dump()), (json{{"factor", ""}}));
+  protocol["factors"]["instruction"] = {{"levels", {"brief", "detailed"}}};
+  EXPECT_EQ(json::parse(new_value_of(groups, names_in(protocol)).dump()),
+            (json{{"factor", "instruction"}}));
+}
+
 TEST(NewValues, AreNamedWithoutClashes) {
   EXPECT_EQ(free_name({}, "brick"), "brick");
   EXPECT_EQ(free_name({"brick", "brick_2"}, "brick"), "brick_3");

@@ -87,7 +87,7 @@ void ChoiceField::refresh() {
   const nlohmann::json* const present = value();
   const nlohmann::json shown = present == nullptr ? of_.standard() : *present;
   std::vector<Choice> choices = choices_();
-  if (shown.is_null()) choices.insert(choices.begin(), {{}, tr("– not stated –")});
+  if (shown.is_null() || shown == "") choices.insert(choices.begin(), {{}, tr("– not stated –")});
   const auto is_shown = [&shown](const Choice& choice) { return shown == choice.value; };
   auto current = std::find_if(choices.begin(), choices.end(), is_shown);
   if (current == choices.end() && shown.is_string()) {  // a name that does not exist
