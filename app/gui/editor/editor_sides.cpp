@@ -15,7 +15,7 @@ namespace asperity {
 namespace {
 
 /// Labels of fields, values and units on one line, next to a plan with readable columns.
-constexpr int kWidthOfBoth = 880;
+constexpr int kWidthOfBoth = 1000;
 
 }  // namespace
 

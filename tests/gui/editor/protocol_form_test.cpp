@@ -16,6 +16,7 @@
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QPlainTextEdit>
 #include <QtWidgets/QPushButton>
+#include <QtWidgets/QScrollArea>
 #include <QtWidgets/QTableWidget>
 #include <QtWidgets/QToolButton>
 #include <nlohmann/json.hpp>
@@ -635,6 +636,60 @@ TEST_F(FormOfProtocol, ChangesOneValueOfTheText) {
   EXPECT_GE(edits, 200);
 }
 
+/// The parts that are wider than this, without those that contain another one, for messages.
+std::string parts_wider_than(int width, const QWidget& content) {
+  const auto is_wide = [&](const FormPart* part) {
+    const int begin = part->mapTo(&content, QPoint(0, 0)).x();
+    return part->isVisible() && begin + part->minimumSizeHint().width() > width;
+  };
+  std::string wide{};
+  for (const FormPart* const part : content.findChildren<FormPart*>()) {
+    const auto parts = part->findChildren<FormPart*>();
+    if (!is_wide(part) || std::any_of(parts.begin(), parts.end(), is_wide)) continue;
+    wide += " " + part->pointer() + " (" + part->metaObject()->className() + ", " +
+            std::to_string(part->minimumSizeHint().width()) + ")";
+  }
+  return wide;
+}
+
+TEST_F(FormOfProtocol, NeedsNoHorizontalScrolling) {
+  constexpr int kWidthInSmallWindows =
+      590;  // of 1280 points, next to the plan; of 910 points, alone
+  views_.resize(kWidthInSmallWindows, 700);
+  auto& area = child<QScrollArea>(form(), "form_area");
+  for (const LibraryProtocol& library : library_protocols()) {
+    open(std::string(library.text));
+    for (const FormPage& page : form_pages()) {
+      unfold(page);
+      QApplication::processEvents();
+      EXPECT_LE(area.widget()->width(), area.viewport()->width())
+          << library.name << " " << page.id << ": "
+          << parts_wider_than(area.viewport()->width(), *area.widget());
+    }
+  }
+}
+
+TEST_F(FormOfProtocol, ShowsTheNamesOfItsPagesInFull) {
+  open(library_text("amplitude_jnd"));
+  Diagnostic problem{};
+  problem.pointer = "/flow/0";
+  views_.show_problems({problem}, {});
+  const auto& pages = child<QListWidget>(form(), "form_pages");
+  for (const int width : {900, 590}) {
+    views_.resize(width, 700);
+    QApplication::processEvents();
+    for (int row = 0; row < pages.count(); ++row) {
+      const QRect place = pages.visualItemRect(pages.item(row));
+      constexpr int kPadding = 24;
+      const QRect room(0, 0, place.width() - kPadding, 1000);
+      const QRect needed =
+          pages.fontMetrics().boundingRect(room, Qt::TextWordWrap, pages.item(row)->text());
+      EXPECT_LE(needed.height(), place.height()) << pages.item(row)->text().toStdString();
+      EXPECT_LE(needed.width(), room.width()) << pages.item(row)->text().toStdString();
+    }
+  }
+}
+
 TEST_F(FormOfProtocol, Pictures) {
   for (const ThemeChoice choice : {ThemeChoice::light, ThemeChoice::dark}) {
     apply_theme(*qApp, choice);
@@ -649,6 +704,12 @@ TEST_F(FormOfProtocol, Pictures) {
     open(library_text("amplitude_jnd"));
     ASSERT_NE(part("/blocks/comparisons/procedure/steps"), nullptr);
     take_screenshot(views_, "form-procedure" + end, {900, 700});
+    for (const char* const page : {"surfaces", "task", "order", "analysis"}) {
+      for (const FormPage& each : form_pages()) {
+        if (each.id == page) unfold(each);
+      }
+      take_screenshot(views_, "form-narrow-" + QString(page) + end, {590, 900});
+    }
   }
   apply_theme(*qApp, ThemeChoice::light);
 }

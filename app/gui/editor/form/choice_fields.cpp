@@ -13,6 +13,7 @@
 #include "app/gui/base/question_form.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
+#include "app/gui/look/wrapping_row.h"
 #include "app/study_files/parameter_json.h"
 #include "protocols/editing/edits.h"
 #include "protocols/form/new_values.h"
@@ -23,9 +24,11 @@ namespace {
 
 constexpr int kChoiceWidth = 440;
 constexpr int kLettersOfChoice = 6;
+constexpr int kLeastChoiceWidth = 112;
 
 ChoiceBox* make_box(QWidget* parent) {
   auto* box = new ChoiceBox(parent);
+  box->setMinimumWidth(kLeastChoiceWidth);
   box->setMaximumWidth(kChoiceWidth);
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   box->setMinimumContentsLength(kLettersOfChoice);
@@ -112,9 +115,9 @@ BoundField::BoundField(FormContext& context, const ValueShape& shape, const Fiel
     : FormPart(context, pointer, parent), shape_(shape), of_(of) {
   source_ = make_box(this);
   fixed_ = make_field(context, shape, of, pointer, this);
-  QHBoxLayout* row = make_row(this);
-  row->addWidget(source_, 1);
-  row->addWidget(fixed_, 1);
+  auto* row = new WrappingRow(this);
+  row->addWidget(source_);
+  row->addWidget(fixed_);
   connect(source_, &QComboBox::activated, this, &BoundField::take);
 }
 

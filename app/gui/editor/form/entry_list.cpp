@@ -19,8 +19,10 @@
 #include "app/gui/editor/form/object_rows.h"
 #include "app/gui/editor/form/text_card.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/fitted_label.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/look/words.h"
+#include "app/gui/look/wrapping_row.h"
 #include "app/study_files/parameter_json.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/editing/text_entries.h"
@@ -31,6 +33,7 @@ namespace asperity {
 namespace {
 
 constexpr int kNameWidth = 144;
+constexpr int kLeastNameWidth = 80;
 constexpr std::string_view kParameters = "/parameters";
 std::string_view first_deciding(const KeyTable& table, const nlohmann::json& object) {
   for (const std::string_view key : table.deciding) {
@@ -140,9 +143,8 @@ void EntryList::show_entry(const Entry& entry, std::size_t index) const {
   if (entry.summary != nullptr) {
     const QString summary =
         text(summary_of(entry_shape(), *source().find(entry.pointer), entry.pointer));
-    entry.summary->setText(
-        QString("<b>%1</b>&nbsp;&nbsp;%2")
-            .arg(title.toHtmlEscaped(), summary.left(summary.indexOf('\n')).toHtmlEscaped()));
+    entry.title->show_text(title);
+    entry.summary->show_text(summary.left(summary.indexOf('\n')));
   }
   // A folded card states what is wrong in it.
   const bool is_folded = entry.content == nullptr;
@@ -178,21 +180,22 @@ void EntryList::make_entries(std::vector<Entry> entries) {
 }
 
 void EntryList::add_line(Entry& entry, std::size_t index) {
-  auto* row = new QHBoxLayout();
+  auto* row = new WrappingRow();
   if (source().parameter_at(entry.pointer) != nullptr) {
-    QLabel* label = make_text(text(entry.name), this);
-    label->setFixedWidth(kNameWidth);
-    row->addWidget(label);
+    row->addWidget(make_field_label(text(entry.name), this));
   } else if (std::holds_alternative<MapShape>(shape_)) {
     entry.key = make_key_field(context(), entry.pointer, this);
-    entry.key->setFixedWidth(kNameWidth);
+    entry.key->setMinimumWidth(kLeastNameWidth);
+    entry.key->setMaximumWidth(kNameWidth);
     entry.key->set_name(tr("Name"));
     row->addWidget(entry.key);
   }
   entry.content = make_field(context(), entry_shape(), {}, entry.pointer, this);
   entry.content->set_name(title_of(entry, index));
-  row->addWidget(entry.content, 1);
-  add_tools(*row, entry, index);
+  row->addWidget(entry.content);
+  auto* tools = new QHBoxLayout();
+  add_tools(*tools, entry, index);
+  row->add_layout(tools, Qt::AlignRight);
   layout_->addLayout(row);
   entry.problem = make_problem_label(this);
   layout_->addWidget(entry.problem);
@@ -217,10 +220,10 @@ void EntryList::add_card(Entry& entry, std::size_t index) {
   entry.tools.push_back({fold, is_open ? tr("Fold “%1”") : tr("Unfold “%1”"), {}});
   connect(fold, &QToolButton::clicked, this, [this, pointer = entry.pointer] { toggle(pointer); });
   head->addWidget(fold);
-  entry.summary = make_text({}, card);
-  entry.summary->setTextFormat(Qt::RichText);
-  entry.summary->setWordWrap(false);
-  entry.summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  entry.title = new FittedLabel(card);
+  entry.title->setFont(text_font(TextSize::body, true));
+  head->addWidget(entry.title);
+  entry.summary = new FittedLabel(card);
   head->addWidget(entry.summary, 1);
   add_tools(*head, entry, index);
   entry.problem = make_problem_label(card);
@@ -228,8 +231,8 @@ void EntryList::add_card(Entry& entry, std::size_t index) {
   if (is_open) {
     if (std::holds_alternative<MapShape>(shape_) && !is_excerpt()) {
       auto* row = new QHBoxLayout();
-      QLabel* label = make_text(tr("Name"), card);
-      label->setFixedWidth(kNameWidth);
+      row->setSpacing(kGrid);
+      QLabel* label = make_field_label(tr("Name"), card);
       entry.key = make_key_field(context(), entry.pointer, card);
       entry.key->set_name(tr("Name"));
       row->addWidget(label);

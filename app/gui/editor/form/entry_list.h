@@ -23,6 +23,8 @@ class QVBoxLayout;
 
 namespace asperity {
 
+class FittedLabel;
+
 /// What a button of an entry does.
 enum class EntryAction { move_up, move_down, duplicate, remove };
 /// With the keyboard, for the entry with the focus.
@@ -50,9 +52,10 @@ class EntryList final : public FormPart {
   struct Entry {
     std::string pointer{};
     std::string name{};  ///< of a member of a map, or what a list entry is called; can be empty
-    FormPart* content = nullptr;  ///< null while a card is folded
-    FormPart* key = nullptr;      ///< the field of the name
-    QLabel* summary = nullptr;
+    FormPart* content = nullptr;   ///< null while a card is folded
+    FormPart* key = nullptr;       ///< the field of the name
+    FittedLabel* title = nullptr;  ///< of a card, as its summary
+    FittedLabel* summary = nullptr;
     QLabel* problem = nullptr;
     QCheckBox* chosen = nullptr;
     std::vector<Tool> tools{};

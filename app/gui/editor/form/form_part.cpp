@@ -2,9 +2,11 @@
 
 #include "app/gui/editor/form/form_part.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
+#include <QtCore/QRegularExpression>
 #include <QtWidgets/QLayout>
 #include <QtWidgets/QToolButton>
 
@@ -15,6 +17,28 @@ namespace asperity {
 namespace {
 
 constexpr int kToolWidth = 28;
+constexpr int kLabelWidth = 144;
+constexpr int kLeastLabelWidth = 72;
+
+class FieldLabel final : public QLabel {
+ public:
+  using QLabel::QLabel;
+
+  QSize sizeHint() const override { return of_width(std::max(kLabelWidth, longest_word())); }
+  QSize minimumSizeHint() const override {
+    return {std::max(kLeastLabelWidth, longest_word()), fontMetrics().height()};
+  }
+
+ private:
+  QSize of_width(int width) const { return {width, heightForWidth(width)}; }
+  int longest_word() const {
+    int longest = 0;
+    for (const QString& word : text().split(QRegularExpression(QStringLiteral("[ \\x{200B}]")))) {
+      longest = std::max(longest, fontMetrics().horizontalAdvance(word) + 1);
+    }
+    return longest;
+  }
+};
 
 }  // namespace
 
@@ -84,6 +108,18 @@ QToolButton* make_tool(const QString& sign, const QString& name, QWidget* parent
   tool->setAutoRaise(true);
   tool->setFixedWidth(kToolWidth);
   return tool;
+}
+
+QLabel* make_field_label(const QString& words, QWidget* parent) {
+  auto* label = new FieldLabel(parent);
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  // Names can be continued in the next line after an underscore.
+  label->setText(QString(words).replace('_', QStringLiteral("_\u200B")));
+  QSizePolicy policy(QSizePolicy::Maximum, QSizePolicy::Preferred);
+  policy.setHeightForWidth(true);
+  label->setSizePolicy(policy);
+  return label;
 }
 
 void clear_layout(QLayout& layout) {

@@ -106,6 +106,9 @@ inline constexpr QLatin1StringView kChoosing("choose:");
 /// A small button with a sign, whose name is read aloud and shown as its tip.
 QToolButton* make_tool(const QString& sign, const QString& name, QWidget* parent);
 
+/// The name of a field: as wide as those of other fields where there is room, otherwise in more lines. No word of it is cut.
+QLabel* make_field_label(const QString& words, QWidget* parent);
+
 /// Deletes the widgets of a layout, later, because one of them may have caused this.
 void clear_layout(QLayout& layout);
 

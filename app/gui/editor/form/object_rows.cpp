@@ -26,7 +26,6 @@ namespace asperity {
 
 namespace {
 
-constexpr int kLabelWidth = 144;
 constexpr int kStateWidth = 88;
 constexpr int kLabelColumn = 0;
 constexpr int kFieldColumn = 1;
@@ -148,8 +147,7 @@ void ObjectRows::make_rows(const std::vector<FormEntry>& entries) {
 
 void ObjectRows::add_field(const FormEntry& entry) {
   const int line = grid_->rowCount();
-  QLabel* label = make_text(text_of_keys(entry.key->label), this);
-  label->setFixedWidth(kLabelWidth);
+  QLabel* label = make_field_label(text_of_keys(entry.key->label), this);
   FormPart* field = make_field(context(), entry.key->shape, {entry.key}, entry.pointer, this);
   const QString meaning = meaning_of_key(*entry.key);
   field->set_meaning(meaning);

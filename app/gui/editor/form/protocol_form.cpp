@@ -28,7 +28,12 @@ namespace asperity {
 
 namespace {
 
-constexpr int kPagesWidth = 184;
+constexpr int kPagesWidth = 208;
+constexpr int kLeastPagesWidth = 144;
+/// Around the name of a page, with a scroll bar next to it.
+constexpr int kAroundPageName = 40;
+/// Of a form that has room for the names of the pages in a line each.
+constexpr int kRoomyWidth = 680;
 constexpr int kLinesOfHelp = 3;
 
 /// The controls in a layout, in its order.
@@ -55,6 +60,8 @@ ProtocolForm::ProtocolForm(const std::vector<ModelDeclaration>& models, QWidget*
   pages_->setAccessibleName(tr("Pages of the form"));
   pages_->setFixedWidth(kPagesWidth);
   pages_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  pages_->setWordWrap(true);
+  pages_->setTextElideMode(Qt::ElideNone);
   for (const FormPage& page : form_pages()) {
     auto* item = new QListWidgetItem(text_of_keys(page.label), pages_);
     item->setToolTip(text_of_keys(page.meaning));
@@ -100,6 +107,23 @@ ProtocolForm::ProtocolForm(const std::vector<ModelDeclaration>& models, QWidget*
   });
   connect(qApp, &QApplication::focusChanged, this,
           [this](QWidget*, QWidget* now) { show_help(now); });
+}
+
+void ProtocolForm::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  pages_->setFixedWidth(width() < kRoomyWidth ? kLeastPagesWidth : kPagesWidth);
+  fit_pages();
+}
+
+/// The list itself wraps a name only some time after its width has changed.
+void ProtocolForm::fit_pages() {
+  const QFontMetrics letters(pages_->font());
+  const QRect room(0, 0, pages_->width() - kAroundPageName, QWIDGETSIZE_MAX);
+  for (int row = 0; row < pages_->count(); ++row) {
+    QListWidgetItem& item = *pages_->item(row);
+    const int height = letters.boundingRect(room, Qt::TextWordWrap, item.text()).height();
+    item.setSizeHint({room.width(), height + kGrid});
+  }
 }
 
 void ProtocolForm::act_on_entry(EntryAction action) {
@@ -334,6 +358,7 @@ void ProtocolForm::count_problems() {
                                                .arg(label, shape_of(counts[i].worst))
                                                .arg(counts[i].remarks));
   }
+  fit_pages();
 }
 
 FormPart* ProtocolForm::part_at(const std::string& pointer) const {

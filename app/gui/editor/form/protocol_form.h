@@ -51,6 +51,9 @@ class ProtocolForm final : public QWidget {
   void edit_refused(const QString& why);
   void text_wanted(const std::string& pointer);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void make_page();
   void edit(const FormContext::Edit& edit, const std::string& step);
@@ -70,6 +73,7 @@ class ProtocolForm final : public QWidget {
   Focus focus_of(const QWidget& focused) const;
   void give_focus_back(const Focus& focus);
   void count_problems();
+  void fit_pages();
   FormPart* part_at(const std::string& pointer) const;
 
   FormContext context_{};

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QTableWidget>
@@ -16,6 +15,7 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/look/words.h"
+#include "app/gui/look/wrapping_row.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/editing/edits.h"
 
@@ -48,7 +48,7 @@ RowTable::RowTable(FormContext& context, const std::string& pointer, QWidget* pa
   table_->setAccessibleName(tr("Trials"));
   setFocusProxy(table_);
   layout->addWidget(table_);
-  auto* buttons = new QHBoxLayout();
+  auto* buttons = new WrappingRow();
   layout->addLayout(buttons);
   const auto add = [&](const QString& verb, const char* name, auto act) {
     QPushButton* button = make_button(verb, ButtonRole::link, this);
@@ -90,7 +90,6 @@ RowTable::RowTable(FormContext& context, const std::string& pointer, QWidget* pa
     }
     if (menu->isEmpty()) menu->addAction(tr("All factors occur already"))->setEnabled(false);
   });
-  buttons->addStretch();
   connect(table_, &QTableWidget::cellChanged, this, &RowTable::take);
 }
 

@@ -2,24 +2,21 @@
 
 #include "app/gui/editor/form/text_card.h"
 
-#include <QtWidgets/QHBoxLayout>
 #include <nlohmann/json.hpp>
 
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
+#include "app/gui/look/wrapping_row.h"
 
 namespace asperity {
 
 TextCard::TextCard(FormContext& context, const std::string& pointer, QWidget* parent)
     : FormPart(context, pointer, parent) {
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = new WrappingRow(this);
   words_ = make_text({}, this, true);
-  words_->setWordWrap(false);
   QPushButton* show = make_button(tr("Show in the text"), ButtonRole::link, this);
   layout->addWidget(words_);
   layout->addWidget(show);
-  layout->addStretch();
   connect(show, &QPushButton::clicked, this,
           [this] { this->context().show_in_text(this->pointer()); });
 }

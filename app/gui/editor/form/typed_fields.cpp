@@ -29,6 +29,7 @@ namespace asperity {
 namespace {
 
 constexpr int kNumberWidth = 128;
+constexpr int kLeastNumberWidth = 64;
 constexpr int kFewestLines = 2;
 constexpr int kMostLines = 12;
 
@@ -117,7 +118,9 @@ NumbersField::NumbersField(FormContext& context, const NumberShape& shape, Count
                            const FieldOf& of, const std::string& pointer, QWidget* parent)
     : LineField(context, of, pointer, parent), shape_(shape), count_(count) {
   if (count == Count::one) {
-    line().setFixedWidth(kNumberWidth);
+    line().setMinimumWidth(kLeastNumberWidth);
+    line().setMaximumWidth(kNumberWidth);
+    static_cast<QGridLayout*>(layout())->setColumnStretch(2, 1);  // empty
     line().setAlignment(Qt::AlignRight);
   }
   const std::string_view unit = shape.display.unit.empty() ? shape.unit : shape.display.unit;
