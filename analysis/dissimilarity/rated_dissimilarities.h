@@ -44,6 +44,14 @@ struct StressByChance {
   double p05 = 0.0;   ///< their 5 % quantile (type 7)
   double p = 1.0;
   std::size_t drawn = 0;
+
+  /// Whether there are ratings for which the test can be significant. p is at least the proportion of permutations with a perfect fit,
+  /// because no stress is below 0; if that proportion is 5 % or more, every p is above .05, and its value depends on what the
+  /// steps of a fit leave of a stress of 0. Few items suffice for this: the order of the dissimilarities of m items, without ties,
+  /// has a perfect fit in m − 2 dimensions. A constant added to all of them keeps their order, and the smallest one that makes them
+  /// Euclidean distances makes them distances in at most m − 2 dimensions.
+  bool can_be_significant() const { return p05 >= kPerfectStress; }
+  static constexpr double kPerfectStress = 1e-3;  ///< what is below is left of a stress of 0
 };
 struct ChanceQuestion {
   Eigen::Index dimensions = 2;

@@ -153,18 +153,17 @@ TEST(RatedDissimilarities, AreTheMeansOfBothOrdersFromTheEndForIdenticalSurfaces
 }
 
 TEST(RatedDissimilarities, HaveAConfigurationWithTheStructureOfThePlane) {
-  const AnalysisOutcome& outcome = outcome_of_ratings({});
+  const AnalysisOutcome& outcome = outcome_of_ratings({.items = 8});
   const FoundNumbers found(outcome.findings);
-  // Order alone determines six items so little that the stress of some permuted ratings is as low.
-  EXPECT_LE(found.value("stress.perm.p").value(), 0.05);
+  EXPECT_EQ(found.value("stress.perm.p").value(), 1.0 / 200.0) << "below all permutations";
   EXPECT_LT(found.value("stress.ordinal", "2").value(), 0.02);
   const std::string answer = answer_about_configuration(outcome);
   EXPECT_THAT(answer, HasSubstr("Yes: the configuration in 2 dimensions has a stress-1 of "));
   EXPECT_THAT(answer, HasSubstr("Permutation test: "));
   const Table& configuration = table_of(outcome, "configuration").table;
-  EXPECT_EQ(configuration.rows.size(), 6U);
+  EXPECT_EQ(configuration.rows.size(), 8U);
   EXPECT_EQ(configuration.columns.size(), 1U + 2U + 3U);
-  EXPECT_EQ(table_of(outcome, "tree").table.rows.size(), 5U);
+  EXPECT_EQ(table_of(outcome, "tree").table.rows.size(), 7U);
 }
 
 TEST(RatedDissimilarities, WarnBelowFourItemsPerDimensionAndOne) {
@@ -287,6 +286,29 @@ TEST(RatedDissimilarities, AreNotPooledInTheTestOfAProperty) {
   const std::string sentence = sentence_about(outcome, "properties");
   EXPECT_THAT(sentence, HasSubstr("n = 6 items"));
   EXPECT_THAT(sentence, Not(HasSubstr("pooled")));
+}
+
+// The order of the dissimilarities of four items has a perfect fit in the plane, whatever the ratings are.
+TEST(RatedDissimilarities, AreNotTestedWherePermutedRatingsFitPerfectly) {
+  const AnalysisOutcome& four = outcome_of_ratings({.people = 12, .items = 4});
+  const FoundNumbers found(four.findings);
+  EXPECT_EQ(found.find("configuration.level")->word, "ordinal");
+  EXPECT_LT(found.value("stress.perm.mean").value(), 0.001);
+  EXPECT_EQ(found.find("stress.perm.p")->word, "permuted_fit_perfectly");
+  EXPECT_TRUE(std::none_of(four.findings.begin(), four.findings.end(), [](const Finding& one) {
+    return one.quantity == "stress.perm.reduction";
+  }));
+  EXPECT_EQ(answer_about_configuration(four),
+            "Not tested: with 4 surfaces, a configuration in 2 dimensions fits many permuted "
+            "ratings perfectly, so that no ratings can fit significantly better; see the mean "
+            "dissimilarities of the pairs.");
+  EXPECT_EQ(question_of(four, "configuration").table, "dissimilarities");
+  EXPECT_THAT(sentence_about(four, "configuration"), HasSubstr("too few surfaces"));
+  // Of the permuted ratings of six items, a part fits perfectly, which is enough.
+  const FoundNumbers six(outcome_of_ratings({}).findings);
+  EXPECT_GT(six.value("stress.perm.mean").value(), 0.01);
+  EXPECT_LT(six.value("stress.perm.p05").value(), 1e-9);
+  EXPECT_FALSE(six.value("stress.perm.p").has_value());
 }
 
 TEST(RatedDissimilarities, StateWhyThereIsNoConfiguration) {

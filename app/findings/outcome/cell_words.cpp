@@ -251,6 +251,11 @@ const CellWords& words_of_reasons() {
       {"outside_range", phrase("CellWords", "outside the range of the tested spacings")},
       {"not every model is presented in every trial",
        phrase("CellWords", "not every model is presented in every trial")},
+      {"no_differences", phrase("CellWords", "all pairs were rated equally dissimilar")},
+      {"permuted_fit_perfectly",
+       phrase("CellWords",
+              "too few surfaces for this number of dimensions, in which many permuted ratings fit "
+              "perfectly")},
       {"no_identical_pairs", phrase("CellWords", "no identical pairs were presented")},
       {"no_predictor",
        phrase("CellWords",

@@ -2008,6 +2008,10 @@
         <translation>Haben die Urteile eine Struktur, und in wie vielen Dimensionen?</translation>
     </message>
     <message>
+        <source>Not tested: with %1 surfaces, a configuration in %2 dimensions fits many permuted ratings perfectly, so that no ratings can fit significantly better; see the mean dissimilarities of the pairs.</source>
+        <translation>Nicht getestet: Bei %1 Oberflächen passt eine Konfiguration in %2 Dimensionen vollkommen zu vielen permutierten Urteilen, sodass keine Urteile signifikant besser passen können; siehe die mittleren Unähnlichkeiten der Paare.</translation>
+    </message>
+    <message>
         <source>Yes: the configuration in %1 dimensions has a stress-1 of %2, lower than that of permuted ratings (mean %3). Permutation test: %4.</source>
         <translation>Ja: Die Konfiguration in %1 Dimensionen hat einen Stress-1 von %2, kleiner als der permutierter Urteile (Mittelwert %3). Permutationstest: %4.</translation>
     </message>
@@ -4466,6 +4470,14 @@
     <message>
         <source>the rated pairs do not connect all items</source>
         <translation>die beurteilten Paare verbinden nicht alle Items</translation>
+    </message>
+    <message>
+        <source>all pairs were rated equally dissimilar</source>
+        <translation>alle Paare wurden als gleich unähnlich beurteilt</translation>
+    </message>
+    <message>
+        <source>too few surfaces for this number of dimensions, in which many permuted ratings fit perfectly</source>
+        <translation>zu wenige Oberflächen für diese Zahl der Dimensionen, in denen viele permutierte Urteile vollkommen passen</translation>
     </message>
     <message>
         <source>the ratings do not vary</source>

@@ -313,7 +313,7 @@ void add_properties_table(const FoundNumbers& found, AnalysisOutcome& outcome) {
   outcome.tables.push_back(std::move(properties));
 }
 
-void ask_about_configuration(const FoundNumbers& found, const StudyTests& tests,
+void ask_about_configuration(std::size_t items, const FoundNumbers& found, const StudyTests& tests,
                              AnalysisOutcome& outcome) {
   const Phrase question =
       phrase("Analysis", "Do the ratings have a structure, and in how many dimensions?");
@@ -328,9 +328,15 @@ void ask_about_configuration(const FoundNumbers& found, const StudyTests& tests,
       found.find(stress_quantity(found), std::to_string(dimensions_in(found)));
   if (test == nullptr || !test->p || stress == nullptr || !stress->value) {
     const std::string reason = test == nullptr ? "no_responses" : test->status;
-    add_question(outcome, kConfiguration, question,
-                 phrase("Analysis", "Not tested: %1.").with(words_of_status(reason)), method,
-                 kDissimilarities, nullptr);
+    const Phrase answer =
+        reason == "permuted_fit_perfectly"
+            ? phrase("Analysis",
+                     "Not tested: with %1 surfaces, a configuration in %2 dimensions fits many "
+                     "permuted ratings perfectly, so that no ratings can fit significantly better; "
+                     "see the mean dissimilarities of the pairs.")
+                  .with(std::to_string(items), std::to_string(dimensions_in(found)))
+            : phrase("Analysis", "Not tested: %1.").with(words_of_status(reason));
+    add_question(outcome, kConfiguration, question, answer, method, kDissimilarities, nullptr);
     return;
   }
   const auto with_numbers = [&](const Phrase& words) {
@@ -391,8 +397,11 @@ void add_to_groups(const GatheredAnswers& gathered, GroupComparisons& groups) {
 
 void add_similarity_tests(const FoundNumbers& found, StudyTests& tests) {
   const Finding* const unscaled = found.find("stress.ordinal");
+  const Finding* const permuted = found.find("stress.perm.p");
   if (unscaled != nullptr && !unscaled->word.empty()) {
     tests.add_untested(kConfiguration, "", unscaled->word);
+  } else if (permuted != nullptr && !permuted->word.empty()) {
+    tests.add_untested(kConfiguration, "", permuted->word);
   } else {
     tests.add(kConfiguration, "", found, "stress.perm.p");
   }
@@ -441,7 +450,7 @@ void analyze_similarity(const GatheredAnswers& gathered, AnalysisOutcome& outcom
   for (Phrase& remark : remarks_on_configuration(found)) {
     outcome.remarks.push_back(std::move(remark));
   }
-  ask_about_configuration(found, tests, outcome);
+  ask_about_configuration(items.size(), found, tests, outcome);
   groups.report(tests, outcome);
 }
 
