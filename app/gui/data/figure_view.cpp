@@ -76,13 +76,13 @@ FigureView::FigureView(Figure figure, QWidget* parent)
   layout->setSpacing(kGrid);
   if (!figure_.is_drawn()) {
     layout->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
-    QLabel* sentence = make_text(words_as_published(figure_.instead), this, true);
+    QLabel* sentence = make_text(sentences_as_published(figure_.instead), this, true);
     sentence->setObjectName("figure_instead");
     layout->addWidget(sentence);
     return;
   }
   layout->addWidget(new FigureCanvas(figure_, this));
-  QLabel* note = make_text(words_as_published(figure_.note), this, true);
+  QLabel* note = make_text(sentences_as_published(figure_.note), this, true);
   note->setFont(text_font(TextSize::small));
   layout->addWidget(note);
   auto* row = new QHBoxLayout();

@@ -123,11 +123,12 @@ class OutcomeColumn final {
     for (const AnsweredQuestion& question : outcome_.questions) {
       const bool is_first = &question == &outcome_.questions.front();
       if (!is_first) layout_->addSpacing(kGroupGap);
-      say(words_as_published(question.question), words_as_published(question.answer));
+      say(sentences_as_published(question.question), sentences_as_published(question.answer));
       if (is_first) about();
       add_table(question.table);
       if (question.method.empty()) continue;
-      add_folded(OutcomeText::tr("Method"), words_as_published(question.method), *layout_, page_);
+      add_folded(OutcomeText::tr("Method"), sentences_as_published(question.method), *layout_,
+                 page_);
     }
     for (const ResultTable& table : outcome_.tables) add_table(table.name);
     for (const Figure& figure : figures_) {
@@ -160,7 +161,7 @@ class OutcomeColumn final {
                   page_, true));
     for (const Phrase& remark : outcome_.remarks) {
       auto* line = new StateLabel(page_);
-      line->set_state(State::look, words_as_published(remark));
+      line->set_state(State::look, sentences_as_published(remark));
       add_narrow(line, *layout_);
     }
   }
@@ -171,21 +172,21 @@ class OutcomeColumn final {
     for (const ResultTable& table : outcome_.tables) {
       if (table.name != name) continue;
       layout_->addSpacing(kMargin);
-      layout_->addWidget(make_heading(words_as_published(table.title), page_));
+      layout_->addWidget(make_heading(sentences_as_published(table.title), page_));
       for (const Figure& figure : figures_) {
         if (figure.table == name) add_figure(figure);
       }
       layout_->addWidget(make_table(table, page_));
       if (table.note.empty()) continue;
-      add_folded(OutcomeText::tr("Notes on this table"), words_as_published(table.note), *layout_,
-                 page_);
+      add_folded(OutcomeText::tr("Notes on this table"), sentences_as_published(table.note),
+                 *layout_, page_);
     }
   }
 
   void add_figure(const Figure& figure) {
     if (figure.table.empty()) {
       layout_->addSpacing(kMargin);
-      layout_->addWidget(make_heading(words_as_published(figure.title), page_));
+      layout_->addWidget(make_heading(sentences_as_published(figure.title), page_));
     }
     auto* view = new FigureView(figure, page_);
     view->setObjectName(QString::fromStdString("figure_" + figure.name));

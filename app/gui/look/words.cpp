@@ -71,6 +71,31 @@ QString words_as_published(const Phrase& phrase) {
   return QString::fromStdString(phrase.translated(language_of_windows()));
 }
 
+QString with_unbroken_numbers(QString text) {
+  static const QString kNoBreakSpace(QChar::Nbsp);
+  constexpr qsizetype kLongestInterval = 40;  // a longer one may be wider than its label
+  static const QRegularExpression kInterval("\\[[-−]?[.0-9][^\\[\\]]*\\]");
+  for (auto found = kInterval.globalMatch(text); found.hasNext();) {
+    const QRegularExpressionMatch interval = found.next();
+    if (interval.capturedLength() > kLongestInterval) continue;
+    // As many characters as before: the places of the other matches stay.
+    text.replace(interval.capturedStart(), interval.capturedLength(),
+                 interval.captured().replace(' ', kNoBreakSpace));
+  }
+  static const QRegularExpression kRelation(" ([=<>≤≥≈±]) (?=[-−]?[.0-9])");
+  text.replace(kRelation, kNoBreakSpace + "\\1" + kNoBreakSpace);
+  static const QRegularExpression kPercent("(?<=[0-9]) %");
+  text.replace(kPercent, kNoBreakSpace + '%');
+  text.replace("% CI", '%' + kNoBreakSpace + "CI");
+  static const QRegularExpression kLeadingPoint("(?<=^|[\\s\\x{00a0}\\[(−-])\\.(?=[0-9])");
+  text.replace(kLeadingPoint, QString('.') + QChar(0x2060));
+  return text;
+}
+
+QString sentences_as_published(const Phrase& phrase) {
+  return with_unbroken_numbers(words_as_published(phrase));
+}
+
 QString shown_number(double value, char format, int precision) {
   QString text = QLocale().toString(value, format, precision);
   if (text.startsWith('-')) text.replace(0, 1, "−");

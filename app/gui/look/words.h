@@ -46,6 +46,13 @@ inline QString path_text(const std::filesystem::path& path) { return text(path.s
 /// The same for findings, whose numbers have a point, as in reports, figures and files.
 QString words_as_published(const Phrase& phrase);
 
+/// The text for a label that breaks lines, which keeps numbers together: ".001", "p < .05", "± 2", "95 % CI" and "[.00, .64]". For display
+/// only: it contains no-break spaces, and word joiners (U+2060) after full stops, because Qt breaks lines between a full stop and the digits
+/// after it.
+QString with_unbroken_numbers(QString text);
+/// `words_as_published` for such a label; for cells of tables and what is copied, use `words_as_published`.
+QString sentences_as_published(const Phrase& phrase);
+
 /// A number as windows show it: in the user's locale, without separators of thousands and with a minus sign (−). `format` and `precision` as
 /// QString::number.
 QString shown_number(double value, char format, int precision);

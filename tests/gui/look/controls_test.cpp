@@ -7,6 +7,7 @@
 
 #include <QtCore/QLocale>
 #include <QtGui/QImage>
+#include <QtGui/QTextLayout>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QBoxLayout>
@@ -168,6 +169,35 @@ TEST_F(Controls, ShowNumbersInTheLocaleAndTakePointAndComma) {
     }
   }
   apply_language("en");
+}
+
+/// The lines of a text that is laid out as in a label of this width.
+QStringList lines_of(const QString& text, int width) {
+  QTextLayout layout(text, text_font(TextSize::body));
+  QStringList lines{};
+  layout.beginLayout();
+  for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+    line.setLineWidth(width);
+    lines << text.mid(line.textStart(), line.textLength()).simplified().remove(QChar(0x2060));
+  }
+  layout.endLayout();
+  return lines;
+}
+
+TEST_F(Controls, KeepNumbersTogetherWhereLinesBreak) {
+  const QString text =
+      "Permutation test: p < .001, on average r = −.08 (95 % CI [−.08, .44]), and 3.2 ± 0.4 mm.";
+  const QString unbroken = with_unbroken_numbers(text);
+  for (int width = 130; width < 900; width += 3) {
+    const QStringList lines = lines_of(unbroken, width);
+    EXPECT_EQ(lines.join(' '), text) << "nothing else changes";
+    for (const char* const number :
+         {"p < .001", "r = −.08", "95 % CI", "[−.08, .44]", "3.2 ± 0.4"}) {
+      EXPECT_EQ(lines.filter(number).size(), 1)
+          << number << " at " << width << ": " << lines.join(" / ").toStdString();
+    }
+  }
+  EXPECT_EQ(with_unbroken_numbers("falcon.1 in 12 trials."), "falcon.1 in 12 trials.");
 }
 
 TEST_F(Controls, LetTheFocusGoOnFromATable) {
