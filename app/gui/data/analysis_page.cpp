@@ -146,6 +146,7 @@ AnalysisPage::AnalysisPage(OpenStudy& study, QWidget* parent) : QWidget(parent),
   connect(export_, &QPushButton::clicked, this, &AnalysisPage::ask_where_to_export);
   connect(analysing_, &TaskLine::cancelWanted, this, [this] {
     analysis_.abandon();
+    show_previous_results();
     banner_->show_news(
         State::look,
         stack_->currentWidget() == unknown_
@@ -166,7 +167,28 @@ AnalysisPage::AnalysisPage(OpenStudy& study, QWidget* parent) : QWidget(parent),
 void AnalysisPage::choose(const std::string& protocol, SessionMode mode) {
   wanted_ = protocol;
   wanted_mode_ = mode;
-  select_wanted();
+  if (outdated_ || analysis_.is_running()) {
+    show_counting();
+  } else {
+    select_wanted();
+  }
+}
+
+void AnalysisPage::show_counting() {
+  if (list_->currentRow() < 0) return;  // nothing is shown
+  row_before_counting_ = list_->currentRow();
+  list_->setCurrentRow(-1);
+  auto* counting = new EmptyState(
+      tr("Counting the responses…"),
+      tr("The results of %1 appear here when its responses have been counted. To see those of "
+         "another protocol, select it.")
+          .arg(QString::fromStdString(wanted_)));
+  counting->setObjectName("analysis_counting");
+  area_->setWidget(counting);
+}
+
+void AnalysisPage::show_previous_results() {
+  if (list_->currentRow() < 0) list_->setCurrentRow(row_before_counting_);
 }
 
 void AnalysisPage::select_wanted() {
@@ -200,12 +222,13 @@ void AnalysisPage::refresh() {
       },
       [this](Analysis analysis) { show_analysis(std::move(analysis)); },
       [this](const QString& what) {
+        show_previous_results();
         banner_->show_news(State::stop, what, tr("Try again"), [this] { refresh(); });
       });
 }
 
 void AnalysisPage::show_analysis(Analysis analysis) {
-  const int shown = std::max(0, list_->currentRow());
+  const int shown = list_->currentRow() < 0 ? row_before_counting_ : list_->currentRow();
   outcomes_ = std::move(analysis.outcomes);
   running_ = std::move(analysis.running);
   list_->clear();

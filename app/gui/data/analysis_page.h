@@ -55,6 +55,10 @@ class AnalysisPage final : public QWidget {
   void show_whether_exportable();
   void show_outcome(int index);
   void select_wanted();
+  /// Instead of the results of another protocol, while those of the chosen one are being counted.
+  void show_counting();
+  /// Of the protocol that was shown before the chosen one.
+  void show_previous_results();
   void ask_where_to_export();
   void export_to(const QString& folder, const ExportOptions& options);
   std::vector<ShownCommand> commands() const;
@@ -63,6 +67,7 @@ class AnalysisPage final : public QWidget {
   bool outdated_ = true;
   std::string wanted_{};  ///< the protocol to show next
   SessionMode wanted_mode_ = SessionMode::run;
+  int row_before_counting_ = 0;
   /// Of the last export; before the first one, what the dialog suggests.
   QString exported_to_ = "tables";
   ExportOptions exported_{};

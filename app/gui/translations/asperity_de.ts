@@ -12532,6 +12532,10 @@
         <translation>%1 %2 · %3 · %4 gezählt</translation>
     </message>
     <message>
+        <source>The results of %1 appear here when its responses have been counted. To see those of another protocol, select it.</source>
+        <translation>Die Ergebnisse von %1 erscheinen hier, sobald die Antworten gezählt sind. Um die eines anderen Protokolls zu sehen, wählen Sie es aus.</translation>
+    </message>
+    <message>
         <source>%1 %2
 %3 · %4</source>
         <translation>%1 %2

@@ -501,6 +501,29 @@ TEST(AnalysisPage, TellsNothingByNameWhileASessionRuns) {
   EXPECT_TRUE(page.findChildren<QTableView*>().isEmpty());
 }
 
+TEST(AnalysisPage, ShowsNoOtherResultsWhileThoseOfTheChosenProtocolAreCounted) {
+  OpenAnalysisPage opened(with_hits(15));
+  auto& [made, study, page, refreshed] = opened;
+  auto* list = page.findChild<QListWidget*>("outcomes");
+  study.announce_change();
+  page.choose("another", SessionMode::simulate);
+  EXPECT_TRUE(child<QWidget>(page, "analysis_counting").isVisible());
+  EXPECT_EQ(page.findChild<QLabel*>("answer"), nullptr);
+  EXPECT_TRUE(list->selectedItems().isEmpty());
+  // Cancelled: the previous results.
+  child<TaskLine>(page, "analysing").findChild<QPushButton*>("task_cancel")->click();
+  EXPECT_EQ(list->currentRow(), 0);
+  EXPECT_NE(page.findChild<QLabel*>("answer"), nullptr);
+  // Counted: the chosen ones.
+  study.announce_change();
+  page.choose("which_is_real", SessionMode::run);
+  EXPECT_EQ(list->currentRow(), -1);
+  ASSERT_TRUE(refreshed.wait(kPatience_ms));
+  EXPECT_EQ(list->currentRow(), 0);
+  EXPECT_EQ(page.findChild<QWidget*>("analysis_counting"), nullptr);
+  EXPECT_NE(page.findChild<QLabel*>("answer"), nullptr);
+}
+
 TEST(AnalysisPage, ReadsAgainWhenTheStudyChanges) {
   OpenAnalysisPage opened([](MadeUpStudy&) {});
   auto& [made, study, page, refreshed] = opened;

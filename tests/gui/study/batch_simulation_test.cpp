@@ -57,12 +57,12 @@ class BatchSimulationTest : public QuietHome {
     const auto& simulation = *desk_.findChild<BatchSimulation*>();
     return eventually([&] { return window_.banner().isVisible() && !simulation.is_running(); });
   }
-  /// The outcome that the Analysis page shows.
+  /// The outcome that the Analysis page shows when the responses have been counted.
   const AnalysisOutcome& shown_outcome() {
     auto& page = *qobject_cast<AnalysisPage*>(window_.page("analysis"));
-    require([&] { return !page.outcomes().empty(); }, "outcomes");
-    const int row = child<QListWidget>(page, "outcomes").currentRow();
-    return page.outcomes().at(static_cast<std::size_t>(row));
+    const auto& list = child<QListWidget>(page, "outcomes");
+    require([&] { return list.currentRow() >= 0; }, "an outcome");
+    return page.outcomes().at(static_cast<std::size_t>(list.currentRow()));
   }
 
   StudyWindow window_{};
