@@ -24,7 +24,7 @@ constexpr const char* kFamily = "group_values";
 const ResultColumn kGroup{.id = "group", .heading = phrase("AnalysisWords", "group")};
 /// "haptic − visual", as their difference.
 const ResultColumn kGroups{.id = "groups", .heading = phrase("AnalysisWords", "groups")};
-const ResultColumn kOfWhat{.id = "of", .heading = phrase("AnalysisWords", "number")};
+const ResultColumn kOfWhat{.id = "of", .heading = phrase("AnalysisWords", "measure")};
 const ResultColumn kMeanOfUnit{
     .id = "mean", .heading = phrase("AnalysisWords", "mean"), .digits = Digits::of_row};
 

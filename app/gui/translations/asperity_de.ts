@@ -3685,10 +3685,6 @@
         <source>groups</source>
         <translation>Gruppen</translation>
     </message>
-    <message>
-        <source>number</source>
-        <translation>Zahl</translation>
-    </message>
 </context>
 <context>
     <name>AttemptWords</name>
