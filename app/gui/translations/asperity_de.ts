@@ -12860,8 +12860,8 @@
         </translation>
     </message>
     <message>
-        <source>Responses: %1.</source>
-        <translation>Antworten: %1.</translation>
+        <source>Trials of all blocks: %1.</source>
+        <translation>Durchgänge aller Blöcke: %1.</translation>
     </message>
     <message>
         <source>Show the sessions</source>

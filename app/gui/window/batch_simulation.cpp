@@ -76,7 +76,7 @@ void BatchSimulation::run(SimulationInputs inputs) {
       [this, page = window_.shown_page()](const Simulated& simulated) {
         window_.study()->announce_change();
         const QString what = tr("%n sessions were simulated.", nullptr, simulated.result.sessions) +
-                             ' ' + tr("Responses: %1.").arg(simulated.result.attempts);
+                             ' ' + tr("Trials of all blocks: %1.").arg(simulated.result.attempts);
         if (window_.shown_page() == page) {
           show_results(simulated.protocol);
           window_.banner().show_news(State::fine, what, tr("Show the sessions"),

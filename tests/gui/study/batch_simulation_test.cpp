@@ -73,7 +73,7 @@ TEST_F(BatchSimulationTest, ShowsTheResultsOfTwelveVirtualParticipants) {
   click("protocol_simulate_several");
   ASSERT_TRUE(has_ended());
   EXPECT_EQ(window_.shown_page(), "analysis");
-  EXPECT_EQ(window_.banner().text(), "12 sessions were simulated. Responses: 36.");
+  EXPECT_EQ(window_.banner().text(), "12 sessions were simulated. Trials of all blocks: 36.");
   EXPECT_EQ(stored().participants().size(), 12U);
   const AnalysisOutcome& outcome = shown_outcome();
   EXPECT_EQ(outcome.protocol, "second");
