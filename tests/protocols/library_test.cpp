@@ -12,6 +12,7 @@
 #include "protocols/file/stored_protocol.h"
 #include "protocols/observer/virtual_observer.h"
 #include "protocols/plan/course.h"
+#include "protocols/texts/stated_numbers.h"
 #include "protocols/warnings/warnings.h"
 #include "tests/protocols/protocol_files.h"
 #include "tests/support/questions.h"
@@ -38,6 +39,24 @@ TEST_P(Library, IsValidAndNamedLikeItsFile) {
 TEST_P(Library, GivesNoWarning) {
   for (const Diagnostic& warning : warnings_about(protocol(), std::string(GetParam().name))) {
     ADD_FAILURE() << text_of(warning);
+  }
+}
+
+// Templates get other textures and scales: a number in words would no longer be true. Pairs have two surfaces.
+TEST_P(Library, StatesNoNumberOfItsDesignInWords) {
+  const Protocol read = protocol();
+  std::vector<std::string> texts{read.instructions};
+  for (const Protocol::Step& step : read.flow) {
+    if (const auto* const screen = std::get_if<Protocol::Screen>(&step))
+      texts.push_back(screen->text);
+  }
+  for (const std::string& text : texts) {
+    for (const StatedNumber& stated : numbers_stated_in(text, "en")) {
+      const bool is_of_design = stated.name == "scales" || stated.name == "pictures" ||
+                                (stated.name == "surfaces" && stated.number > 2);
+      EXPECT_FALSE(is_of_design && stated.number > 1) << stated.words << ": " << text;
+    }
+    EXPECT_EQ(text.find("finest"), std::string::npos) << text;
   }
 }
 
