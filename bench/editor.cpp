@@ -15,6 +15,7 @@
 
 #include <QtCore/QElapsedTimer>
 #include <QtCore/QTemporaryDir>
+#include <QtCore/QTimer>
 #include <QtGui/QKeyEvent>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QPushButton>
@@ -82,7 +83,7 @@ class EditorBench final {
   std::vector<Case> run() {
     window_.show_page("editor");
     editor_ = window_.findChild<ProtocolEditorPage*>();
-    plan_ = window_.findChild<PlanPreview*>();
+    plan_ = editor_->findChild<PlanPreview*>();
     QObject::connect(plan_, &PlanPreview::step_shown, plan_, [this] { is_planned_ = true; });
     Case open{"open"};
     time(
@@ -100,15 +101,18 @@ class EditorBench final {
  private:
   /// Does it and lets the windows work until `is_done`; then what has changed is painted.
   void time(Case& of, const std::function<void()>& begin, const std::function<bool()>& is_done) {
-    constexpr qint64 kPatience_ms = 120'000;
+    constexpr qint64 kPatience_ms = 30'000;
     settle();
+    // Without an event the windows would wait for ever for what does not come.
+    QTimer wake{};
+    wake.start(1'000);
     application_.longest = {};
     is_planned_ = false;
     QElapsedTimer wall{};
     wall.start();
     application_.longest.time(begin, [] { return std::string("the call itself"); });
     while (!is_done()) {
-      if (wall.elapsed() > kPatience_ms) throw std::runtime_error(of.name + ": it did not end");
+      if (wall.elapsed() > kPatience_ms) throw std::runtime_error(of.name + ": it did not end" + what_is_wrong());
       QApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents);
     }
     settle();
@@ -126,6 +130,12 @@ class EditorBench final {
       QKeyEvent event(type, key, Qt::NoModifier, letter);
       QApplication::sendEvent(&widget, &event);
     }
+  }
+  std::string what_is_wrong() const {
+    if (!editor_->is_checked()) return ", nor did the check";
+    const auto result = editor_->result();
+    return result->diagnostics.empty() ? std::string()
+                                       : ": " + result->diagnostics.front().message;
   }
   bool is_up_to_date() const {
     return is_planned_ && editor_->is_checked() && editor_->result()->is_valid();
