@@ -1,14 +1,27 @@
-// Lays out the questions of each trial, and collects the names of their pictures by size in pixels.
+// Lays out the questions that show other pictures than those before, and collects the pictures by size in pixels.
 
 #include "app/gui/participant/plan_pictures.h"
 
 #include <algorithm>
 #include <set>
 #include <span>
-#include <utility>
 
 namespace asperity {
 
+namespace {
+
+std::vector<QString> pictures_of(const ParticipantScene& scene) {
+  std::vector<QString> names{};
+  if (scene.standard_picture) names.push_back(QString::fromStdString(*scene.standard_picture));
+  for (const ParticipantScene::Choice& choice : scene.choices) {
+    if (choice.picture) names.push_back(QString::fromStdString(*choice.picture));
+  }
+  return names;
+}
+
+}  // namespace
+
+// To lay a question out takes a millisecond or two, a plan has hundreds, and all trials of most plans show the same pictures.
 std::map<int, std::vector<QString>> pictures_of_plan(const Plan& plan,
                                                      ParticipantLayoutInputs inputs,
                                                      const std::function<int(double)>& side_px) {
@@ -18,18 +31,15 @@ std::map<int, std::vector<QString>> pictures_of_plan(const Plan& plan,
   for (const Trial& trial : plan.trials) {
     std::vector<int> felt{};
     for (const PlannedPresentation& surface : trial.presentations) felt.push_back(surface.position);
-    std::vector<QString> names{};
-    std::vector<std::pair<int, QString>> wanted{};
     for (const std::span<const Question> page : pages_of(trial)) {
-      for (const ParticipantItem& item : lay_out(scene_of_question(trial, page, felt), inputs)) {
-        if (item.picture.isEmpty()) continue;
-        names.push_back(item.picture);
-        wanted.emplace_back(side_px(item.side), item.picture);
+      const ParticipantScene scene = scene_of_question(trial, page, felt);
+      std::vector<QString> names = pictures_of(scene);
+      std::sort(names.begin(), names.end());
+      if (names.empty() || !seen.insert(names).second) continue;
+      for (const ParticipantItem& item : lay_out(scene, inputs)) {
+        if (!item.picture.isEmpty()) by_side[side_px(item.side)].push_back(item.picture);
       }
     }
-    std::sort(names.begin(), names.end());
-    if (!seen.insert(names).second) continue;
-    for (const auto& [side, name] : wanted) by_side[side].push_back(name);
   }
   return by_side;
 }
