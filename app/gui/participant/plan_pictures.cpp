@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 #include <span>
+#include <string>
+#include <tuple>
 
 namespace asperity {
 
@@ -26,7 +28,8 @@ std::map<int, std::vector<QString>> pictures_of_plan(const Plan& plan,
                                                      ParticipantLayoutInputs inputs,
                                                      const std::function<int(double)>& side_px) {
   std::map<int, std::vector<QString>> by_side{};
-  std::set<std::vector<QString>> seen{};
+  // What determines the sizes: the same pictures may stand under a longer question, or beside more options.
+  std::set<std::tuple<std::vector<QString>, std::string, std::size_t>> seen{};
   inputs.page = 0;
   for (const Trial& trial : plan.trials) {
     std::vector<int> felt{};
@@ -35,7 +38,7 @@ std::map<int, std::vector<QString>> pictures_of_plan(const Plan& plan,
       const ParticipantScene scene = scene_of_question(trial, page, felt);
       std::vector<QString> names = pictures_of(scene);
       std::sort(names.begin(), names.end());
-      if (names.empty() || !seen.insert(names).second) continue;
+      if (names.empty() || !seen.emplace(names, scene.text, scene.choices.size()).second) continue;
       for (const ParticipantItem& item : lay_out(scene, inputs)) {
         if (!item.picture.isEmpty()) by_side[side_px(item.side)].push_back(item.picture);
       }
