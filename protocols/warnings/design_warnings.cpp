@@ -205,7 +205,9 @@ class DesignWarnings final {
         const bool is_prompt = scale.prompt != other.prompt;
         const bool is_labels =
             std::get<ScaleForm>(scale.form).labels != std::get<ScaleForm>(other.form).labels;
-        warn(pointer_to(pointer_to("/blocks", name) + "/questions", i) +
+        const std::string at_block = pointer_to("/blocks", name);
+        warn((block.has_question_list ? pointer_to(at_block + "/questions", i)
+                                      : at_block + "/question") +
                  (is_prompt ? "/prompt" : "/scale"),
              "the scale " + in_quotes(scale.name) + " has " +
                  (is_prompt   ? "another question"
