@@ -258,6 +258,7 @@ void TemplateDialog::check_chosen() {
 void TemplateDialog::check(std::vector<TemplateTextures> possible) {
   const std::uint64_t number = ++shown_;
   is_refused_ = false;
+  is_checking_ = !possible.empty();
   state_->setVisible(!possible.empty());
   show_what_follows();
   if (possible.empty()) return;
@@ -282,7 +283,10 @@ void TemplateDialog::check(std::vector<TemplateTextures> possible) {
         };
       },
       [this, number](const QString& what) {
-        if (number == shown_) state_->set_state(State::unknown, what);
+        if (number != shown_) return;
+        is_checking_ = false;
+        state_->set_state(State::unknown, what);
+        show_what_follows();
       });
 }
 
@@ -294,6 +298,7 @@ void TemplateDialog::take(const Checked& checked) {
     const QSignalBlocker quiet_copied(copied_);
     button->setChecked(true);
   }
+  is_checking_ = false;
   is_refused_ = !checked.refusal.empty();
   const std::vector<Diagnostic>& problems = checked.check.diagnostics;
   if (is_refused_) {
@@ -351,7 +356,7 @@ void TemplateDialog::show_what_follows() {
   QString wrong{};
   if (overview == nullptr) {
     wrong = content_.templates.empty() ? what_follows_->text() : tr("Choose a template.");
-  } else if (has_textures && !is_chosen && (own_->isEnabled() || copied_->isEnabled())) {
+  } else if (has_textures && is_checking_) {
     wrong = tr("The textures are being checked.");
   } else if (has_textures && !is_chosen) {
     wrong =

@@ -80,6 +80,7 @@ class TemplateDialog final : public QDialog {
   QRadioButton* copied_ = nullptr;
   QListWidget* reliefs_ = nullptr;
   StateLabel* state_ = nullptr;  ///< of the protocol with the chosen textures
+  bool is_checking_ = false;
   bool is_refused_ = false;
   std::uint64_t shown_ = 0;                            ///< the check whose result is waited for
   std::shared_ptr<KeptHeightFields> height_fields_{};  ///< of the worker

@@ -496,6 +496,9 @@ TEST_F(StudyPages, PutATemplateIntoTheStudyUnderAFreeName) {
   take_screenshot(dialog, "template-dialog-small", {910, 512});
   child<QRadioButton>(dialog, "template_own").click();
   tick_only(dialog, {"brick", "metal", "stone", "wood"});
+  EXPECT_FALSE(child<QPushButton>(dialog, "template_create").isEnabled()) << "not checked yet";
+  ASSERT_TRUE(
+      eventually([&] { return child<QPushButton>(dialog, "template_create").isEnabled(); }));
   child<QPushButton>(dialog, "template_create").click();
   ASSERT_TRUE(eventually([&] { return table.shown_rows() == 4; }));
   EXPECT_TRUE(table.selected_key().endsWith("chapter_selection_2.json"));
