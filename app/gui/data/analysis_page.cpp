@@ -143,6 +143,8 @@ AnalysisPage::AnalysisPage(OpenStudy& study, QWidget* parent) : QWidget(parent),
   columns->addWidget(area_, 1);
   stack_->addWidget(both_);
   connect(list_, &QListWidget::currentRowChanged, this, &AnalysisPage::show_outcome);
+  // What the user selects stays when the responses have been counted.
+  connect(list_, &QListWidget::itemClicked, this, [this] { wanted_.clear(); });
   connect(export_, &QPushButton::clicked, this, &AnalysisPage::ask_where_to_export);
   connect(analysing_, &TaskLine::cancelWanted, this, [this] {
     analysis_.abandon();
@@ -175,9 +177,11 @@ void AnalysisPage::choose(const std::string& protocol, SessionMode mode) {
 }
 
 void AnalysisPage::show_counting() {
-  if (list_->currentRow() < 0) return;  // nothing is shown
-  row_before_counting_ = list_->currentRow();
-  list_->setCurrentRow(-1);
+  if (list_->count() == 0) return;  // nothing is shown
+  if (list_->currentRow() >= 0) {
+    row_before_counting_ = list_->currentRow();
+    list_->setCurrentRow(-1);
+  }
   auto* counting = new EmptyState(
       tr("Counting the responses…"),
       tr("The results of %1 appear here when its responses have been counted. To see those of "
