@@ -16382,7 +16382,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Use the recommended method</source>
-        <translation>Empfohlene Methode verwenden</translation>
+        <translation>Empfohlenes Verfahren verwenden</translation>
     </message>
     <message>
         <source>&lt;b&gt;Did the light come from one lamp at the side?&lt;/b&gt;</source>

@@ -294,6 +294,7 @@ void ProtocolForm::give_focus_back(const Focus& focus) {
     if (!name.isEmpty() && takes_focus(*same)) control = same;
   }
   for (FormPart* const part : content_->findChildren<FormPart*>(focus.part)) {
+    if (focus.part.isEmpty()) break;  // which would find every part
     if (control == nullptr && part->isVisible()) control = part->focusProxy();
   }
   FormPart* const part = part_at(focus.pointer);
