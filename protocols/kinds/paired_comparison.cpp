@@ -6,6 +6,7 @@
 #include <string>
 
 #include "protocols/design/json_pointer.h"
+#include "protocols/design/question_place.h"
 #include "protocols/design/wording.h"
 #include "protocols/kinds/choice_responses.h"
 #include "protocols/kinds/expected_textures.h"
@@ -54,8 +55,7 @@ void check_pairs_of_protocol(const Protocol& protocol, ProblemSink& problems) {
         first_block = &block;
         continue;
       }
-      const std::string at_question =
-          block.has_question_list ? pointer_to(pointer + "/questions", i) : pointer + "/question";
+      const std::string at_question = place_of_question(block, i);
       if (question.name != first->name || question.prompt != first->prompt ||
           tie_of(question) != tie_of(*first)) {
         problems.report(at_question,

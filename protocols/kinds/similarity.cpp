@@ -9,7 +9,7 @@
 #include <string>
 
 #include "protocols/design/block_factors.h"
-#include "protocols/design/json_pointer.h"
+#include "protocols/design/question_place.h"
 #include "protocols/design/wording.h"
 #include "protocols/kinds/kind_list.h"
 #include "protocols/kinds/similarity_responses.h"
@@ -62,9 +62,8 @@ void check_question_of_similarity(const Protocol& protocol, ProblemSink& problem
       if (question.name == first->name && question.prompt == first->prompt &&
           rated_quantity(question) == rated_quantity(*first))
         continue;
-      const std::string pointer = pointer_to("/blocks", name);
       problems.report(
-          block.has_question_list ? pointer_to(pointer + "/questions", i) : pointer + "/question",
+          place_of_question(block, i),
           "the main blocks of a similarity are analysed together, and the block " +
               in_quotes(first_block->name) +
               " has another question; give both questions the same name, prompt and \"rates\", or "

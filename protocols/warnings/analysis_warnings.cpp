@@ -16,6 +16,7 @@
 #include "analysis/numbers/number_text.h"
 #include "protocols/design/block_factors.h"
 #include "protocols/design/json_pointer.h"
+#include "protocols/design/question_place.h"
 #include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
 #include "protocols/kinds/estimation.h"
@@ -152,12 +153,6 @@ class AnalysisWarnings final {
              " correct responses, but guesses are correct in " + percent(chance) +
              ", so that no level is reached; require more correct responses for a lower level "
              "(\"down\": 2 or 3), or state a higher \"target\"");
-  }
-
-  static std::string place_of_question(const Block& block, std::size_t question) {
-    const std::string pointer = pointer_to("/blocks", block.name);
-    return block.has_question_list ? pointer_to(pointer + "/questions", question)
-                                   : pointer + "/question";
   }
 
   /// A scale after a choice is usually meant to rate the confidence in it.

@@ -15,6 +15,7 @@
 #include "analysis/numbers/number_text.h"
 #include "protocols/design/block_factors.h"
 #include "protocols/design/json_pointer.h"
+#include "protocols/design/question_place.h"
 #include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
 #include "protocols/kind_keys/discrimination_design.h"
@@ -205,10 +206,7 @@ class DesignWarnings final {
         const bool is_prompt = scale.prompt != other.prompt;
         const bool is_labels =
             std::get<ScaleForm>(scale.form).labels != std::get<ScaleForm>(other.form).labels;
-        const std::string at_block = pointer_to("/blocks", name);
-        warn((block.has_question_list ? pointer_to(at_block + "/questions", i)
-                                      : at_block + "/question") +
-                 (is_prompt ? "/prompt" : "/scale"),
+        warn(place_of_question(block, i) + (is_prompt ? "/prompt" : "/scale"),
              "the scale " + in_quotes(scale.name) + " has " +
                  (is_prompt   ? "another question"
                   : is_labels ? "other labels"

@@ -15,6 +15,7 @@
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/problem_sink.h"
 #include "protocols/design/protocol.h"
+#include "protocols/design/question_place.h"
 #include "protocols/design/wording.h"
 #include "protocols/file/diagnostic.h"
 #include "protocols/file/json_document.h"
@@ -36,9 +37,6 @@ std::vector<std::string> names_of(const Map& map) {
   for (const auto& [name, value] : map) names.push_back(name);
   return names;
 }
-
-/// "/blocks/NAME/question", or "/blocks/NAME/questions/1".
-std::string place_of_question(const Protocol::Block& block, std::size_t question);
 
 /// A protocol whose meaning is checked, and the problems that were found. The protocol was read from the document, and all
 /// outlive it.

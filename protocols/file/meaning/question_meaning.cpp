@@ -19,16 +19,6 @@ std::string needed_question(const ExperimentKind& kind) {
          std::string(name_of(kind.form));
 }
 
-}  // namespace
-
-std::string place_of_question(const Block& block, std::size_t question) {
-  const std::string pointer = pointer_to("/blocks", block.name);
-  return block.has_question_list ? pointer_to(pointer + "/questions", question)
-                                 : pointer + "/question";
-}
-
-namespace {
-
 /// Whether there are questions, which can be shown as the block states.
 bool check_question_keys(CheckedDocument& checked, const Block& block, const std::string& pointer) {
   if (block.questions.empty()) {
