@@ -62,8 +62,9 @@ Widget& named(const QWidget& window, const char* name) {
 /// Ten textures, fifty times each.
 std::filesystem::path make_protocol(const std::filesystem::path& study) {
   new_study(study);
-  const std::filesystem::path file = protocol_from_template(
-      study, "semantic_differential", {.from = TemplateTextures::From::demonstration});
+  const std::filesystem::path file =
+      protocol_from_template(study, {.name = "semantic_differential",
+                                     .textures = {.from = TemplateTextures::From::demonstration}});
   const std::string text = read_file(file, kProtocolFile);
   write_file(file,
              changed(text, set_value(JsonDocument(text, {}), "/blocks/ratings/repetitions", "50")),
@@ -112,7 +113,8 @@ class EditorBench final {
     wall.start();
     application_.longest.time(begin, [] { return std::string("the call itself"); });
     while (!is_done()) {
-      if (wall.elapsed() > kPatience_ms) throw std::runtime_error(of.name + ": it did not end" + what_is_wrong());
+      if (wall.elapsed() > kPatience_ms)
+        throw std::runtime_error(of.name + ": it did not end" + what_is_wrong());
       QApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents);
     }
     settle();
@@ -134,8 +136,7 @@ class EditorBench final {
   std::string what_is_wrong() const {
     if (!editor_->is_checked()) return ", nor did the check";
     const auto result = editor_->result();
-    return result->diagnostics.empty() ? std::string()
-                                       : ": " + result->diagnostics.front().message;
+    return result->diagnostics.empty() ? std::string() : ": " + result->diagnostics.front().message;
   }
   bool is_up_to_date() const {
     return is_planned_ && editor_->is_checked() && editor_->result()->is_valid();

@@ -35,7 +35,7 @@ void fill_demo_study(const std::filesystem::path& folder,
         protocol.name != "semantic_differential" && !protocol.name.starts_with("roughness_")) {
       continue;
     }
-    write_library_protocol(folder, protocol, std::string(protocol.name));
+    write_library_protocol(folder, protocol);
   }
   const std::vector<std::string> names = demo_stimuli();
   for (std::size_t i = 0; i < names.size(); ++i) {

@@ -16,12 +16,12 @@
 
 #include "app/study_files/study_protocols.h"
 #include "app/tasks/demo_stimuli.h"
-#include "protocols/design/json_pointer.h"
+#include "protocols/file/translation.h"
 #include "protocols/form/form_edits.h"
 #include "protocols/form/new_values.h"
 #include "protocols/shapes/key.h"
-#include "protocols/texts/translatable_texts.h"
 #include "results_schema/files/atomic_file.h"
+#include "results_schema/files/folder_entries.h"
 #include "results_schema/files/part_folder.h"
 
 namespace asperity {
@@ -145,78 +145,56 @@ std::string with_estimated_stimuli(std::string text, const std::string& name) {
   return text;
 }
 
-/// The translation without the texts that the protocol does not have: those of textures that are not in the study.
-std::string translation_of(const std::string& protocol, const LibraryTranslation& translation) {
-  std::set<std::string> addresses{};
-  for (const TranslatableText& text : translatable_texts(nlohmann::json::parse(protocol))) {
-    addresses.insert(text.address);
+}  // namespace
+
+std::string text_in_language(const LibraryProtocol& protocol, const std::string& language) {
+  for (const LibraryTranslation& each : protocol.translations) {
+    if (each.language != language) continue;
+    const std::string name(protocol.name);
+    return translated(protocol.text, name, {each.text, name, language}).text;
   }
-  const JsonDocument present(translation.text, "the translation of the template");
-  std::vector<std::string> removed{};
-  for (const auto& [address, texts] : present.root().at("texts").items()) {
-    if (!addresses.contains(address)) removed.push_back(pointer_to("/texts", address));
-  }
-  return without(present, removed).text;
+  return std::string(protocol.text);
 }
 
-std::filesystem::path write_protocol(const std::filesystem::path& study,
-                                     const LibraryProtocol& protocol, const std::string& name,
-                                     const std::string& text) {
+std::filesystem::path protocol_from_template(const std::filesystem::path& study,
+                                             const TemplateChoice& choice) {
   const std::filesystem::path folder = study / "protocols";
-  const std::filesystem::path file = folder / (name + ".json");
-  write_file(file, name == protocol.name ? text : with_protocol_name(text, name),
-             Overwrite::refuse);
-  for (const LibraryTranslation& each : protocol.translations) {
-    write_file(folder / (name + '.' + std::string(each.language) + ".json"),
-               translation_of(text, each), Overwrite::refuse);
+  std::set<std::string> taken{};  // also by translations, which would be those of the new protocol
+  for (const auto& entry : entries_in(folder)) {
+    taken.insert(entry.path().stem().stem().string());
   }
+  const std::string name =
+      free_name(choice.name, [&taken](const std::string& one) { return taken.contains(one); });
+  std::string text = text_from_template(choice);
+  if (choice.textures.from == TemplateTextures::From::demonstration) {
+    text = with_demo_stimuli(std::move(text), study);
+  }
+  const std::filesystem::path file = folder / (name + ".json");
+  write_file(file, with_protocol_name(std::move(text), name), Overwrite::refuse);
   return file;
 }
 
-}  // namespace
-
-std::filesystem::path protocol_from_template(const std::filesystem::path& study,
-                                             std::string_view name,
-                                             const TemplateTextures& textures) {
-  const LibraryProtocol& protocol = library_protocol(name);
-  const std::string own_name = free_name(name, [&](const std::string& one) {
-    const std::filesystem::path file = study / "protocols" / one;
-    const auto exists = [&file](std::string_view ending) {
-      return std::filesystem::exists(file.string() + std::string(ending) + ".json");
-    };
-    return exists("") || std::any_of(protocol.translations.begin(), protocol.translations.end(),
-                                     [&exists](const LibraryTranslation& each) {
-                                       return exists('.' + std::string(each.language));
-                                     });
-  });
-  std::string text = text_from_template(name, textures);
-  if (textures.from == TemplateTextures::From::demonstration) {
-    text = with_demo_stimuli(std::move(text), study);
-  }
-  return write_protocol(study, protocol, own_name, text);
+std::string text_from_template(const TemplateChoice& choice) {
+  const std::string text = text_in_language(library_protocol(choice.name), choice.language);
+  if (choice.textures.from != TemplateTextures::From::study) return text;
+  return with_estimated_stimuli(with_textures(JsonDocument(text, choice.name), choice.textures.own),
+                                choice.name);
 }
 
-std::string text_from_template(std::string_view name, const TemplateTextures& textures) {
-  const LibraryProtocol& protocol = library_protocol(name);
-  if (textures.from != TemplateTextures::From::study) return std::string(protocol.text);
-  const std::string source(name);
-  return with_estimated_stimuli(with_textures(JsonDocument(protocol.text, source), textures.own),
-                                source);
-}
-
-ProtocolCheck check_of_template(const std::filesystem::path& study, std::string_view name,
-                                const TemplateTextures& textures, const ModelRegistry& models,
-                                KeptHeightFields* kept) {
+ProtocolCheck check_of_template(const std::filesystem::path& study, const TemplateChoice& choice,
+                                const ModelRegistry& models, KeptHeightFields* kept) {
   // The files of the demonstration are not written yet.
-  const bool has_files = textures.from != TemplateTextures::From::demonstration;
-  return check_protocol_text(text_from_template(name, textures), std::string(name), models,
+  const bool has_files = choice.textures.from != TemplateTextures::From::demonstration;
+  return check_protocol_text(text_from_template(choice), choice.name, models,
                              has_files ? std::optional(study) : std::nullopt, std::nullopt, kept);
 }
 
-std::filesystem::path write_library_protocol(const std::filesystem::path& study,
-                                             const LibraryProtocol& protocol,
-                                             const std::string& name) {
-  return write_protocol(study, protocol, name, std::string(protocol.text));
+void write_library_protocol(const std::filesystem::path& study, const LibraryProtocol& protocol) {
+  const std::string file = (study / "protocols" / protocol.name).string();
+  write_file(file + ".json", protocol.text, Overwrite::refuse);
+  for (const LibraryTranslation& each : protocol.translations) {
+    write_file(file + '.' + std::string(each.language) + ".json", each.text, Overwrite::refuse);
+  }
 }
 
 TexturesOfTemplate textures_of(const LibraryProtocol& protocol) {

@@ -24,34 +24,41 @@ struct TemplateTextures {
   std::vector<OwnTexture> own{};
 };
 
-/// Writes the library's protocol and its translations into the study's `protocols/` and returns the protocol's file. Where
-/// the study has a file of that name, the new one, and the protocol in it, is named NAME_2, NAME_3, …, so that sessions of
-/// the two are not mixed up. A texture of the demonstration, of whose files the study has others under the same names, is
-/// written as NAME_2, NAME_3, …: no file of the study is used because of its name.
+/// A protocol of the library, and what becomes of it in a study.
+struct TemplateChoice {
+  std::string name{};  ///< in the library
+  std::string
+      language{};  ///< of its texts (BCP 47); empty, or not in the library: the protocol's own
+  TemplateTextures textures{};
+};
+
+/// Writes the library's protocol with its texts in one language into the study's `protocols/` and returns its file. Where the
+/// study has a file of that name, also that of a translation, the new one, and the protocol in it, is named NAME_2, NAME_3, …, so
+/// that sessions of the two are not mixed up. A texture of the demonstration, of whose files the study has others under the same
+/// names, is written as NAME_2, NAME_3, …: no file of the study is used because of its name.
 ///
 /// Errors: std::invalid_argument for a name that is not in the library; ProtocolError for own textures without a permitted name;
 /// ResultsError when a file cannot be written.
 std::filesystem::path protocol_from_template(const std::filesystem::path& study,
-                                             std::string_view name,
-                                             const TemplateTextures& textures = {});
+                                             const TemplateChoice& choice);
 
 /// The text that the protocol's file gets, without the names that files of the demonstration have in the study. An estimation by
 /// spacing with own textures, which state no spacing, is one by stimuli: "factor" in place of "spacing", with the tests of
 /// that way.
 ///
 /// Errors: as `protocol_from_template`, for the name and for own textures.
-std::string text_from_template(std::string_view name, const TemplateTextures& textures);
+std::string text_from_template(const TemplateChoice& choice);
 
 /// The check of this text, before anything is written. `kept`: as for `check_protocol_text`. Errors: as `text_from_template`.
-ProtocolCheck check_of_template(const std::filesystem::path& study, std::string_view name,
-                                const TemplateTextures& textures, const ModelRegistry& models,
-                                KeptHeightFields* kept = nullptr);
+ProtocolCheck check_of_template(const std::filesystem::path& study, const TemplateChoice& choice,
+                                const ModelRegistry& models, KeptHeightFields* kept = nullptr);
 
-/// `protocol_from_template` under a name that the study does not have, with the textures of its names. Errors: ResultsError when
-/// a file cannot be written.
-std::filesystem::path write_library_protocol(const std::filesystem::path& study,
-                                             const LibraryProtocol& protocol,
-                                             const std::string& name);
+/// The protocol's text with its texts in the language, if the library has it, and otherwise unchanged.
+std::string text_in_language(const LibraryProtocol& protocol, const std::string& language);
+
+/// Writes the library's protocol and its translations, byte for byte. Errors: ResultsError when the study has a file of these
+/// names, and when one cannot be written.
+void write_library_protocol(const std::filesystem::path& study, const LibraryProtocol& protocol);
 
 /// The textures of a protocol of the library, and whether all of their files are of the demonstration.
 struct TexturesOfTemplate {

@@ -8,9 +8,10 @@
 
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/stimulus_names.h"
-#include "app/tasks/check_protocol.h"
-#include "protocols/file/translation.h"
+#include "protocols/file/protocol_reader.h"
+#include "protocols/file/stored_protocol.h"
 #include "protocols/form/new_values.h"
+#include "protocols/plan/course.h"
 #include "results_schema/files/folder_entries.h"
 #include "results_schema/hashes/sha256.h"
 
@@ -18,16 +19,14 @@ namespace asperity {
 
 namespace {
 
-/// The protocol's text in the language, if the library has it.
-std::string text_in(const LibraryProtocol& protocol, const std::string& language) {
+/// The languages of a protocol of the library, that of the reader first if it has this one.
+std::vector<std::string> languages_of(const LibraryProtocol& protocol, const std::string& reader) {
+  std::vector<std::string> languages{language_of(std::string(protocol.text))};
   for (const LibraryTranslation& each : protocol.translations) {
-    if (each.language != language) continue;
-    const std::string name(protocol.name);
-    TranslatedProtocol made =
-        translated(protocol.text, name, {each.text, name, std::string(each.language)});
-    if (made.problems.empty()) return std::move(made.text);
+    languages.insert(each.language == reader ? languages.begin() : languages.end(),
+                     std::string(each.language));
   }
-  return std::string(protocol.text);
+  return languages;
 }
 
 /// The study-relative file of the photograph that the relief was made from; empty if the study has none. The file of the
@@ -68,14 +67,19 @@ std::string name_in_protocol(const std::string& stem) {
 std::vector<TemplateOverview> template_overviews(const ModelRegistry& models,
                                                  const std::string& language,
                                                  const std::stop_token& stop) {
+  const std::vector<ModelDeclaration> declarations = declarations_of(models);
   std::vector<TemplateOverview> overviews{};
   for (const LibraryProtocol& protocol : library_protocols()) {
     if (stop.stop_requested()) break;
-    const std::string name(protocol.name);
-    ProtocolCheck check =
-        check_protocol_text(text_in(protocol, language), name, models, std::nullopt, std::nullopt);
-    if (!check.protocol) continue;
-    overviews.push_back({name, std::move(*check.protocol), check.cost, textures_of(protocol)});
+    TemplateOverview overview{.name = std::string(protocol.name),
+                              .textures = textures_of(protocol)};
+    for (const std::string& each : languages_of(protocol, language)) {
+      overview.protocols.push_back(
+          read_protocol(text_in_language(protocol, each), overview.name, declarations));
+    }
+    const Protocol& read = overview.protocols.front();
+    overview.cost = cost_of(read, example_plan(read, {1, 0}));
+    overviews.push_back(std::move(overview));
   }
   return overviews;
 }

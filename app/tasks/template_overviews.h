@@ -15,13 +15,14 @@
 namespace asperity {
 
 struct TemplateOverview {
-  std::string name{};   ///< in the library
-  Protocol protocol{};  ///< in the language that was asked for, or in its own
-  PlanCost cost{};      ///< of one session
+  std::string name{};  ///< in the library
+  /// In each of its languages: first that of the reader if it has this one, and otherwise its own.
+  std::vector<Protocol> protocols{};
+  PlanCost cost{};  ///< of one session
   TexturesOfTemplate textures{};
 };
 
-/// All of them, in the order of the library. `language`: a BCP 47 tag.
+/// All of them, in the order of the library. `language`: that of the reader, a BCP 47 tag.
 std::vector<TemplateOverview> template_overviews(const ModelRegistry& models,
                                                  const std::string& language,
                                                  const std::stop_token& stop);

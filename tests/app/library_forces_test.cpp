@@ -148,7 +148,7 @@ TEST_F(DemoStudy, HasForcesSideBySideThatAreSentAsRendered) {
   std::stop_source stop{};
   const ModelRegistry models = built_in_models();
   SimulationInputs inputs{};
-  inputs.protocols = {protocol_from_template(own_study, "spacing_jnd")};
+  inputs.protocols = {protocol_from_template(own_study, {.name = "spacing_jnd"})};
   inputs.study = own_study;
   inputs.recordings = Recordings::all;
   try {

@@ -2,15 +2,19 @@
 
 #include "app/tasks/protocol_templates.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/protocol_languages.h"
+#include "app/study_files/study_protocols.h"
 #include "app/tasks/check_protocol.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/template_overviews.h"
+#include "protocols/file/stored_protocol.h"
 #include "renderers/built_in_models.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/hashes/sha256.h"
@@ -50,6 +54,12 @@ class ProtocolFromTemplate : public testing::Test {
     }
     return chosen;
   }
+  static TemplateChoice with(const std::vector<OwnTexture>& own, const std::string& name,
+                             const std::string& language = {}) {
+    return {.name = name,
+            .language = language,
+            .textures = {.from = TemplateTextures::From::study, .own = own}};
+  }
   /// The problems that `asperity check` finds in the file in the study.
   std::string problems_of(const std::filesystem::path& file) const {
     std::string problems{};
@@ -66,20 +76,43 @@ class ProtocolFromTemplate : public testing::Test {
 };
 
 TEST_F(ProtocolFromTemplate, GetsANameOfItsOwnWhereTheStudyHasOneOfThatName) {
-  const auto first = protocol_from_template(study_, "chapter_matching");
-  const auto second = protocol_from_template(study_, "chapter_matching");
+  const auto first = protocol_from_template(study_, {.name = "chapter_matching"});
+  // Of a protocol that is not in the study any more: it would be one of the new protocol.
+  write_file(study_ / "protocols" / "chapter_matching_2.fr.json", "{}", Overwrite::refuse);
+  const auto second = protocol_from_template(study_, {.name = "chapter_matching"});
   EXPECT_EQ(first.filename(), "chapter_matching.json");
-  EXPECT_EQ(second.filename(), "chapter_matching_2.json");
+  EXPECT_EQ(second.filename(), "chapter_matching_3.json");
   EXPECT_EQ(load_protocol(first, models_, std::nullopt).name, "chapter_matching");
-  EXPECT_EQ(load_protocol(second, models_, std::nullopt).name, "chapter_matching_2");
-  EXPECT_THROW(protocol_from_template(study_, "nothing"), std::invalid_argument);
-  for (const std::filesystem::path& file : {first, second}) {
-    const std::filesystem::path german = protocol_in_language(file, "de");
-    EXPECT_EQ(german.filename(), file.stem().string() + ".de.json");
-    const Protocol read = load_protocol(german, models_, std::nullopt);
-    EXPECT_EQ(read.language, "de");
-    EXPECT_EQ(read.name, file.stem().string());
+  EXPECT_EQ(load_protocol(second, models_, std::nullopt).name, "chapter_matching_3");
+  EXPECT_THROW(protocol_from_template(study_, {.name = "nothing"}), std::invalid_argument);
+}
+
+TEST_F(ProtocolFromTemplate, HasItsTextsInTheChosenLanguage) {
+  for (const LibraryProtocol& protocol : library_protocols()) {
+    const std::string source(protocol.text);
+    for (const char* const language : {"en", "de"}) {
+      const auto file = protocol_from_template(
+          study_, {.name = std::string(protocol.name), .language = language});
+      const std::string text = read_file(file);
+      const ProtocolCheck check = check_protocol(file, models_, std::nullopt, std::nullopt);
+      ASSERT_TRUE(check.is_valid()) << file;
+      EXPECT_TRUE(check.warnings.empty()) << file << check.warnings.front().message;
+      EXPECT_EQ(check.protocol->language, language);
+      EXPECT_EQ(languages_of_protocol(file).size(), 1U) << "no translation next to it";
+      EXPECT_EQ(check.protocol->title == read_protocol(source, "", declarations_of(models_)).title,
+                std::string_view(language) == "en");
+      // Everything else is that of the library, on the same lines.
+      EXPECT_EQ(without_texts(with_protocol_name(text, "any")),
+                without_texts(with_protocol_name(source, "any")));
+      EXPECT_EQ(std::count(text.begin(), text.end(), '\n'),
+                std::count(source.begin(), source.end(), '\n'));
+    }
   }
+  const std::string german = text_from_template({.name = "chapter_matching", .language = "de"});
+  EXPECT_THAT(german,
+              testing::HasSubstr(R"("options": [{"value": "female", "text": "weiblich"},)"));
+  EXPECT_EQ(text_from_template({.name = "chapter_matching", .language = "fr"}),
+            text_from_template({.name = "chapter_matching"}));
 }
 
 TEST_F(ProtocolFromTemplate, ComparesTheTexturesOfTheStudy) {
@@ -87,8 +120,7 @@ TEST_F(ProtocolFromTemplate, ComparesTheTexturesOfTheStudy) {
   const std::vector<OwnTexture> own = named(reliefs_of_study(study_), {"grass", "brick", "gravel"});
   ASSERT_EQ(own.size(), 3U);
   EXPECT_EQ(own[0].picture, "stimuli/grass_photo.png");
-  const auto file = protocol_from_template(study_, "semantic_differential",
-                                           {.from = TemplateTextures::From::study, .own = own});
+  const auto file = protocol_from_template(study_, with(own, "semantic_differential"));
   EXPECT_EQ(problems_of(file), "");
   const nlohmann::json protocol = nlohmann::json::parse(read_file(file));
   EXPECT_EQ(protocol["factors"]["texture"]["levels"], nlohmann::json({"grass", "brick", "gravel"}));
@@ -120,21 +152,18 @@ TEST_F(ProtocolFromTemplate, HasAsManyTexturesAsTheStudy) {
   const std::vector<OwnTexture> own =
       named(reliefs_of_study(study_), {"a", "b", "c", "d", "e", "f"});
   for (const char* const name : {"photo_recognition", "attributes_of_textures"}) {
-    const auto file =
-        protocol_from_template(study_, name, {.from = TemplateTextures::From::study, .own = own});
-    EXPECT_EQ(problems_of(file), "") << name;
-    EXPECT_EQ(nlohmann::json::parse(read_file(file))["textures"].size(), 6U);
-    const std::filesystem::path german = protocol_in_language(file, "de");
-    EXPECT_EQ(problems_of(german), "") << name;
+    for (const char* const language : {"en", "de"}) {
+      const auto file = protocol_from_template(study_, with(own, name, language));
+      EXPECT_EQ(problems_of(file), "") << name;
+      EXPECT_EQ(nlohmann::json::parse(read_file(file))["textures"].size(), 6U);
+    }
   }
 }
 
 TEST_F(ProtocolFromTemplate, HasAnAnchorAmongFewerTextures) {
   for (const char* const name : {"a", "b", "c"}) add_relief(name);
-  const auto file =
-      protocol_from_template(study_, "roughness_force",
-                             {.from = TemplateTextures::From::study,
-                              .own = named(reliefs_of_study(study_), {"a", "b", "c"})});
+  const auto file = protocol_from_template(
+      study_, with(named(reliefs_of_study(study_), {"a", "b", "c"}), "roughness_force"));
   const nlohmann::json protocol = nlohmann::json::parse(read_file(file));
   EXPECT_EQ(protocol["blocks"]["main"]["anchor"]["texture"], "b")
       << "the template's is the fourth texture, in the middle";
@@ -149,10 +178,8 @@ TEST_F(ProtocolFromTemplate, EstimatesTexturesThatHaveNoSpacing) {
   for (const char* const name : {"roughness_diameter", "roughness_force", "roughness_speed"}) {
     for (const std::size_t count : {2U, 3U, 7U, 8U}) {
       const std::vector<OwnTexture> own(all.begin(), all.begin() + static_cast<int>(count));
-      const auto file =
-          protocol_from_template(study_, name, {.from = TemplateTextures::From::study, .own = own});
+      const auto file = protocol_from_template(study_, with(own, name));
       EXPECT_EQ(problems_of(file), "") << name << " " << count;
-      EXPECT_EQ(problems_of(protocol_in_language(file, "de")), "") << name << " " << count;
       const nlohmann::json protocol = nlohmann::json::parse(read_file(file));
       EXPECT_EQ(protocol["estimation"]["factor"], "texture");
       EXPECT_FALSE(protocol["estimation"].contains("spacing"));
@@ -166,20 +193,21 @@ TEST_F(ProtocolFromTemplate, IsCheckedBeforeItIsWritten) {
   using From = TemplateTextures::From;
   for (const char* const name : {"a", "b", "c"}) add_relief(name);
   const std::vector<OwnTexture> own = named(reliefs_of_study(study_), {"a", "b", "c"});
-  const auto check = [&](const char* name, const TemplateTextures& textures) {
-    return check_of_template(study_, name, textures, models_);
+  const auto check = [&](const TemplateChoice& choice) {
+    return check_of_template(study_, choice, models_);
   };
   // One of the models of the map renders recordings, which reliefs of the study do not have.
-  const TemplateTextures of_study{.from = From::study, .own = own};
-  const ProtocolCheck map = check("map_of_renderings", of_study);
+  const TemplateChoice of_study = with(own, "map_of_renderings");
+  const ProtocolCheck map = check(of_study);
   ASSERT_FALSE(map.diagnostics.empty());
   EXPECT_THAT(map.diagnostics.front().message, testing::HasSubstr("\"recording\""));
-  EXPECT_FALSE(check("photo_matching", {.from = From::study, .own = {own.front()}}).is_valid());
+  EXPECT_FALSE(check(with({own.front()}, "photo_matching")).is_valid());
   // The files of the template's textures are not in the study yet.
-  EXPECT_TRUE(check("map_of_renderings", {.from = From::demonstration}).is_valid());
+  EXPECT_TRUE(
+      check({.name = "map_of_renderings", .textures = {.from = From::demonstration}}).is_valid());
   EXPECT_FALSE(std::filesystem::exists(study_ / "protocols" / "map_of_renderings.json"));
   // What is written has the problems of the check.
-  const auto file = protocol_from_template(study_, "map_of_renderings", of_study);
+  const auto file = protocol_from_template(study_, of_study);
   const ProtocolCheck written = check_protocol(file, models_, study_, std::nullopt);
   ASSERT_EQ(written.diagnostics.size(), map.diagnostics.size());
   EXPECT_EQ(written.diagnostics.front().message, map.diagnostics.front().message);
@@ -189,14 +217,15 @@ TEST_F(ProtocolFromTemplate, WritesTheTexturesOfTheDemonstration) {
   using From = TemplateTextures::From;
   add_relief("file_fine");  // another texture of this name
   const std::string own = read_file(study_ / "stimuli" / "file_fine.png");
-  const auto file = protocol_from_template(study_, "tools_matching", {.from = From::demonstration});
+  const TemplateChoice tools{.name = "tools_matching", .textures = {.from = From::demonstration}};
+  const auto file = protocol_from_template(study_, tools);
   EXPECT_EQ(problems_of(file), "");
   EXPECT_EQ(read_file(study_ / "stimuli" / "file_fine.png"), own);
   const nlohmann::json protocol = nlohmann::json::parse(read_file(file));
   EXPECT_EQ(protocol["textures"]["fine"]["height_field"], "stimuli/file_fine_2.png");
   EXPECT_EQ(protocol["textures"]["medium"]["height_field"], "stimuli/file_medium.png");
   // The same files are used again.
-  protocol_from_template(study_, "tools_matching", {.from = From::demonstration});
+  protocol_from_template(study_, tools);
   EXPECT_FALSE(std::filesystem::exists(study_ / "stimuli" / "file_medium_2.png"));
   EXPECT_FALSE(std::filesystem::exists(study_ / "stimuli" / "file_fine_3.png"));
 }
@@ -208,8 +237,10 @@ TEST(TemplateOverviews, HaveTitlesInTheLanguageOfTheReader) {
   ASSERT_EQ(english.size(), library_protocols().size());
   ASSERT_EQ(german.size(), english.size());
   for (std::size_t i = 0; i < english.size(); ++i) {
-    EXPECT_FALSE(english[i].protocol.title.empty());
-    EXPECT_NE(english[i].protocol.title, german[i].protocol.title) << english[i].name;
+    ASSERT_EQ(english[i].protocols.size(), 2U);
+    EXPECT_EQ(english[i].protocols.front().language, "en");
+    EXPECT_EQ(german[i].protocols.front().language, "de");
+    EXPECT_EQ(english[i].protocols.back().title, german[i].protocols.front().title);
     EXPECT_GT(english[i].cost.trials, 0);
   }
   EXPECT_TRUE(english.front().textures.names.empty());  // amplitude_jnd

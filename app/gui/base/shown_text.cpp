@@ -89,6 +89,14 @@ QString text_of_duration(double duration_s) {
       .arg(minutes % 60, 2, 10, QChar('0'));
 }
 
+QString text_of_language(const std::string& tag) {
+  const QLocale locale(text(tag));
+  if (locale.language() == QLocale::C) return text(tag);
+  // "en" alone is American English to Qt, which says so.
+  if (locale.language() == QLocale::English) return QStringLiteral("English");
+  return locale.nativeLanguageName();
+}
+
 QString text_of_kind(const std::string& kind) {
   const StudyAnalysis* const analysis = find_analysis(kind);
   return analysis == nullptr ? text(kind) : words_of(analysis->name);

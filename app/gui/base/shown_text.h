@@ -34,6 +34,8 @@ QString text_of_level(const std::string& factor, double level);
 /// and the number of catch trials is drawn.
 bool is_length_estimated(const Protocol& protocol);
 
+/// "English", "Deutsch"; the tag itself for a language that Qt does not know.
+QString text_of_language(const std::string& tag);
 QString text_of_kind(const std::string& kind);
 /// "hand hidden, screen visible"
 QString text_of_vision(Vision vision);

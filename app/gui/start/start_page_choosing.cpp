@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <QtCore/QLocale>
 #include <QtCore/QSignalBlocker>
 #include <QtCore/QTimer>
 #include <QtWidgets/QApplication>
@@ -13,6 +12,7 @@
 #include <QtWidgets/QScrollBar>
 #include <QtWidgets/QSpinBox>
 
+#include "app/gui/base/shown_text.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/sound/noise_check.h"
 #include "app/gui/start/consent_card.h"
@@ -22,18 +22,6 @@
 #include "app/gui/start/start_page.h"
 
 namespace asperity {
-
-namespace {
-
-/// "English", "Deutsch"; the tag itself for a language that Qt does not know.
-QString language_name(const std::string& tag) {
-  const QLocale locale(QString::fromStdString(tag));
-  if (locale.language() == QLocale::C) return QString::fromStdString(tag);
-  if (locale.language() == QLocale::English) return QStringLiteral("English");
-  return locale.nativeLanguageName();
-}
-
-}  // namespace
 
 void StartPage::choose(const std::filesystem::path& protocol,
                        const std::optional<std::string>& participant,
@@ -199,7 +187,8 @@ void StartPage::list_languages() {
   const QSignalBlocker silent(languages_);
   languages_->clear();
   for (const ProtocolInLanguage& each : facts_.languages) {
-    languages_->addItem(language_name(each.language), QString::fromStdString(each.file.string()));
+    languages_->addItem(text_of_language(each.language),
+                        QString::fromStdString(each.file.string()));
   }
   languages_->setCurrentIndex(
       languages_->findData(QString::fromStdString(facts_.chosen.file.string())));

@@ -248,11 +248,10 @@ void ProtocolsPage::choose_template() {
   dialog->open();
 }
 
-void ProtocolsPage::add_from_template(const std::string& name, const TemplateTextures& textures) {
+void ProtocolsPage::add_from_template(const TemplateChoice& choice) {
   write_task_.run<std::filesystem::path>(
-      [name, textures, folder = study().folder()](const std::stop_token&,
-                                                  const BackgroundTask::Progress&) {
-        return protocol_from_template(folder, name, textures);
+      [choice, folder = study().folder()](const std::stop_token&, const BackgroundTask::Progress&) {
+        return protocol_from_template(folder, choice);
       },
       [this](const std::filesystem::path& file) {
         select_next_ = QString::fromStdString(file.string());

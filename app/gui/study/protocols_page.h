@@ -48,7 +48,7 @@ class ProtocolsPage final : public StudyPage {
   QWidget* make_detail();
   void share_height();
   void choose_template();
-  void add_from_template(const std::string& name, const TemplateTextures& textures);
+  void add_from_template(const TemplateChoice& choice);
   void show_protocols(const std::vector<ProtocolOverview>& protocols);
   void show_interrupted(const std::vector<InterruptedSession>& sessions);
   void examine_stimuli();

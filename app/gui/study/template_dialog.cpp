@@ -14,6 +14,7 @@
 #include <QtWidgets/QScrollArea>
 #include <QtWidgets/QVBoxLayout>
 
+#include "app/gui/base/question_form.h"
 #include "app/gui/base/shown_text.h"
 #include "app/gui/base/study_table.h"
 #include "app/gui/look/controls.h"
@@ -89,7 +90,7 @@ TemplateDialog::TemplateDialog(const std::filesystem::path& study, const ModelRe
   connect(table_, &StudyTable::row_selected, this, &TemplateDialog::show_chosen);
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   connect(create_, &QPushButton::clicked, this, [this] {
-    emit wanted(chosen()->name, textures());
+    emit wanted(choice_of(textures()));
     accept();
   });
   task_.run<Content>(
@@ -119,6 +120,19 @@ QWidget* TemplateDialog::make_detail(const std::filesystem::path& study) {
   facts_ = make_text({}, detail, true);
   layout->addWidget(title_);
   layout->addWidget(facts_);
+  language_ = new ChoiceBox(detail);
+  language_->setObjectName("template_language");
+  ignore_wheel(*language_);
+  language_row_ = new QWidget(detail);
+  auto* language = new QHBoxLayout(language_row_);
+  language->setContentsMargins(0, 0, 0, 0);
+  language->setSpacing(kMargin);
+  QLabel* language_label = make_text(tr("Language of the participants’ texts"), language_row_);
+  language_label->setBuddy(language_);
+  language->addWidget(language_label, 1);
+  language->addWidget(language_);
+  language_row_->hide();
+  layout->addWidget(language_row_);
 
   surfaces_ = new QWidget(detail);
   auto* surfaces = new QVBoxLayout(surfaces_);
@@ -162,6 +176,7 @@ QWidget* TemplateDialog::make_detail(const std::filesystem::path& study) {
       if (is_chosen) check_chosen();
     });
   }
+  connect(language_, &QComboBox::currentIndexChanged, this, &TemplateDialog::show_texts);
   connect(reliefs_, &QListWidget::itemChanged, this, &TemplateDialog::check_chosen);
   connect(reliefs_->model(), &QAbstractItemModel::rowsMoved, this, &TemplateDialog::check_chosen);
   return scroll;
@@ -171,11 +186,11 @@ void TemplateDialog::show_content(Content content) {
   content_ = std::move(content);
   std::vector<StudyTable::Row> rows{};
   for (const TemplateOverview& overview : content_.templates) {
-    rows.push_back(
-        {text(overview.name),
-         {text_cell(text(overview.protocol.title)), text_cell(text_of_kind(overview.protocol.kind)),
-          number_cell(trials_of(overview), overview.cost.trials),
-          number_cell(minutes_of(overview), overview.cost.total_s)}});
+    rows.push_back({text(overview.name),
+                    {text_cell(text(overview.protocols.front().title)),
+                     text_cell(text_of_kind(overview.protocols.front().kind)),
+                     number_cell(trials_of(overview), overview.cost.trials),
+                     number_cell(minutes_of(overview), overview.cost.total_s)}});
   }
   for (const OwnTexture& relief : content_.reliefs) {
     auto* item = new QListWidgetItem(text(relief.name), reliefs_);
@@ -199,15 +214,15 @@ void TemplateDialog::show_chosen() {
   const TemplateOverview* const overview = chosen();
   const bool has_textures = overview != nullptr && !overview->textures.names.empty();
   surfaces_->setVisible(has_textures);
+  language_row_->setVisible(overview != nullptr);
   if (overview != nullptr) {
-    title_->setText(text(overview->protocol.title));
     const QString trials = tr("%n trial(s)", nullptr, overview->cost.trials);
-    facts_->setText(QStringList{text_of_kind(overview->protocol.kind), trials,
+    facts_->setText(QStringList{text_of_kind(overview->protocols.front().kind), trials,
                                 tr("about %1").arg(text_of_duration(overview->cost.total_s)),
                                 text(overview->name)}
                         .join(" · "));
-    description_->setText(text(overview->protocol.description));
-    show_screens(*overview);
+    offer_languages(*overview);
+    show_texts();
   }
   if (has_textures) {
     needs_->setText(tr("This template compares %n texture(s).", nullptr,
@@ -218,6 +233,26 @@ void TemplateDialog::show_chosen() {
                             : tr("These textures are photographs that are not part of Asperity."));
   }
   choose_textures();
+}
+
+/// The one that was chosen with another template stays.
+void TemplateDialog::offer_languages(const TemplateOverview& overview) {
+  const QSignalBlocker quiet(language_);
+  const QVariant before = language_->currentData();
+  language_->clear();
+  for (const Protocol& protocol : overview.protocols) {
+    language_->addItem(text_of_language(protocol.language), text(protocol.language));
+  }
+  language_->setCurrentIndex(std::max(language_->findData(before), 0));
+}
+
+/// The title, the description and the screens, in the language of the new protocol.
+void TemplateDialog::show_texts() {
+  const auto language = static_cast<std::size_t>(language_->currentIndex());
+  const Protocol& protocol = chosen()->protocols[language];
+  title_->setText(text(protocol.title));
+  description_->setText(text(protocol.description));
+  show_screens(protocol);
 }
 
 /// Ticks as many textures of the study as the template has, and chooses these or the template's: the first with which the
@@ -242,7 +277,7 @@ void TemplateDialog::choose_textures() {
     if (own_->isEnabled()) possible.push_back({.from = From::study, .own = ticked()});
     if (copied_->isEnabled()) possible.push_back({.from = From::demonstration});
   }
-  check(std::move(possible));
+  check(possible);
 }
 
 void TemplateDialog::check_chosen() {
@@ -255,7 +290,7 @@ void TemplateDialog::check_chosen() {
 
 /// Checks the protocol with these textures, or with the next ones where it is not valid, and so on; shows the first ones where
 /// it is valid with none.
-void TemplateDialog::check(std::vector<TemplateTextures> possible) {
+void TemplateDialog::check(const std::vector<TemplateTextures>& possible) {
   const std::uint64_t number = ++shown_;
   is_refused_ = false;
   is_checking_ = !possible.empty();
@@ -263,14 +298,16 @@ void TemplateDialog::check(std::vector<TemplateTextures> possible) {
   show_what_follows();
   if (possible.empty()) return;
   state_->set_state(State::unknown, tr("Checking…"));
+  std::vector<TemplateChoice> choices{};
+  for (const TemplateTextures& textures : possible) choices.push_back(choice_of(textures));
   work_.ask(
-      [this, number, possible = std::move(possible), name = chosen()->name, study = study_,
-       &models = models_, kept = height_fields_]() -> NewestWork::Delivery {
+      [this, number, choices = std::move(choices), study = study_, &models = models_,
+       kept = height_fields_]() -> NewestWork::Delivery {
         std::vector<Checked> all{};
-        for (const TemplateTextures& textures : possible) {
-          all.push_back({.textures = textures});
+        for (const TemplateChoice& choice : choices) {
+          all.push_back({.choice = choice});
           try {
-            all.back().check = check_of_template(study, name, textures, models, kept.get());
+            all.back().check = check_of_template(study, choice, models, kept.get());
           } catch (const std::exception& error) {
             all.back().refusal = message_of(error);
           }
@@ -293,7 +330,7 @@ void TemplateDialog::check(std::vector<TemplateTextures> possible) {
 void TemplateDialog::take(const Checked& checked) {
   {
     QRadioButton* const button =
-        checked.textures.from == TemplateTextures::From::study ? own_ : copied_;
+        checked.choice.textures.from == TemplateTextures::From::study ? own_ : copied_;
     const QSignalBlocker quiet_own(own_);
     const QSignalBlocker quiet_copied(copied_);
     button->setChecked(true);
@@ -321,14 +358,20 @@ void TemplateDialog::take(const Checked& checked) {
 }
 
 /// Those of the first trial, and from there those of the other steps.
-void TemplateDialog::show_screens(const TemplateOverview& overview) {
-  protocol_ = std::make_shared<const Protocol>(overview.protocol);
+void TemplateDialog::show_screens(const Protocol& protocol) {
+  protocol_ = std::make_shared<const Protocol>(protocol);
   plan_ = std::make_shared<const Plan>(as_read(*protocol_, example_plan(*protocol_, {1, 0})));
   const auto first =
       std::find_if(plan_->steps.begin(), plan_->steps.end(),
                    [](const PlanStep& step) { return std::holds_alternative<TrialStep>(step); });
   screen_->show();
   screen_->show_step(protocol_, plan_, static_cast<std::size_t>(first - plan_->steps.begin()));
+}
+
+TemplateChoice TemplateDialog::choice_of(const TemplateTextures& textures) const {
+  return {.name = chosen()->name,
+          .language = language_->currentData().toString().toStdString(),
+          .textures = textures};
 }
 
 TemplateTextures TemplateDialog::textures() const {

@@ -22,6 +22,7 @@ class QRadioButton;
 
 namespace asperity {
 
+class ChoiceBox;
 class ScreenPreview;
 class StateLabel;
 class StudyTable;
@@ -36,7 +37,7 @@ class TemplateDialog final : public QDialog {
                  QWidget* parent = nullptr);
 
  signals:
-  void wanted(const std::string& name, const asperity::TemplateTextures& textures);
+  void wanted(const asperity::TemplateChoice& choice);
 
  private:
   struct Content {
@@ -46,7 +47,7 @@ class TemplateDialog final : public QDialog {
 
   /// The check of the protocol with one of the possible textures.
   struct Checked {
-    TemplateTextures textures{};
+    TemplateChoice choice{};
     ProtocolCheck check{};
     std::string refusal{};  ///< why no protocol can be made with them; empty: one can
   };
@@ -54,13 +55,16 @@ class TemplateDialog final : public QDialog {
   QWidget* make_detail(const std::filesystem::path& study);
   void show_content(Content content);
   void show_chosen();
-  void show_screens(const TemplateOverview& overview);
+  void offer_languages(const TemplateOverview& overview);
+  void show_texts();
+  void show_screens(const Protocol& protocol);
   void choose_textures();
   void check_chosen();
-  void check(std::vector<TemplateTextures> possible);
+  void check(const std::vector<TemplateTextures>& possible);
   void take(const Checked& checked);
   void show_what_follows();
   const TemplateOverview* chosen() const;
+  TemplateChoice choice_of(const TemplateTextures& textures) const;
   TemplateTextures textures() const;
   std::vector<OwnTexture> ticked() const;
 
@@ -70,6 +74,8 @@ class TemplateDialog final : public QDialog {
   StudyTable* table_ = nullptr;
   QLabel* title_ = nullptr;
   QLabel* facts_ = nullptr;
+  QWidget* language_row_ = nullptr;
+  ChoiceBox* language_ = nullptr;
   QLabel* description_ = nullptr;
   ScreenPreview* screen_ = nullptr;
   std::shared_ptr<const Protocol> protocol_{};  ///< of the screens

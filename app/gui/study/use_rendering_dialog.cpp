@@ -141,22 +141,20 @@ void UseRenderingDialog::read_protocols(const std::filesystem::path& chosen) {
 
 void UseRenderingDialog::choose_template() {
   auto* dialog = new TemplateDialog(study_.folder(), study_.models(), this);
-  connect(dialog, &TemplateDialog::wanted, this,
-          [this](const std::string& name, const TemplateTextures& textures) {
-            task_.run<std::filesystem::path>(
-                [name, textures, folder = study_.folder()](const std::stop_token&,
-                                                           const BackgroundTask::Progress&) {
-                  return protocol_from_template(folder, name, textures);
-                },
-                [this](const std::filesystem::path& file) {
-                  study_.announce_change();
-                  read_protocols(file);
-                },
-                [this](const QString& what) {
-                  state_->set_state(State::stop,
-                                    tr("The protocol could not be created: %1").arg(what));
-                });
-          });
+  connect(dialog, &TemplateDialog::wanted, this, [this](const TemplateChoice& choice) {
+    task_.run<std::filesystem::path>(
+        [choice, folder = study_.folder()](const std::stop_token&,
+                                           const BackgroundTask::Progress&) {
+          return protocol_from_template(folder, choice);
+        },
+        [this](const std::filesystem::path& file) {
+          study_.announce_change();
+          read_protocols(file);
+        },
+        [this](const QString& what) {
+          state_->set_state(State::stop, tr("The protocol could not be created: %1").arg(what));
+        });
+  });
   dialog->open();
 }
 

@@ -18392,6 +18392,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Beschreibung</translation>
     </message>
     <message>
+        <source>Language of the participants’ texts</source>
+        <translation>Sprache der Texte für Versuchspersonen</translation>
+    </message>
+    <message>
         <source>Textures of this study, in this order:</source>
         <translation>Texturen dieser Studie, in dieser Reihenfolge:</translation>
     </message>

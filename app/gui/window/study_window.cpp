@@ -409,8 +409,7 @@ void StudyWindow::make_view_menu() {
   };
   add_language(tr("Use &system setting"), "system");
   for (const QString& code : available_languages()) {
-    // "en" alone is American English to Qt, which says so.
-    add_language(code == "en" ? QString("English") : QLocale(code).nativeLanguageName(), code);
+    add_language(text_of_language(code.toStdString()), code);
   }
 }
 

@@ -310,8 +310,7 @@ TEST_F(RenderingsTest, AreUsedInAProtocolFromATemplate) {
   ASSERT_TRUE(eventually([&] { return create.isEnabled(); })) << "its textures are chosen";
   click("template_create", choice);
   ASSERT_TRUE(eventually([&] { return state(use).startsWith("✓"); })) << state(use).toStdString();
-  EXPECT_EQ(child<QComboBox>(use, "use_protocol").currentText(), "semantic_differential_2")
-      << "the translation of the first one is still there";
+  EXPECT_EQ(child<QComboBox>(use, "use_protocol").currentText(), "semantic_differential");
   EXPECT_TRUE(child<QPushButton>(use, "use_change").isEnabled());
 }
 

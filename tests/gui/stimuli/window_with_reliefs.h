@@ -41,8 +41,9 @@ class WindowWithReliefs : public QuietHome {
                         {.kind = kind}, Overwrite::refuse);
     }
     protocol_ = protocol_from_template(
-        folder(), "semantic_differential",
-        {.from = TemplateTextures::From::study, .own = reliefs_of_study(folder())});
+        folder(),
+        {.name = "semantic_differential",
+         .textures = {.from = TemplateTextures::From::study, .own = reliefs_of_study(folder())}});
     window_.resize(1280, 720);
     window_.show();
     EXPECT_TRUE(window_.open_study(folder()));

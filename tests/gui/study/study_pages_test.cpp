@@ -11,6 +11,7 @@
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QComboBox>
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QListWidget>
@@ -35,6 +36,7 @@
 #include "app/gui/study/trials_page.h"
 #include "app/gui/window/study_window.h"
 #include "protocols/file/library_protocols.h"
+#include "protocols/file/stored_protocol.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/study.h"
 #include "tests/gui/study/quiet_home.h"
@@ -481,6 +483,11 @@ TEST_F(StudyPages, PutATemplateIntoTheStudyUnderAFreeName) {
   EXPECT_FALSE(child<QPushButton>(dialog, "template_create").isEnabled());
   templates.select("chapter_selection");
   EXPECT_EQ(child<QLabel>(dialog, "template_needs").text(), "This template compares 4 textures.");
+  auto& language = child<QComboBox>(dialog, "template_language");
+  EXPECT_EQ(language.currentText(), "English") << "that of the windows";
+  language.setCurrentText("Deutsch");
+  EXPECT_EQ(child<QLabel>(dialog, "template_title").text(),
+            "Welche Wiedergabe ist die realistischste?");
   using Scene = ParticipantScene::Kind;
   const auto& screen = child<ParticipantView>(dialog, "screen_view");
   ASSERT_TRUE(eventually([&] { return screen.scene().kind == Scene::feel; }))
@@ -491,7 +498,8 @@ TEST_F(StudyPages, PutATemplateIntoTheStudyUnderAFreeName) {
     child<QPushButton>(dialog, "screen_next").click();
   }
   ASSERT_TRUE(eventually([&] { return screen.scene().kind == Scene::question; }));
-  EXPECT_EQ(screen.scene().text, "Which surface felt most like the material in the picture?");
+  EXPECT_EQ(screen.scene().text,
+            "Welche Oberfläche hat sich am ehesten wie das Material auf dem Bild angefühlt?");
   take_screenshot(dialog, "template-dialog", {1120, 700});
   take_screenshot(dialog, "template-dialog-small", {910, 512});
   child<QRadioButton>(dialog, "template_own").click();
@@ -501,7 +509,9 @@ TEST_F(StudyPages, PutATemplateIntoTheStudyUnderAFreeName) {
       eventually([&] { return child<QPushButton>(dialog, "template_create").isEnabled(); }));
   child<QPushButton>(dialog, "template_create").click();
   ASSERT_TRUE(eventually([&] { return table.shown_rows() == 4; }));
-  EXPECT_TRUE(table.selected_key().endsWith("chapter_selection_2.json"));
+  const std::filesystem::path made = table.selected_key().toStdString();
+  EXPECT_EQ(made.filename(), "chapter_selection_2.json");
+  EXPECT_EQ(language_of(read_file(made, kProtocolFile)), "de");
   EXPECT_EQ(column(table, 5).filter("valid").size(), 4);
   EXPECT_TRUE(column(table, 1).contains("chapter_selection_2"));
 }
