@@ -16,6 +16,7 @@
 
 #include "app/study_files/study_protocols.h"
 #include "app/tasks/demo_stimuli.h"
+#include "protocols/editing/edits.h"
 #include "protocols/file/translation.h"
 #include "protocols/form/form_edits.h"
 #include "protocols/form/new_values.h"
@@ -175,7 +176,11 @@ std::filesystem::path protocol_from_template(const std::filesystem::path& study,
 }
 
 std::string text_from_template(const TemplateChoice& choice) {
-  const std::string text = text_in_language(library_protocol(choice.name), choice.language);
+  std::string text = text_in_language(library_protocol(choice.name), choice.language);
+  if (!choice.title.empty()) {
+    const std::string title = json_string(choice.title);
+    text = with_value(JsonDocument(text, choice.name), "/title", title).text;
+  }
   if (choice.textures.from != TemplateTextures::From::study) return text;
   return with_estimated_stimuli(with_textures(JsonDocument(text, choice.name), choice.textures.own),
                                 choice.name);

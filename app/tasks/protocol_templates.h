@@ -28,7 +28,8 @@ struct TemplateTextures {
 struct TemplateChoice {
   std::string name{};  ///< in the library
   std::string
-      language{};  ///< of its texts (BCP 47); empty, or not in the library: the protocol's own
+      language{};       ///< of its texts (BCP 47); empty, or not in the library: the protocol's own
+  std::string title{};  ///< empty: that of the library
   TemplateTextures textures{};
 };
 

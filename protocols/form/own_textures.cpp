@@ -115,12 +115,28 @@ std::string with_files(std::string text, const OwnTexture& texture, std::size_t 
   return text;
 }
 
+/// Without what the template states of its own textures in words: its description, and the meanings of the factors that have
+/// this one as a level.
+std::string without_statements(const std::string& text, const std::string& texture) {
+  const JsonDocument protocol(text, kTemplate);
+  std::vector<std::string> removed{"/description"};
+  for (const NameUse& use : uses_of_texture(protocol, texture)) {
+    const json::json_pointer list = json::json_pointer(use.pointer).parent_pointer();
+    if (list.back() == "levels") removed.push_back((list.parent_pointer() / "meaning").to_string());
+  }
+  std::erase_if(removed, [&protocol](const std::string& one) {
+    return !protocol.root().contains(json::json_pointer(one));
+  });
+  return without(protocol, removed).text;
+}
+
 }  // namespace
 
 std::string with_textures(const JsonDocument& protocol, std::span<const OwnTexture> textures) {
   std::string text(protocol.text());
   std::vector<std::string> names = texture_names(text);
   if (names.empty() || textures.empty()) return text;
+  text = without_statements(text, names.front());
   while (names.size() < textures.size()) {
     names.push_back("texture_of_the_study_" + std::to_string(names.size()));
     text = with_copied_texture(text, names[names.size() - 2], names.back());

@@ -115,6 +115,16 @@ TEST_F(ProtocolFromTemplate, HasItsTextsInTheChosenLanguage) {
             text_from_template({.name = "chapter_matching"}));
 }
 
+TEST_F(ProtocolFromTemplate, HasAnotherTitle) {
+  const std::string before = text_from_template({.name = "chapter_matching"});
+  nlohmann::json expected = nlohmann::json::parse(before);
+  EXPECT_EQ(text_from_template({.name = "chapter_matching", .title = expected["title"]}), before);
+  expected["title"] = "Which \"stone\"?";
+  EXPECT_EQ(nlohmann::json::parse(
+                text_from_template({.name = "chapter_matching", .title = "Which \"stone\"?"})),
+            expected);
+}
+
 TEST_F(ProtocolFromTemplate, ComparesTheTexturesOfTheStudy) {
   for (const char* const name : {"brick", "grass", "gravel"}) add_relief(name);
   const std::vector<OwnTexture> own = named(reliefs_of_study(study_), {"grass", "brick", "gravel"});
@@ -127,6 +137,8 @@ TEST_F(ProtocolFromTemplate, ComparesTheTexturesOfTheStudy) {
   EXPECT_EQ(protocol["textures"]["brick"], nlohmann::json::parse(R"({
     "code": "T2", "height_field": "stimuli/brick.png", "picture": "stimuli/brick_photo.png",
     "true_height_field": "stimuli/brick.png"})"));
+  EXPECT_FALSE(protocol.contains("description")) << "of the textures of the template";
+  EXPECT_FALSE(protocol["factors"]["texture"].contains("meaning"));
   // Trials that present textures of the template are gone.
   EXPECT_EQ(protocol["blocks"]["range"]["listed"].size(), 1U);
 }

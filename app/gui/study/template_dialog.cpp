@@ -9,6 +9,7 @@
 
 #include <QtCore/QLocale>
 #include <QtCore/QSignalBlocker>
+#include <QtWidgets/QLineEdit>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QRadioButton>
 #include <QtWidgets/QScrollArea>
@@ -20,6 +21,7 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
 #include "app/gui/participant/screen_preview.h"
+#include "protocols/keys/tables.h"
 #include "protocols/plan/course.h"
 #include "protocols/texts/protocol_texts.h"
 #include "results_schema/error_text.h"
@@ -120,19 +122,7 @@ QWidget* TemplateDialog::make_detail(const std::filesystem::path& study) {
   facts_ = make_text({}, detail, true);
   layout->addWidget(title_);
   layout->addWidget(facts_);
-  language_ = new ChoiceBox(detail);
-  language_->setObjectName("template_language");
-  ignore_wheel(*language_);
-  language_row_ = new QWidget(detail);
-  auto* language = new QHBoxLayout(language_row_);
-  language->setContentsMargins(0, 0, 0, 0);
-  language->setSpacing(kMargin);
-  QLabel* language_label = make_text(tr("Language of the participants’ texts"), language_row_);
-  language_label->setBuddy(language_);
-  language->addWidget(language_label, 1);
-  language->addWidget(language_);
-  language_row_->hide();
-  layout->addWidget(language_row_);
+  layout->addWidget(make_texts());
 
   surfaces_ = new QWidget(detail);
   auto* surfaces = new QVBoxLayout(surfaces_);
@@ -176,10 +166,38 @@ QWidget* TemplateDialog::make_detail(const std::filesystem::path& study) {
       if (is_chosen) check_chosen();
     });
   }
-  connect(language_, &QComboBox::currentIndexChanged, this, &TemplateDialog::show_texts);
   connect(reliefs_, &QListWidget::itemChanged, this, &TemplateDialog::check_chosen);
   connect(reliefs_->model(), &QAbstractItemModel::rowsMoved, this, &TemplateDialog::check_chosen);
   return scroll;
+}
+
+/// The title of the new protocol, and its language.
+QWidget* TemplateDialog::make_texts() {
+  texts_ = new QWidget(this);
+  auto* fields = new QGridLayout(texts_);
+  fields->setContentsMargins(0, 0, 0, 0);
+  fields->setSpacing(kGrid);
+  own_title_ = new QLineEdit(texts_);
+  own_title_->setObjectName("template_own_title");
+  own_title_->setMaxLength(
+      static_cast<int>(std::get<TextShape>(kProtocolTable.find("title")->shape).longest));
+  language_ = new ChoiceBox(texts_);
+  language_->setObjectName("template_language");
+  ignore_wheel(*language_);
+  const auto add = [this, fields](const QString& name, QWidget* field) {
+    QLabel* label = make_text(name, texts_);
+    label->setBuddy(field);
+    const int row = fields->rowCount();
+    fields->addWidget(label, row, 0);
+    fields->addWidget(field, row, 1);
+  };
+  add(tr("Title"), own_title_);
+  add(tr("Language of the participants’ texts"), language_);
+  fields->setColumnStretch(1, 1);
+  texts_->hide();
+  connect(own_title_, &QLineEdit::textEdited, this, &TemplateDialog::show_what_follows);
+  connect(language_, &QComboBox::currentIndexChanged, this, &TemplateDialog::show_texts);
+  return texts_;
 }
 
 void TemplateDialog::show_content(Content content) {
@@ -214,7 +232,7 @@ void TemplateDialog::show_chosen() {
   const TemplateOverview* const overview = chosen();
   const bool has_textures = overview != nullptr && !overview->textures.names.empty();
   surfaces_->setVisible(has_textures);
-  language_row_->setVisible(overview != nullptr);
+  texts_->setVisible(overview != nullptr);
   if (overview != nullptr) {
     const QString trials = tr("%n trial(s)", nullptr, overview->cost.trials);
     facts_->setText(QStringList{text_of_kind(overview->protocols.front().kind), trials,
@@ -222,6 +240,7 @@ void TemplateDialog::show_chosen() {
                                 text(overview->name)}
                         .join(" · "));
     offer_languages(*overview);
+    own_title_->setModified(false);
     show_texts();
   }
   if (has_textures) {
@@ -246,11 +265,12 @@ void TemplateDialog::offer_languages(const TemplateOverview& overview) {
   language_->setCurrentIndex(std::max(language_->findData(before), 0));
 }
 
-/// The title, the description and the screens, in the language of the new protocol.
+/// The title, unless another one was written, the description and the screens, in the language of the new protocol.
 void TemplateDialog::show_texts() {
   const auto language = static_cast<std::size_t>(language_->currentIndex());
   const Protocol& protocol = chosen()->protocols[language];
   title_->setText(text(protocol.title));
+  if (!own_title_->isModified()) own_title_->setText(text(protocol.title));
   description_->setText(text(protocol.description));
   show_screens(protocol);
 }
@@ -371,6 +391,7 @@ void TemplateDialog::show_screens(const Protocol& protocol) {
 TemplateChoice TemplateDialog::choice_of(const TemplateTextures& textures) const {
   return {.name = chosen()->name,
           .language = language_->currentData().toString().toStdString(),
+          .title = own_title_->text().trimmed().toStdString(),
           .textures = textures};
 }
 
@@ -399,6 +420,8 @@ void TemplateDialog::show_what_follows() {
   QString wrong{};
   if (overview == nullptr) {
     wrong = content_.templates.empty() ? what_follows_->text() : tr("Choose a template.");
+  } else if (own_title_->text().trimmed().isEmpty()) {
+    wrong = tr("Write a title.");
   } else if (has_textures && is_checking_) {
     wrong = tr("The textures are being checked.");
   } else if (has_textures && !is_chosen) {
@@ -416,8 +439,12 @@ void TemplateDialog::show_what_follows() {
   } else if (has_textures && copied_->isChecked()) {
     what_follows_->setText(
         tr("The textures are written into the study. The protocol can be changed afterwards."));
+  } else if (has_textures) {
+    what_follows_->setText(
+        tr("Check that the title is true of these textures. The description, which is about those "
+           "of the template, is not copied."));
   } else {
-    what_follows_->setText(tr("The protocol can be changed afterwards, also its textures."));
+    what_follows_->setText(tr("The protocol can be changed afterwards."));
   }
 }
 

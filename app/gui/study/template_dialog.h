@@ -16,6 +16,7 @@
 #include "app/tasks/template_overviews.h"
 
 class QLabel;
+class QLineEdit;
 class QListWidget;
 class QPushButton;
 class QRadioButton;
@@ -53,6 +54,7 @@ class TemplateDialog final : public QDialog {
   };
 
   QWidget* make_detail(const std::filesystem::path& study);
+  QWidget* make_texts();
   void show_content(Content content);
   void show_chosen();
   void offer_languages(const TemplateOverview& overview);
@@ -74,7 +76,8 @@ class TemplateDialog final : public QDialog {
   StudyTable* table_ = nullptr;
   QLabel* title_ = nullptr;
   QLabel* facts_ = nullptr;
-  QWidget* language_row_ = nullptr;
+  QWidget* texts_ = nullptr;
+  QLineEdit* own_title_ = nullptr;  ///< that of the new protocol
   ChoiceBox* language_ = nullptr;
   QLabel* description_ = nullptr;
   ScreenPreview* screen_ = nullptr;

@@ -18392,6 +18392,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Beschreibung</translation>
     </message>
     <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
         <source>Language of the participants’ texts</source>
         <translation>Sprache der Texte für Versuchspersonen</translation>
     </message>
@@ -18438,8 +18442,16 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Die Texturen werden in die Studie geschrieben. Das Protokoll kann danach geändert werden.</translation>
     </message>
     <message>
-        <source>The protocol can be changed afterwards, also its textures.</source>
-        <translation>Das Protokoll kann danach geändert werden, auch seine Texturen.</translation>
+        <source>Check that the title is true of these textures. The description, which is about those of the template, is not copied.</source>
+        <translation>Prüfen Sie, ob der Titel auf diese Texturen zutrifft. Die Beschreibung, die von denen der Vorlage handelt, wird nicht kopiert.</translation>
+    </message>
+    <message>
+        <source>The protocol can be changed afterwards.</source>
+        <translation>Das Protokoll kann danach geändert werden.</translation>
+    </message>
+    <message>
+        <source>Write a title.</source>
+        <translation>Geben Sie einen Titel ein.</translation>
     </message>
     <message>
         <source>Textures of the template</source>

@@ -488,6 +488,8 @@ TEST_F(StudyPages, PutATemplateIntoTheStudyUnderAFreeName) {
   language.setCurrentText("Deutsch");
   EXPECT_EQ(child<QLabel>(dialog, "template_title").text(),
             "Welche Wiedergabe ist die realistischste?");
+  auto& title = child<QLineEdit>(dialog, "template_own_title");
+  EXPECT_EQ(title.text(), "Welche Wiedergabe ist die realistischste?");
   using Scene = ParticipantScene::Kind;
   const auto& screen = child<ParticipantView>(dialog, "screen_view");
   ASSERT_TRUE(eventually([&] { return screen.scene().kind == Scene::feel; }))
@@ -505,13 +507,22 @@ TEST_F(StudyPages, PutATemplateIntoTheStudyUnderAFreeName) {
   child<QRadioButton>(dialog, "template_own").click();
   tick_only(dialog, {"brick", "metal", "stone", "wood"});
   EXPECT_FALSE(child<QPushButton>(dialog, "template_create").isEnabled()) << "not checked yet";
+  title.selectAll();
+  QTest::keyClicks(&title, " ");
+  EXPECT_EQ(child<QLabel>(dialog, "template_what_follows").text(), "Write a title.");
+  QTest::keyClicks(&title, "Meine Texturen");
+  language.setCurrentText("English");
+  language.setCurrentText("Deutsch");
   ASSERT_TRUE(
       eventually([&] { return child<QPushButton>(dialog, "template_create").isEnabled(); }));
   child<QPushButton>(dialog, "template_create").click();
   ASSERT_TRUE(eventually([&] { return table.shown_rows() == 4; }));
   const std::filesystem::path made = table.selected_key().toStdString();
   EXPECT_EQ(made.filename(), "chapter_selection_2.json");
-  EXPECT_EQ(language_of(read_file(made, kProtocolFile)), "de");
+  const std::string written = read_file(made, kProtocolFile);
+  EXPECT_EQ(language_of(written), "de");
+  EXPECT_EQ(stored_protocol(written).protocol.title, "Meine Texturen")
+      << "also in another language";
   EXPECT_EQ(column(table, 5).filter("valid").size(), 4);
   EXPECT_TRUE(column(table, 1).contains("chapter_selection_2"));
 }
