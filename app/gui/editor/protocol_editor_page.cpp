@@ -10,9 +10,11 @@
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QSplitter>
 #include <QtWidgets/QStackedWidget>
+#include <nlohmann/json.hpp>
 
 #include "analysis/numbers/look_alikes.h"
 #include "app/gui/base/documents.h"
+#include "app/gui/base/form_words.h"
 #include "app/gui/base/study_table.h"
 #include "app/gui/editor/editor_sides.h"
 #include "app/gui/editor/live_examination.h"
@@ -398,10 +400,11 @@ void ProtocolEditorPage::show_checked() {
       problems.empty() ? shown.warnings : std::vector<Diagnostic>{};
   views_->show_problems(problems, warnings);
   std::vector<StudyTable::Row> rows{};
-  const auto add = [&rows](const Diagnostic& place, const QString& sentence) {
-    rows.push_back(
-        {QString::number(rows.size()),
-         {number_cell(place.line), text_cell(sentence), text_cell(text(place.pointer))}});
+  const auto protocol = nlohmann::json::parse(edit_->text().toStdString(), nullptr, false);
+  const auto add = [&](const Diagnostic& place, const QString& sentence) {
+    rows.push_back({QString::number(rows.size()),
+                    {number_cell(place.line), text_cell(sentence),
+                     text_cell(place_in_form(protocol, place.pointer))}});
   };
   for (const Diagnostic& problem : problems) add(problem, text(problem.message));
   for (const Diagnostic& warning : warnings) {

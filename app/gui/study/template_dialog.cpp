@@ -14,7 +14,9 @@
 #include <QtWidgets/QRadioButton>
 #include <QtWidgets/QScrollArea>
 #include <QtWidgets/QVBoxLayout>
+#include <nlohmann/json.hpp>
 
+#include "app/gui/base/form_words.h"
 #include "app/gui/base/question_form.h"
 #include "app/gui/base/shown_text.h"
 #include "app/gui/base/study_table.h"
@@ -41,6 +43,15 @@ QString trials_of(const TemplateOverview& overview) {
 QString minutes_of(const TemplateOverview& overview) {
   constexpr double kSecondsPerMinute = 60.0;
   return QString::number(qRound(overview.cost.total_s / kSecondsPerMinute));
+}
+
+/// The first problem and its place in the form; empty if there is none.
+QString first_problem(const TemplateChoice& choice, const ProtocolCheck& check) {
+  if (check.diagnostics.empty()) return {};
+  const Diagnostic& first = check.diagnostics.front();
+  const QString place =
+      place_in_form(nlohmann::json::parse(text_from_template(choice)), first.pointer);
+  return place.isEmpty() ? text(first.message) : place + ": " + text(first.message);
 }
 
 }  // namespace
@@ -328,6 +339,7 @@ void TemplateDialog::check(const std::vector<TemplateTextures>& possible) {
           all.push_back({.choice = choice});
           try {
             all.back().check = check_of_template(study, choice, models, kept.get());
+            all.back().problem = first_problem(choice, all.back().check);
           } catch (const std::exception& error) {
             all.back().refusal = message_of(error);
           }
@@ -365,9 +377,7 @@ void TemplateDialog::take(const Checked& checked) {
   } else if (problems.empty()) {
     state_->set_state(State::fine, tr("With these textures the protocol is valid."));
   } else {
-    const Diagnostic& first = problems.front();
-    const QString what = first.pointer.empty() ? text(first.message)
-                                               : text(first.pointer) + ": " + text(first.message);
+    const QString& what = checked.problem;
     state_->set_state(State::look,
                       problems.size() == 1
                           ? tr("With these textures the protocol has a problem: %1").arg(what)

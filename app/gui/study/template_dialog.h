@@ -50,6 +50,7 @@ class TemplateDialog final : public QDialog {
   struct Checked {
     TemplateChoice choice{};
     ProtocolCheck check{};
+    QString problem{};      ///< the first one, in words of the form; empty: none
     std::string refusal{};  ///< why no protocol can be made with them; empty: one can
   };
 

@@ -134,7 +134,7 @@ TEST_F(ProtocolEditor, ShowsTheWarningsThatNeedTheStimuliOnceTheTextIsStill) {
   EXPECT_TRUE(problems.text_at(0, 1).startsWith("Warning: the stimulus \"rendered_"))
       << problems.text_at(0, 1).toStdString();
   EXPECT_TRUE(problems.text_at(0, 1).contains("exerts at most 1.50 N"));
-  EXPECT_EQ(problems.text_at(0, 2), "/stimuli/rendered");
+  EXPECT_EQ(problems.text_at(0, 2), "Surfaces › Stimuli › rendered");
   edit().replace_text(before);
   ASSERT_TRUE(checked());
   EXPECT_TRUE(underlined().isEmpty()) << "it is of another text";
@@ -192,7 +192,7 @@ TEST_F(ProtocolEditor, WarnsOfSessionsWithAnotherTextOfTheVersionWhileItIsTyped)
       << warning.toStdString();
   EXPECT_TRUE(warning.contains("only protocol_sha256 in the tables of an export"));
   EXPECT_TRUE(warning.endsWith("raise \"version\"")) << warning.toStdString();
-  EXPECT_EQ(problems.text_at(0, 2), "/version");
+  EXPECT_EQ(problems.text_at(0, 2), "Question › Version");
   go_behind("\"version\": \"1.1.");
   QTest::keyClick(&edit(), Qt::Key_Delete);
   type("1");
@@ -211,7 +211,7 @@ TEST_F(ProtocolEditor, UnderlinesWhatIsTypedWrongInItsPlace) {
   const auto& problems = child<StudyTable>(*page_, "editor_problems");
   ASSERT_EQ(problems.shown_rows(), 1);
   EXPECT_EQ(problems.text_at(0, 0), "21");
-  EXPECT_EQ(problems.text_at(0, 2), "/environment/vision");
+  EXPECT_EQ(problems.text_at(0, 2), "Participant › Environment › Vision");
   const int place = edit().underlined()[0].cursor.selectionStart();
   EXPECT_EQ(edit().problems_at(place), problems.text_at(0, 1));
   EXPECT_TRUE(edit().problems_at(place - 1).isEmpty());
@@ -370,10 +370,10 @@ TEST_F(ProtocolEditor, LaysOutThePlanThatMakePlanMakes) {
   ASSERT_TRUE(eventually([&] { return shows(plan); }));
 
   const PlanCost cost = cost_of(protocol, plan);
-  EXPECT_TRUE(
-      label("plan_words")
-          .startsWith(
-              QString("at most %1 trials · %2 contacts · about").arg(cost.trials).arg(cost.contacts)))
+  EXPECT_TRUE(label("plan_words")
+                  .startsWith(QString("at most %1 trials · %2 contacts · about")
+                                  .arg(cost.trials)
+                                  .arg(cost.contacts)))
       << label("plan_words").toStdString();
   const QString detail = label("plan_detail");
   EXPECT_TRUE(detail.contains("Trial 1, familiarisation")) << detail.toStdString();

@@ -462,6 +462,7 @@ TEST_F(StudyPages, ReportTheProblemsOfATemplateWithTheChosenTextures) {
   own.click();
   EXPECT_TRUE(shows(kProblem)) << state().toStdString();
   EXPECT_TRUE(state().contains("the asset \"recording\"")) << state().toStdString();
+  EXPECT_TRUE(state().contains(": Surfaces › ")) << "the page of the form, not /textures";
   EXPECT_TRUE(create.isEnabled()) << "it can be corrected in the form";
   take_screenshot(dialog, "template-dialog-problem", {1120, 700});
 

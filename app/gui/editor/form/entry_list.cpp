@@ -15,6 +15,7 @@
 #include <QtWidgets/QToolButton>
 #include <nlohmann/json.hpp>
 
+#include "app/gui/base/form_words.h"
 #include "app/gui/editor/form/form_fields.h"
 #include "app/gui/editor/form/object_rows.h"
 #include "app/gui/editor/form/text_card.h"

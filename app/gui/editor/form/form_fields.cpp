@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/gui/base/form_words.h"
 #include "app/gui/base/parameter_unit.h"
 #include "app/gui/editor/form/choice_fields.h"
 #include "app/gui/editor/form/typed_fields.h"

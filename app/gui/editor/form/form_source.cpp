@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <optional>
 
-#include <QtCore/QCoreApplication>
 #include <nlohmann/json.hpp>
 
+#include "app/gui/base/form_words.h"
 #include "app/gui/look/words.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/editing/text_entries.h"
@@ -142,10 +142,6 @@ std::string renamed_pointer(const JsonDocument& before, const JsonDocument& afte
     there = pointer_to(there, key);
   }
   return there;
-}
-
-QString text_of_keys(std::string_view english) {
-  return QCoreApplication::translate("Keys", std::string(english).c_str());
 }
 
 QString meaning_of_key(const ProtocolKey& key) {

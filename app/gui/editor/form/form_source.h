@@ -51,8 +51,6 @@ class FormSource final {
 std::string renamed_pointer(const JsonDocument& before, const JsonDocument& after,
                             const std::string& pointer);
 
-/// A text of the tables of keys, which are English, in the language of the windows.
-QString text_of_keys(std::string_view english);
 /// The meaning of a key, and where it belongs to it that of every word.
 QString meaning_of_key(const ProtocolKey& key);
 

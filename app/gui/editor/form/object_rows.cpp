@@ -11,6 +11,7 @@
 #include <QtWidgets/QToolButton>
 #include <nlohmann/json.hpp>
 
+#include "app/gui/base/form_words.h"
 #include "app/gui/editor/form/entry_list.h"
 #include "app/gui/editor/form/form_fields.h"
 #include "app/gui/editor/form/row_table.h"

@@ -17,6 +17,7 @@
 #include <QtWidgets/QScrollBar>
 #include <nlohmann/json.hpp>
 
+#include "app/gui/base/form_words.h"
 #include "app/gui/editor/form/object_rows.h"
 #include "app/gui/editor/form/texts_list.h"
 #include "app/gui/look/controls.h"

@@ -4,25 +4,12 @@
 
 #include <QtWidgets/QVBoxLayout>
 
+#include "app/gui/base/form_words.h"
 #include "app/gui/editor/form/form_fields.h"
 #include "app/gui/look/controls.h"
-#include "app/gui/look/words.h"
-#include "protocols/form/form_entries.h"
 #include "protocols/texts/translatable_texts.h"
 
 namespace asperity {
-
-namespace {
-
-QString place_text(const nlohmann::json& protocol, const std::string& pointer) {
-  QStringList parts{};
-  for (const PathPart& part : path_of(protocol, pointer)) {
-    parts.append(part.is_label ? text_of_keys(part.text) : text(part.text));
-  }
-  return parts.join(" › ");
-}
-
-}  // namespace
 
 TextsList::TextsList(FormContext& context, QWidget* parent) : FormPart(context, "/", parent) {
   layout_ = new QVBoxLayout(this);
@@ -40,7 +27,7 @@ void TextsList::refresh() {
     clear_layout(*layout_);
     fields_.clear();
     for (const TranslatableText& one : texts) {
-      const QString place = place_text(source().document().root(), one.pointer);
+      const QString place = path_in_form(source().document().root(), one.pointer);
       layout_->addWidget(make_text(place, this, true));
       FormPart* field = make_field(context(), one.shape, {}, one.pointer, this);
       field->set_name(place);

@@ -1,0 +1,21 @@
+// How the form of a protocol names keys and the places of values.
+
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <QtCore/QString>
+#include <nlohmann/json_fwd.hpp>
+
+namespace asperity {
+
+/// A text of the tables of keys, which are English, in the language of the windows.
+QString text_of_keys(std::string_view english);
+
+/// The path to a value in the words of the form: "Blocks › main › Question".
+QString path_in_form(const nlohmann::json& protocol, const std::string& pointer);
+/// The same after the page of the form, and empty for the whole protocol. Any thread.
+QString place_in_form(const nlohmann::json& protocol, const std::string& pointer);
+
+}  // namespace asperity
