@@ -20,6 +20,7 @@
 #include "protocols/file/translation.h"
 #include "protocols/form/form_edits.h"
 #include "protocols/form/new_values.h"
+#include "protocols/kinds/estimation.h"
 #include "protocols/shapes/key.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/files/folder_entries.h"
@@ -112,7 +113,7 @@ std::string with_demo_stimuli(std::string text, const std::filesystem::path& stu
 constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kTestsOfStimuli{
     {{"spacing", "stimuli"}, {"interaction", "stimuli_by_condition"}}};
 
-/// An estimation by the spacing of textures that state none compares them as any other stimuli, by their factor.
+/// An estimation by the spacing of textures that do not state enough for a curve compares them as any other stimuli, by their factor.
 std::string with_estimated_stimuli(std::string text, const std::string& name) {
   const nlohmann::json root = nlohmann::json::parse(text);
   const nlohmann::json::json_pointer by_spacing("/estimation/spacing");
@@ -121,12 +122,13 @@ std::string with_estimated_stimuli(std::string text, const std::string& name) {
   const auto levels = root.value("factors", nlohmann::json::object())
                           .value(root.at(by_spacing).get<std::string>(), nlohmann::json::object())
                           .value("levels", nlohmann::json::array());
-  const bool have_spacings =
-      std::all_of(levels.begin(), levels.end(), [&textures](const nlohmann::json& level) {
-        return !level.is_string() ||
-               textures.value(level, nlohmann::json::object()).contains("spacing_m");
-      });
-  if (have_spacings) return text;
+  std::set<double> spacings{};  // 0: a texture has none
+  for (const nlohmann::json& level : levels) {
+    spacings.insert(level.is_number()
+                        ? level.get<double>()
+                        : textures.at(level.get<std::string>()).value("spacing_m", 0.0));
+  }
+  if (!spacings.contains(0.0) && spacings.size() >= kLevelsOfCurve) return text;
   const auto with = [&](const std::string& pointer, const nlohmann::json& value) {
     text = with_value(JsonDocument(text, name), pointer, value.dump()).text;
   };

@@ -44,8 +44,8 @@ std::filesystem::path protocol_from_template(const std::filesystem::path& study,
                                              const TemplateChoice& choice);
 
 /// The text that the protocol's file gets, without the names that files of the demonstration have in the study. An estimation by
-/// spacing with own textures, which state no spacing, is one by stimuli: "factor" in place of "spacing", with the tests of
-/// that way.
+/// spacing with own textures of which one states no spacing, or all fewer than three different ones, is one by stimuli: "factor" in
+/// place of "spacing", with the tests of that way.
 ///
 /// Errors: as `protocol_from_template`, for the name and for own textures.
 std::string text_from_template(const TemplateChoice& choice);

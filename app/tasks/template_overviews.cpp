@@ -19,6 +19,9 @@ namespace asperity {
 
 namespace {
 
+/// The parameter of computed surfaces whose elements have a distance.
+constexpr std::string_view kSpacing = "spacing_m";
+
 /// The languages of a protocol of the library, that of the reader first if it has this one.
 std::vector<std::string> languages_of(const LibraryProtocol& protocol, const std::string& reader) {
   std::vector<std::string> languages{language_of(std::string(protocol.text))};
@@ -29,23 +32,30 @@ std::vector<std::string> languages_of(const LibraryProtocol& protocol, const std
   return languages;
 }
 
-/// The study-relative file of the photograph that the relief was made from; empty if the study has none. The file of the
-/// photograph's name is used only with its content: the relief of a photograph brick.png is saved as brick.png, too.
-std::string photograph_in(const std::filesystem::path& stimuli, const std::filesystem::path& png) {
+/// A relief with its spacing, and with the photograph that it was made from if the study has it. The file of the photograph's name
+/// is used only with its content: the relief of a photograph brick.png is saved as brick.png, too.
+OwnTexture texture_in(const std::filesystem::path& stimuli, const std::filesystem::path& png,
+                      const std::string& name) {
+  OwnTexture texture{.name = name, .height_field = "stimuli/" + png.filename().string()};
   std::error_code unknown{};
   try {
     const HeightFieldProvenance made = provenance_of(png);
+    if (made.parameters.contains(kSpacing)) {
+      texture.spacing_m = number_of(made.parameters, kSpacing);
+    }
     const std::filesystem::path source =
         stimuli / std::filesystem::path(made.source_name).filename();
     if (!made.source_name.empty() && std::filesystem::is_regular_file(source, unknown) &&
         sha256_of_file(source) == made.source_sha256) {
-      return "stimuli/" + source.filename().string();
+      texture.picture = "stimuli/" + source.filename().string();
     }
   } catch (const std::exception&) {  // the check of the protocol states what is wrong with the file
   }
   const std::filesystem::path saved = stimuli / photograph_of(png).filename();
-  return std::filesystem::is_regular_file(saved, unknown) ? "stimuli/" + saved.filename().string()
-                                                          : std::string();
+  if (texture.picture.empty() && std::filesystem::is_regular_file(saved, unknown)) {
+    texture.picture = "stimuli/" + saved.filename().string();
+  }
+  return texture;
 }
 
 }  // namespace
@@ -100,8 +110,7 @@ std::vector<OwnTexture> reliefs_of_study(const std::filesystem::path& study) {
   std::vector<std::string> names{};
   for (const std::filesystem::path& file : files) {
     names.push_back(free_name(names, name_in_protocol(file.stem().string())));
-    reliefs.push_back(
-        {names.back(), "stimuli/" + file.filename().string(), photograph_in(stimuli, file)});
+    reliefs.push_back(texture_in(stimuli, file, names.back()));
   }
   return reliefs;
 }

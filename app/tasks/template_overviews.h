@@ -30,8 +30,9 @@ std::vector<TemplateOverview> template_overviews(const ModelRegistry& models,
 /// The stem of a file as a name of a protocol, to which a number can be added: "Brick wall-2" → "brick_wall_2".
 std::string name_in_protocol(const std::string& stem);
 
-/// The height fields in `stimuli/`, by file, each with the photograph that it was made from if the study has it. True reliefs of the
-/// demonstration are left out. Names are those of the files as names of a protocol.
+/// The height fields in `stimuli/`, by file, each with the photograph that it was made from if the study has it, and with the
+/// spacing of a computed surface. True reliefs of the demonstration are left out. Names are those of the files as names of a
+/// protocol.
 ///
 /// Errors: ResultsError for a folder that cannot be read.
 std::vector<OwnTexture> reliefs_of_study(const std::filesystem::path& study);

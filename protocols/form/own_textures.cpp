@@ -98,17 +98,17 @@ std::string with_files(std::string text, const OwnTexture& texture, std::size_t 
   const std::string place = pointer_to(pointer_to("", kTextures), texture.name);
   std::vector<std::string> others{};
   const JsonDocument protocol(text, kTemplate);
-  for (const auto& [key, value] : protocol.root().at(json::json_pointer(place)).items()) {
+  const json before = protocol.root().at(json::json_pointer(place));
+  for (const auto& [key, value] : before.items()) {
     const bool is_kept = std::find(kKept.begin(), kKept.end(), key) != kKept.end();
     if (!is_kept) others.push_back(pointer_to(place, key));
   }
-  const bool has_code = protocol.root().at(json::json_pointer(place)).contains("code");
   text = without(protocol, others).text;
-  const auto set = [&](std::string_view key, const std::string& file) {
-    text =
-        with_value(JsonDocument(text, kTemplate), pointer_to(place, key), json_string(file)).text;
+  const auto set = [&](std::string_view key, const json& value) {
+    text = with_value(JsonDocument(text, kTemplate), pointer_to(place, key), value.dump()).text;
   };
-  if (has_code) set("code", "T" + std::to_string(position + 1));
+  if (before.contains("code")) set("code", "T" + std::to_string(position + 1));
+  if (before.contains("spacing_m") && texture.spacing_m) set("spacing_m", *texture.spacing_m);
   set("height_field", texture.height_field);
   if (!texture.picture.empty()) set("picture", texture.picture);
   set("true_height_field", texture.height_field);  // what virtual participants expect

@@ -19,8 +19,6 @@ namespace asperity {
 
 namespace {
 
-constexpr std::size_t kLevelsOfCurve = 3;  // of a parabola
-
 void check_spacings(const Protocol& protocol, const std::string& factor, ProblemSink& problems) {
   const std::string at_levels = pointer_to("/factors", factor) + "/levels";
   const std::vector<Level>& levels = protocol.factors.at(factor).levels;

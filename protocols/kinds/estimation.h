@@ -2,12 +2,16 @@
 
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 #include "protocols/design/problem_sink.h"
 #include "protocols/design/protocol.h"
 
 namespace asperity {
+
+/// The different spacings, or values of a predictor, that a curve needs: those of a parabola.
+inline constexpr std::size_t kLevelsOfCurve = 3;
 
 /// Whether the estimates of a protocol can be analysed as it states (EstimationDeclaration), and its main blocks present
 /// what that needs. Nothing where it states nothing.

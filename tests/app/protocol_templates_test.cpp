@@ -201,6 +201,32 @@ TEST_F(ProtocolFromTemplate, EstimatesTexturesThatHaveNoSpacing) {
   }
 }
 
+TEST_F(ProtocolFromTemplate, EstimatesComputedSurfacesBySpacing) {
+  for (const double spacing_m : {0.002, 0.003, 0.004}) {
+    const std::string name = "ridges_" + std::to_string(static_cast<int>(spacing_m * 1e3));
+    const ParameterValues values{{"spacing_m", spacing_m}};
+    save_height_field(study_ / "stimuli" / (name + ".png"),
+                      make_surface("grating", values, {0.024, 128, 3}),
+                      {.kind = "grating", .parameters = values}, Overwrite::refuse);
+  }
+  add_relief("plain");
+  const std::vector<OwnTexture> all =
+      named(reliefs_of_study(study_), {"ridges_2", "ridges_3", "ridges_4", "plain"});
+  ASSERT_EQ(all.size(), 4U);
+  const auto made = [&](std::vector<OwnTexture> own) {
+    const auto file = protocol_from_template(study_, with(own, "roughness_force"));
+    EXPECT_EQ(problems_of(file), "");
+    return nlohmann::json::parse(read_file(file));
+  };
+  const nlohmann::json protocol = made({all[2], all[0], all[1]});
+  EXPECT_EQ(protocol["estimation"]["spacing"], "texture");
+  EXPECT_EQ(protocol["textures"]["ridges_4"]["spacing_m"], 0.004);
+  EXPECT_EQ(protocol["textures"]["ridges_2"]["spacing_m"], 0.002);
+  // Two spacings are no curve, and one of the textures has none.
+  EXPECT_EQ(made({all[0], all[1]})["estimation"]["factor"], "texture");
+  EXPECT_EQ(made(all)["estimation"]["factor"], "texture");
+}
+
 TEST_F(ProtocolFromTemplate, IsCheckedBeforeItIsWritten) {
   using From = TemplateTextures::From;
   for (const char* const name : {"a", "b", "c"}) add_relief(name);
