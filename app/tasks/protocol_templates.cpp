@@ -3,7 +3,6 @@
 #include "app/tasks/protocol_templates.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -21,6 +20,7 @@
 #include "protocols/form/form_edits.h"
 #include "protocols/form/new_values.h"
 #include "protocols/kinds/estimation.h"
+#include "protocols/kinds/experiment_kind.h"
 #include "protocols/shapes/key.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/files/folder_entries.h"
@@ -109,11 +109,8 @@ std::string with_demo_stimuli(std::string text, const std::filesystem::path& stu
   return text;
 }
 
-/// The names of the tests of an estimation by any stimuli that correspond to those by spacing; "peaks" has none.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kTestsOfStimuli{
-    {{"spacing", "stimuli"}, {"interaction", "stimuli_by_condition"}}};
-
-/// An estimation by the spacing of textures that do not state enough for a curve compares them as any other stimuli, by their factor.
+/// An estimation by the spacing of textures that do not state enough for a curve compares them as any other stimuli, by their
+/// factor.
 std::string with_estimated_stimuli(std::string text, const std::string& name) {
   const nlohmann::json root = nlohmann::json::parse(text);
   const nlohmann::json::json_pointer by_spacing("/estimation/spacing");
@@ -138,11 +135,10 @@ std::string with_estimated_stimuli(std::string text, const std::string& name) {
   if (!root.contains(family)) return text;
   std::vector<std::string> tests{};
   for (const std::string test : root.at(family)) {
-    const auto* const found =
-        std::find_if(kTestsOfStimuli.begin(), kTestsOfStimuli.end(),
-                     [&test](const auto& names) { return names.first == test; });
-    if (found != kTestsOfStimuli.end()) tests.emplace_back(found->second);
-    if (found == kTestsOfStimuli.end() && test != "peaks") tests.push_back(test);
+    const KindTest* const found = find_test(kind_named("magnitude"), test);
+    const bool is_by_spacing = found != nullptr && found->estimated_by == kBySpacing;
+    if (!is_by_spacing) tests.push_back(test);
+    if (is_by_spacing && !found->by_factor.empty()) tests.emplace_back(found->by_factor);
   }
   with(family.to_string(), tests);
   return text;

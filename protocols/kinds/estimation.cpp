@@ -3,7 +3,6 @@
 #include "protocols/kinds/estimation.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <set>
 #include <string>
@@ -14,6 +13,8 @@
 #include "protocols/design/block_factors.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/wording.h"
+#include "protocols/kinds/experiment_kind.h"
+#include "protocols/kinds/kind_list.h"
 
 namespace asperity {
 
@@ -138,25 +139,24 @@ void check_way(const Protocol& protocol, ProblemSink& problems) {
                     "the predictor is the spacing; remove this key, or write \"factor\" in place "
                     "of \"spacing\"");
   }
-  constexpr std::array<std::string_view, 3> kTestsOfSpacings{"spacing", "interaction", "peaks"};
-  constexpr std::array<std::string_view, 3> kTestsOfItems{"stimuli", "exponent",
-                                                          "stimuli_by_condition"};
+  const std::string_view way = estimation.items.empty() ? kBySpacing : kByFactor;
+  std::vector<std::string> tests{};
+  for (const KindTest& test : magnitude_kind().tests) {
+    if (test.estimated_by == way) tests.emplace_back(test.name);
+  }
   const std::vector<std::string>& family = protocol.analysis.family;
   for (std::size_t i = 0; i < family.size(); ++i) {
-    const auto& foreign = estimation.items.empty() ? kTestsOfItems : kTestsOfSpacings;
-    if (std::find(foreign.begin(), foreign.end(), family[i]) == foreign.end()) {
-      if (family[i] != "exponent" || !estimation.predictor.empty()) continue;
+    const KindTest* const test = find_test(magnitude_kind(), family[i]);
+    if (test == nullptr || test->estimated_by.empty()) continue;
+    if (test->estimated_by != way) {
+      problems.report(pointer_to("/analysis/family", i),
+                      "this test belongs to an estimation with " + in_quotes(test->estimated_by) +
+                          "; write " + one_of(tests));
+    } else if (test->name == "exponent" && estimation.predictor.empty()) {
       problems.report(pointer_to("/analysis/family", i),
                       "without a predictor there is no exponent; state a \"predictor\" under "
                       "/estimation, or remove this test");
-      continue;
     }
-    problems.report(pointer_to("/analysis/family", i),
-                    estimation.items.empty()
-                        ? "this test belongs to an estimation with \"factor\"; write \"spacing\", "
-                          "\"interaction\" or \"peaks\""
-                        : "this test belongs to an estimation with \"spacing\"; write \"stimuli\", "
-                          "\"exponent\" or \"stimuli_by_condition\"");
   }
 }
 

@@ -13,6 +13,10 @@ namespace asperity {
 /// The different spacings, or values of a predictor, that a curve needs: those of a parabola.
 inline constexpr std::size_t kLevelsOfCurve = 3;
 
+/// The two ways to estimate, as keys of "estimation" (KindTest::estimated_by).
+inline constexpr std::string_view kBySpacing = "spacing";
+inline constexpr std::string_view kByFactor = "factor";
+
 /// Whether the estimates of a protocol can be analysed as it states (EstimationDeclaration), and its main blocks present
 /// what that needs. Nothing where it states nothing.
 void check_estimation(const Protocol& protocol, ProblemSink& problems);

@@ -30,6 +30,10 @@ struct KindTest {
   std::string_view meaning{};  ///< the question that it answers, without a question mark
   /// Only with a declared target (AnalysisDeclaration::target).
   bool needs_target = false;
+  /// Of magnitude estimates: the key of "estimation" with which it is possible, "spacing" or "factor"; empty: with both.
+  std::string_view estimated_by{};
+  /// Of one by spacing: the test of any other stimuli with the same question; empty: none.
+  std::string_view by_factor{};
 };
 
 /// A key at the root of a protocol that a kind needs.

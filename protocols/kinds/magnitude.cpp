@@ -16,16 +16,20 @@ namespace asperity {
 namespace {
 
 constexpr std::array kMagnitudeTests{
-    KindTest{"spacing", "do estimates depend on the spacing"},
-    KindTest{"interaction", "does the curve over spacings depend on the condition"},
+    KindTest{"spacing", "do estimates depend on the spacing", false, kBySpacing, "stimuli"},
+    KindTest{"interaction", "does the curve over spacings depend on the condition", false,
+             kBySpacing, "stimuli_by_condition"},
     KindTest{"condition", "do estimates depend on the condition"},
-    KindTest{"peaks", "for every pair of conditions: do their peaks differ"},
-    KindTest{"stimuli", "with a factor in place of the spacing: do estimates depend on it"},
+    KindTest{"peaks", "for every pair of conditions: do their peaks differ", false, kBySpacing},
+    KindTest{"stimuli", "with a factor in place of the spacing: do estimates depend on it", false,
+             kByFactor},
     KindTest{"exponent",
              "with a predictor: does the exponent of the power function differ from 0, for every "
-             "condition"},
+             "condition",
+             false, kByFactor},
     KindTest{"stimuli_by_condition",
-             "with a factor in place of the spacing: does its effect depend on the condition"},
+             "with a factor in place of the spacing: does its effect depend on the condition",
+             false, kByFactor},
     KindTest{kGroupsTest, "with a predictor, for every pair of groups: do the exponents differ"},
     KindTest{kGroupProfilesTest,
              "for every pair of groups: does the effect of the stimulus differ"}};
