@@ -64,7 +64,11 @@ TemplateDialog::TemplateDialog(const std::filesystem::path& study, const ModelRe
       height_fields_(std::make_shared<KeptHeightFields>()) {
   setObjectName("template_dialog");
   setWindowTitle(tr("New protocol from a template"));
-  setAttribute(Qt::WA_DeleteOnClose);
+  // A check that runs ends in the hidden dialog: its destructor would wait for it.
+  connect(this, &QDialog::finished, this, [this] {
+    connect(&work_, &NewestWork::settled, this, &QObject::deleteLater);
+    if (!work_.is_busy()) deleteLater();
+  });
   resize(parent == nullptr ? kSize : kSize.boundedTo(parent->window()->size()));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);

@@ -472,6 +472,15 @@ TEST_F(StudyPages, ReportTheProblemsOfATemplateWithTheChosenTextures) {
   tick_only(dialog, {"brick"});
   EXPECT_TRUE(shows(kProblem)) << state().toStdString();
   EXPECT_TRUE(create.isEnabled());
+
+  // Closing does not wait for the check that runs.
+  const QPointer<QDialog> closed(&dialog);
+  templates.select("map_of_renderings");
+  dialog.reject();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  ASSERT_FALSE(closed.isNull());
+  EXPECT_FALSE(closed->isVisible());
+  EXPECT_TRUE(eventually([&] { return closed.isNull(); }));
 }
 
 TEST_F(StudyPages, PutATemplateIntoTheStudyUnderAFreeName) {
