@@ -285,7 +285,10 @@ void TemplateDialog::show_texts() {
   const auto language = static_cast<std::size_t>(language_->currentIndex());
   const Protocol& protocol = chosen()->protocols[language];
   title_->setText(text(protocol.title));
-  if (!own_title_->isModified()) own_title_->setText(text(protocol.title));
+  if (!own_title_->isModified()) {
+    own_title_->setText(text(protocol.title));
+    own_title_->setCursorPosition(0);  // so that its beginning is shown
+  }
   description_->setText(text(protocol.description));
   show_screens(protocol);
 }

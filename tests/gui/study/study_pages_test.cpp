@@ -515,6 +515,7 @@ TEST_F(StudyPages, PutATemplateIntoTheStudyUnderAFreeName) {
   take_screenshot(dialog, "template-dialog", {1120, 700});
   take_screenshot(dialog, "template-dialog-small", {910, 512});
   child<QRadioButton>(dialog, "template_own").click();
+  tick_only(dialog, {});
   tick_only(dialog, {"brick", "metal", "stone", "wood"});
   EXPECT_FALSE(child<QPushButton>(dialog, "template_create").isEnabled()) << "not checked yet";
   title.selectAll();
