@@ -152,7 +152,10 @@ void Conductor::note_guidance() {
 }
 
 void Conductor::note_texts() {
-  const std::vector<TextPlace> places = texts_with_placeholders(protocol_);
+  std::vector<TextPlace> places = texts_with_placeholders(protocol_);
+  std::erase_if(places, [group = allocation_of(session_.row).group](const TextPlace& each) {
+    return !each.groups.empty() && std::ranges::find(each.groups, group) == each.groups.end();
+  });
   values_ = states_session(places)
                 ? values_of_session(protocol_, example_plan(protocol_, allocation_of(session_.row)))
                 : values_of_all_blocks(protocol_);

@@ -409,6 +409,7 @@ struct Protocol {
   struct Screen {
     std::string text{};
     std::optional<AnswerCondition> condition{};  ///< shown only if it is met; absent: always shown
+    std::vector<std::string> groups{};  ///< only these participants read it (groups_of); empty: all
   };
   struct Check {
     enum class What { device, force_zero } what = What::device;
@@ -444,6 +445,7 @@ struct Protocol {
   Counterbalance counterbalance = Counterbalance::none;
   /// A between-participants factor: every trial of a participant has the level of the participant's group.
   struct Groups {
+    static constexpr std::size_t kMost = 32;
     enum class Assignment {
       balanced,         ///< by the program: the group with the fewest participants
       permuted_blocks,  ///< by the program: blocks of random size in random order

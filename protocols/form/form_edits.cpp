@@ -92,7 +92,8 @@ FormEdit with_own_names(FormEdit copied) {
 /// The first name that a list of references does not have; nullopt if there is none, or if it is no such list.
 std::optional<std::string> unused_name(const JsonDocument& protocol, const std::string& list,
                                        const ValueShape& entry) {
-  const auto* const name = std::get_if<NameShape>(&entry);
+  const auto* const text = std::get_if<TextShape>(&entry);
+  const NameShape* const name = text != nullptr ? &text->name : std::get_if<NameShape>(&entry);
   if (name == nullptr || name->is_declared) return {};
   const json& present = value_at(protocol, list);
   for (const std::string& known : declared_names(names_in(protocol.root()), name->registry)) {

@@ -36,8 +36,6 @@ ordered_json number_of(const NumberShape& shape) {
   return number;
 }
 
-constexpr std::string_view kGroups = "groups";
-
 /// Whether a factor that is named here gets its level in each trial from the block or the flow.
 bool sets_levels(const std::string& pointer) {
   if (pointer.starts_with("/flow/")) return true;
@@ -91,11 +89,22 @@ struct NewValue {
     return std::visit(*this, shape.forms.front());
   }
 
-  /// The first name of the registry; of a declaration, a name that is free.
+  /// The first name of the registry; of a declaration, a name that is free. The factor of the groups is one that neither
+  /// blocks nor the flow set; if there is none, its name is empty.
   ordered_json named(const NameShape& shape) const {
-    const std::vector<std::string> known = declared_names(names, shape.registry);
+    std::vector<std::string> known = declared_names(names, shape.registry);
+    if (shape.levels == kGroupNames) {
+      std::erase_if(known, [this](const std::string& factor) { return is_set(factor); });
+      return known.empty() ? std::string() : known.front();
+    }
     if (!shape.is_declared && !known.empty()) return known.front();
     return free_name(known, "new");
+  }
+  bool is_set(const std::string& factor) const {
+    return std::ranges::any_of(names.uses, [&factor](const NameUse& use) {
+      return use.registry == kFactorNames && use.name == factor && !use.is_declared &&
+             sets_levels(use.pointer);
+    });
   }
 };
 
@@ -117,31 +126,17 @@ std::string free_name(const std::vector<std::string>& names, std::string_view wi
 }
 
 std::vector<std::string> declared_names(const ProtocolNames& names, std::string_view registry) {
+  if (registry == kGroupNames) registry = names.groups;
   std::vector<std::string> declared{};
   for (const NameUse& use : names.uses) {
     if (!use.is_declared || use.registry != registry) continue;
-    if (std::find(declared.begin(), declared.end(), use.name) == declared.end()) {
-      declared.push_back(use.name);
-    }
+    if (std::ranges::find(declared, use.name) == declared.end()) declared.push_back(use.name);
   }
   return declared;
 }
 
 ordered_json new_value(const ValueShape& shape, const ProtocolNames& names) {
   return std::visit(NewValue{names}, shape);
-}
-
-ordered_json new_value_of(const ProtocolKey& key, const ProtocolNames& names) {
-  if (key.name != kGroups) return new_value(key.shape, names);
-  const auto is_set = [&names](const std::string& factor) {
-    return std::any_of(names.uses.begin(), names.uses.end(), [&factor](const NameUse& use) {
-      return use.registry == kFactorNames && use.name == factor && !use.is_declared &&
-             sets_levels(use.pointer);
-    });
-  };
-  const std::vector<std::string> factors = declared_names(names, kFactorNames);
-  const auto free = std::find_if_not(factors.begin(), factors.end(), is_set);
-  return {{"factor", free == factors.end() ? std::string() : *free}};
 }
 
 }  // namespace asperity

@@ -29,7 +29,4 @@ std::vector<std::string> declared_names(const ProtocolNames& names, std::string_
 /// it is "new".
 nlohmann::ordered_json new_value(const ValueShape& shape, const ProtocolNames& names);
 
-/// The same for a key. The factor of groups is one that neither blocks nor the flow set; if there is none, its name is empty.
-nlohmann::ordered_json new_value_of(const ProtocolKey& key, const ProtocolNames& names);
-
 }  // namespace asperity

@@ -11,6 +11,7 @@ namespace {
 using Run = Protocol::Run;
 using Step = Protocol::Step;
 
+constexpr ValueShape kGroupName = TextShape{.may_be_empty = true, .name = {kGroupNames}};
 constexpr ValueShape kAskedName = NameShape{"questions"};
 constexpr NumberShape kTrials{.minimum = 1.0, .maximum = 10'000.0, .is_whole = true};
 
@@ -29,6 +30,16 @@ constexpr auto kStepKeys = keys_of(
     when(alternative_of<Step>(member_key<&Protocol::Screen::condition>(
              "if", "Condition", kConditionTable,
              "With screen: the condition under which the text is shown.")),
+         with("screen")),
+    when(alternative_of<Step>(member_key<&Protocol::Screen::groups>(
+             "groups", "Groups",
+             "With screen: the groups of participants to whom the text is shown. Absent: all "
+             "participants.",
+             ListShape{.entry = &kGroupName,
+                       .meaning = "A group: a level of the factor of the groups.",
+                       .shortest = 1,
+                       .longest = Protocol::Groups::kMost,
+                       .is_distinct = true})),
          with("screen")),
     alternative_of<Step>(member_key<&Protocol::Check::what>(
         "check", "Check",

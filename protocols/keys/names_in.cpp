@@ -29,6 +29,9 @@ class NameWalk final {
       if (auto* const map = std::get_if<MapShape>(&shape)) map->key = {key.name, true};
       visit(*found, shape, {pointer_to("", key.name), {}});
     }
+    for (NameUse& use : names_.uses) {
+      if (use.registry == kGroupNames && !names_.groups.empty()) use.registry = names_.groups;
+    }
   }
 
  private:
@@ -113,8 +116,12 @@ class NameWalk final {
   /// That the levels of a factor are names of another registry, by the value of a key of this shape.
   void add_links(const json& value, const ValueShape& shape) {
     if (const auto* const name = std::get_if<NameShape>(&shape)) {
-      if (!name->levels.empty() && value.is_string()) {
-        names_.links.emplace_back(levels_of(value.get<std::string>()), name->levels);
+      if (name->levels.empty() || !value.is_string()) return;
+      const std::string levels = levels_of(value.get<std::string>());
+      if (name->levels == kGroupNames) {
+        names_.groups = levels;
+      } else {
+        names_.links.emplace_back(levels, name->levels);
       }
     } else if (const auto* const bound = std::get_if<BoundShape>(&shape)) {
       const auto* const inner = std::get_if<NameShape>(bound->value);

@@ -29,6 +29,8 @@ struct ProtocolNames {
   /// Two registries in which a name is the same thing: the levels of a factor are textures where the texture of a stimulus
   /// is bound to the factor.
   std::vector<std::pair<std::string, std::string>> links{};
+  /// The registry of the groups of participants: that of the levels of their factor. Empty without groups.
+  std::string groups{};
 };
 
 /// The registry of the levels of a factor.

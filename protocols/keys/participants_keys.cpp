@@ -44,7 +44,7 @@ constexpr auto kGroupsKeys = keys_of(
         member_key<&Groups::factor>("factor", "Factor",
                                     "The factor whose levels are the groups. Every trial has the "
                                     "level of the participant's group, so no block sets it.",
-                                    kFactorName)),
+                                    NameShape{.registry = kFactorNames, .levels = kGroupNames})),
     member_key<&Groups::assigned>(
         "assigned", "Assignment",
         "The assignment of participants: balanced (to the group with the fewest participants), "

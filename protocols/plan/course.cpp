@@ -148,6 +148,13 @@ const DesignTrial* type_of_anchor(const Block& block) {
   return types.empty() ? nullptr : &types.front();
 }
 
+/// `group`: the level of the factor of the groups, alone; empty without groups.
+bool is_read_in(const Protocol::Screen& screen, const FactorLevels& group) {
+  return screen.groups.empty() || std::ranges::any_of(group, [&screen](const auto& factor) {
+           return std::ranges::find(screen.groups, text_of(factor.second)) != screen.groups.end();
+         });
+}
+
 /// The rows of the squares of all iterated factors.
 std::size_t order_rows(const Protocol& protocol) {
   std::size_t rows = 1;
@@ -194,7 +201,7 @@ void Course::expand_flow(const Allocation& allocation) {
     if (const auto* const run = std::get_if<Run>(&step)) {
       expand(*run, group, allocation);
     } else if (const auto* const screen = std::get_if<Protocol::Screen>(&step)) {
-      units_.emplace_back(PlanStep(*screen));
+      if (is_read_in(*screen, group)) units_.emplace_back(PlanStep(*screen));
     } else if (const auto* const check = std::get_if<Protocol::Check>(&step)) {
       units_.emplace_back(PlanStep(*check));
     } else if (const auto* const pause = std::get_if<Protocol::Break>(&step)) {

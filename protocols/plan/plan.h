@@ -48,7 +48,7 @@ struct Allocation {
 };
 
 /// Makes the plan of one session: the same for the same protocol, seed, row and group, on every platform. Groups differ
-/// only in the level of their factor. With procedures the plan up to the first trial whose answer determines the next
+/// only in the level of their factor and in the screens that they read. With procedures the plan up to the first trial whose answer determines the next
 /// one (Course).
 ///
 /// Errors: std::runtime_error if a constraint on the order cannot be met. This does not occur for a protocol from

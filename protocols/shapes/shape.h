@@ -74,6 +74,8 @@ inline constexpr std::string_view kItemNames = "items";          ///< surfaces i
 /// The levels of a factor: of the one by whose name the value is stored (levels by factor), or else of the one that a key
 /// with `governs_levels` states.
 inline constexpr std::string_view kLevelNames = "levels";
+/// The groups of participants: the levels of the factor that has them as its `levels`.
+inline constexpr std::string_view kGroupNames = "groups of participants";
 
 /// A name, and what it refers to. Entries of one registry with the same name are one thing.
 struct NameShape {

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "protocols/design/json_pointer.h"
 #include "protocols/texts/translatable_texts.h"
 
 namespace asperity {
@@ -22,6 +23,14 @@ const Protocol::Block* block_of(const std::string& pointer, const Protocol& prot
   const std::size_t end = pointer.find('/', kBlocks.size());
   const auto found = protocol.blocks.find(pointer.substr(kBlocks.size(), end - kBlocks.size()));
   return found == protocol.blocks.end() ? nullptr : &found->second;
+}
+
+std::vector<std::string> groups_of_screen(const std::string& pointer, const Protocol& protocol) {
+  for (std::size_t i = 0; i < protocol.flow.size(); ++i) {
+    const auto* const screen = std::get_if<Protocol::Screen>(&protocol.flow[i]);
+    if (screen != nullptr && pointer == pointer_to("/flow", i) + "/screen") return screen->groups;
+  }
+  return {};
 }
 
 constexpr std::string_view kConsent = "/consent/";
@@ -38,7 +47,9 @@ std::vector<TextPlace> participant_texts(const nlohmann::json& root, const Proto
                                each.pointer.starts_with("/resume/") ||
                                each.pointer.starts_with(kConsent);
     const Protocol::Block* const block = block_of(each.pointer, protocol);
-    places.push_back({std::move(each.pointer), std::move(each.text), is_of_session, block});
+    std::vector<std::string> groups = groups_of_screen(each.pointer, protocol);
+    places.push_back(
+        {std::move(each.pointer), std::move(each.text), is_of_session, block, std::move(groups)});
   }
   return places;
 }

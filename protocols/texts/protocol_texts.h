@@ -21,6 +21,7 @@ struct TextPlace {
   /// placeholders until it is read.
   bool is_of_session = false;
   const Protocol::Block* block = nullptr;  ///< of a text within a block; otherwise null
+  std::vector<std::string> groups{};       ///< of a screen for some groups only; otherwise empty
 };
 
 /// The texts that participants read, except options that are stored as they are written. `root` is the JSON of the protocol.

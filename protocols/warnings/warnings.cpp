@@ -19,6 +19,7 @@
 #include "protocols/file/json_document.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/kinds/kind_list.h"
+#include "protocols/plan/groups.h"
 #include "protocols/procedures/procedure.h"
 #include "stimuli/properties/other_unit.h"
 
@@ -183,15 +184,28 @@ class Warnings final {
     }
   }
 
+  /// Whether the participants of a group, or without groups all, read a screen.
+  bool has_screen(const std::string& group) const {
+    return std::ranges::any_of(protocol_.flow, [&group](const Protocol::Step& step) {
+      const auto* const screen = std::get_if<Protocol::Screen>(&step);
+      return screen != nullptr &&
+             (screen->groups.empty() ||
+              std::ranges::find(screen->groups, group) != screen->groups.end());
+    });
+  }
+
   /// Warns where participants are shown no text: `instructions` alone are not displayed.
   void warn_of_instructions() {
-    const bool has_screen = std::any_of(
-        protocol_.flow.begin(), protocol_.flow.end(),
-        [](const Protocol::Step& step) { return std::holds_alternative<Protocol::Screen>(step); });
-    if (protocol_.instructions.empty() || has_screen) return;
-    warn("/instructions",
-         "participants read only the screens of the flow, and there is none: add {\"screen\": …} "
-         "with these instructions before the first block");
+    if (protocol_.instructions.empty()) return;
+    std::vector<std::string> groups = groups_of(protocol_);
+    if (groups.empty()) groups.emplace_back();
+    for (const std::string& group : groups) {
+      if (has_screen(group)) continue;
+      warn("/instructions",
+           "participants" + (group.empty() ? "" : " of the group " + in_quotes(group)) +
+               " read only the screens of the flow, and there is none for them: add "
+               "{\"screen\": …} with these instructions before the first block");
+    }
   }
 
   /// Warns about staircases that do not approach the point that is estimated.

@@ -612,6 +612,14 @@ TEST(Instructions, AreWarnedOfWhereNoScreenShowsThem) {
   EXPECT_THAT(
       training_warnings_of(file),
       ElementsAre(HasSubstr("/instructions: participants read only the screens of the flow")));
+
+  file["factors"]["training"] = {{"levels", {"haptic", "visual"}}};
+  file["groups"] = {{"factor", "training"}};
+  file["flow"].push_back(json{{"screen", "Stroke."}, {"groups", {"haptic"}}});
+  EXPECT_THAT(training_warnings_of(file),
+              ElementsAre(HasSubstr("participants of the group \"visual\" read only the screens")));
+  file["flow"].push_back(json{{"screen", "Look."}, {"groups", {"visual"}}});
+  EXPECT_TRUE(training_warnings_of(file).empty());
 }
 
 std::vector<std::string> plan_warnings_of(const json& file) {

@@ -8,7 +8,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "protocols/editing/renaming.h"
 #include "protocols/file/protocol_reader.h"
+#include "protocols/form/form_edits.h"
+#include "protocols/form/new_values.h"
+#include "protocols/keys/names_in.h"
+#include "protocols/keys/tables.h"
 #include "tests/protocols/example.h"
 #include "tests/protocols/protocol_files.h"
 
@@ -64,6 +69,66 @@ TEST(Groups, DifferOnlyInTheLevelOfTheirFactor) {
         replaced(json_of(one.trials[i]), R"("training":"stroking")", R"("training":"pressing")"),
         json_of(other.trials[i]));
   }
+}
+
+/// `grouped()`, whose first screen has these groups.
+std::string with_groups_of_screen(const std::string& groups) {
+  return replaced(grouped(), R"("flow": [)",
+                  R"("flow": [{"screen": "Press.", "groups": )" + groups + "}, ");
+}
+
+std::vector<std::string> screens_of(const Plan& plan) {
+  std::vector<std::string> texts{};
+  for (const PlanStep& step : plan.steps) {
+    const auto* const screen = std::get_if<Protocol::Screen>(&step);
+    if (screen != nullptr) texts.push_back(screen->text);
+  }
+  return texts;
+}
+
+TEST(Groups, ReadTheirOwnScreens) {
+  const Protocol protocol = read_grouped(with_groups_of_screen(R"(["pressing"])"));
+  const Plan one = make_plan(protocol, {.seed = 5, .group = "stroking"});
+  const Plan other = make_plan(protocol, {.seed = 5, .group = "pressing"});
+  std::vector<std::string> expected = screens_of(one);
+  EXPECT_THAT(expected, testing::Not(testing::Contains("Press.")));
+  expected.insert(expected.begin(), "Press.");
+  EXPECT_EQ(screens_of(other), expected);
+  EXPECT_EQ(one.steps.size() + 1, other.steps.size());
+  for (const char* const group : {"stroking", "pressing"}) {
+    const Protocol both = read_grouped(with_groups_of_screen(R"(["pressing", "stroking"])"));
+    EXPECT_EQ(screens_of(make_plan(both, {.seed = 5, .group = group})), expected);
+  }
+}
+
+TEST(Groups, OfScreensExist) {
+  EXPECT_THAT(
+      problems_in(with_groups_of_screen(R"(["presing"])")),
+      testing::AllOf(HasSubstr("did you mean \"pressing\"?"), HasSubstr("(/flow/0/groups/0)")));
+  EXPECT_THAT(problems_in(replaced(test::example_selection(), R"("flow": [)",
+                                   R"("flow": [{"screen": "Press.", "groups": ["pressing"]}, )")),
+              HasSubstr("participants have no groups"));
+}
+
+TEST(Groups, AreRenamedInScreens) {
+  const std::string text = with_groups_of_screen(R"(["pressing"])");
+  const JsonDocument document(text, "p.json");
+  const std::string renamed =
+      changed(text, rename(document, levels_of("training"), "pressing", "pressing_hard"));
+  const Protocol protocol = read_grouped(renamed);
+  EXPECT_THAT(groups_of(protocol), ElementsAre("stroking", "pressing_hard"));
+  EXPECT_THAT(std::get<Protocol::Screen>(protocol.flow.front()).groups,
+              ElementsAre("pressing_hard"));
+}
+
+// A form offers the groups, and begins with the first one.
+TEST(Groups, AreOfferedToScreens) {
+  const auto names = names_in(nlohmann::json::parse(grouped()));
+  EXPECT_THAT(declared_names(names, kGroupNames), ElementsAre("stroking", "pressing"));
+  EXPECT_EQ(new_value(kStepTable.find("groups")->shape, names).dump(), R"(["stroking"])");
+  const std::string text = with_groups_of_screen(R"(["stroking"])");
+  const FormEdit edit = with_entry(JsonDocument(text, "p.json"), "/flow/0/groups");
+  EXPECT_EQ(edit.text, with_groups_of_screen(R"(["stroking", "pressing"])"));
 }
 
 TEST(Groups, AreAbsentFromThePlansOfOtherProtocols) {

@@ -151,7 +151,7 @@ const json kEverything = json::parse(R"({
     "exclude": {"more_catch_errors_than": 2},
     "constructs": {"feel": {"scales": ["ease", "roughness"], "reverse_keyed": ["ease"]}}},
   "flow": [
-    {"screen": "Welcome.", "if": {"question": "hand", "is": "left"}}, {"check": "force_zero"},
+    {"screen": "Welcome.", "if": {"question": "hand", "is": "left"}, "groups": ["haptic"]}, {"check": "force_zero"},
     {"break": {
       "minimum_s": 30, "text": "Rest.", "zero_force": false,
       "drift_check": {"text": "Let go.", "tip_text": "Hold.", "duration_s": 3}}},
@@ -479,6 +479,7 @@ TEST(Keys, OfTheFlowMakeItsSteps) {
   const auto& screen = std::get<Protocol::Screen>(flow[0]);
   EXPECT_EQ(screen.text, "Welcome.");
   EXPECT_EQ(screen.condition, (AnswerCondition{"hand", AnswerIsOneOf{{"left"}}}));
+  EXPECT_THAT(screen.groups, ElementsAre("haptic"));
   EXPECT_EQ(std::get<Protocol::Check>(flow[1]).what, Protocol::Check::What::force_zero);
   const auto& rest = std::get<Protocol::Break>(flow[2]);
   EXPECT_EQ(rest.minimum_s, 30.0);

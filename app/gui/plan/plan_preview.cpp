@@ -43,6 +43,14 @@ QString if_text(const std::optional<AnswerCondition>& condition) {
   return PlanPreview::tr("if %1:").arg(text(signs_of(*condition))) + ' ';
 }
 
+/// "only haptic: "; empty for all participants.
+QString groups_text(const std::vector<std::string>& groups) {
+  if (groups.empty()) return {};
+  QStringList names{};
+  for (const std::string& group : groups) names.append(text(group));
+  return PlanPreview::tr("only %1:").arg(names.join(", ")) + ' ';
+}
+
 QString surfaces_text(const Trial& trial) {
   QStringList surfaces{};
   for (const PlannedPresentation& surface : trial.presentations) {
@@ -63,7 +71,10 @@ Line line_of(const Trial& trial) {
 Line line_of(const PlanStep& step, const Plan& plan, const Protocol& protocol) {
   if (const auto* trial = std::get_if<TrialStep>(&step)) return line_of(plan.trials[trial->trial]);
   if (const auto* screen = std::get_if<Protocol::Screen>(&step)) {
-    return {{}, PlanPreview::tr("screen"), if_text(screen->condition) + text(screen->text), {}};
+    return {{},
+            PlanPreview::tr("screen"),
+            groups_text(screen->groups) + if_text(screen->condition) + text(screen->text),
+            {}};
   }
   if (const auto* check = std::get_if<Protocol::Check>(&step)) {
     const bool zero = check->what == Protocol::Check::What::force_zero;

@@ -8080,6 +8080,14 @@
         <translation>Mit screen: die Bedingung, unter der der Text gezeigt wird.</translation>
     </message>
     <message>
+        <source>With screen: the groups of participants to whom the text is shown. Absent: all participants.</source>
+        <translation>Mit screen: die Gruppen von Versuchspersonen, denen der Text gezeigt wird. Ohne Angabe: alle Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>A group: a level of the factor of the groups.</source>
+        <translation>Eine Gruppe: eine Stufe des Faktors der Gruppen.</translation>
+    </message>
+    <message>
         <source>Check</source>
         <translation>Prüfung</translation>
     </message>
@@ -15452,6 +15460,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>if %1:</source>
         <translation>wenn %1:</translation>
+    </message>
+    <message>
+        <source>only %1:</source>
+        <translation>nur %1:</translation>
     </message>
     <message>
         <source>anchor at the start</source>

@@ -20,7 +20,9 @@
 #include "protocols/design/block_factors.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/kinds/experiment_kind.h"
+#include "protocols/plan/course.h"
 #include "protocols/plan/plan.h"
+#include "protocols/texts/protocol_texts.h"
 
 namespace asperity {
 
@@ -140,6 +142,25 @@ ReportList questionnaire_list(const Protocol& protocol) {
       if (question.condition) text += ", asked if " + clause_of(*question.condition);
       list.items.push_back(text + '.');
     }
+  }
+  return list;
+}
+
+/// The texts that only some groups of participants read, with the numbers of the first one's plan.
+ReportList texts_of_groups(const Protocol& protocol) {
+  ReportList list{};
+  for (const Protocol::Step& step : protocol.flow) {
+    const auto* const screen = std::get_if<Protocol::Screen>(&step);
+    if (screen == nullptr || screen->groups.empty()) continue;
+    std::vector<std::string> names{};
+    for (const std::string& group : screen->groups) names.push_back(quoted(group));
+    const DesignValues values = values_of_session(
+        protocol, example_plan(protocol, {.seed = 1, .group = screen->groups.front()}));
+    std::string text = "Text for the " + std::string(names.size() == 1 ? "group " : "groups ") +
+                       listed(names) +
+                       " only: " + quoted(with_values(screen->text, values, protocol.language));
+    if (screen->condition) text += ", shown if " + clause_of(*screen->condition);
+    list.items.push_back(text + '.');
   }
   return list;
 }
@@ -435,8 +456,8 @@ ReportSection design_section(const ReportFacts& facts) {
   const std::string factors = factors_text(protocol);
   if (!factors.empty()) section.parts.emplace_back(ReportText{factors});
   section.parts.emplace_back(blocks_list(protocol, facts));
-  if (ReportList questions = questionnaire_list(protocol); !questions.items.empty()) {
-    section.parts.emplace_back(std::move(questions));
+  for (ReportList list : {texts_of_groups(protocol), questionnaire_list(protocol)}) {
+    if (!list.items.empty()) section.parts.emplace_back(std::move(list));
   }
   section.parts.emplace_back(ReportText{rendering_text(protocol, facts)});
   for (const auto& [name, exploration] : protocol.explorations) {

@@ -1,8 +1,38 @@
 // Implements the checks that the factor of the groups is set by the groups alone.
 
+#include <algorithm>
+
 #include "protocols/file/meaning/meaning_checks.h"
+#include "protocols/plan/groups.h"
 
 namespace asperity {
+
+namespace {
+
+void check_groups_of_screens(CheckedDocument& checked) {
+  const auto& factors = checked.protocol.factors;
+  const auto& groups = checked.protocol.groups;
+  if (groups && !factors.contains(groups->factor)) return;  // reported there
+  for (std::size_t i = 0; i < checked.protocol.flow.size(); ++i) {
+    const auto* const screen = std::get_if<Protocol::Screen>(&checked.protocol.flow[i]);
+    if (screen == nullptr || screen->groups.empty()) continue;
+    const std::string pointer = pointer_to("/flow", i) + "/groups";
+    if (!groups) {
+      checked.report(pointer,
+                     "participants have no groups; add the key groups to the protocol, or remove "
+                     "this key");
+      continue;
+    }
+    const std::vector<std::string> known = groups_of(checked.protocol);
+    for (std::size_t j = 0; j < screen->groups.size(); ++j) {
+      const std::string& name = screen->groups[j];
+      if (std::ranges::find(known, name) != known.end()) continue;
+      checked.report(pointer_to(pointer, j), unknown_name("group", name, known));
+    }
+  }
+}
+
+}  // namespace
 
 std::set<std::string> factors_of(const CheckedDocument& checked, const Protocol::Block& block,
                                  const Protocol::Run* run) {
@@ -12,6 +42,7 @@ std::set<std::string> factors_of(const CheckedDocument& checked, const Protocol:
 }
 
 void check_groups(CheckedDocument& checked) {
+  check_groups_of_screens(checked);
   if (!checked.protocol.groups) return;
   const std::string& name = checked.protocol.groups->factor;
   const auto factor = checked.protocol.factors.find(name);
@@ -19,11 +50,11 @@ void check_groups(CheckedDocument& checked) {
     checked.report("/groups/factor", unknown_name("factor", name, checked.protocol.factors));
     return;
   }
-  constexpr std::size_t kMaximumGroups = 32;
+  constexpr std::size_t kMost = Protocol::Groups::kMost;
   const std::size_t levels = factor->second.levels.size();
-  if (levels < 2 || levels > kMaximumGroups) {
+  if (levels < 2 || levels > kMost) {
     checked.report(pointer_to("/factors", name) + "/levels",
-                   "the factor of the groups must have 2 to " + std::to_string(kMaximumGroups) +
+                   "the factor of the groups must have 2 to " + std::to_string(kMost) +
                        " levels, one per group; add or remove levels");
   }
   const bool is_permuted =

@@ -211,7 +211,7 @@ void ObjectRows::add_key_button(const FormEntry& entry) {
     context().edit(
         [&](const JsonDocument& text) {
           const ProtocolNames names = names_in(text.root());
-          return with_value(text, entry.pointer, new_value_of(*entry.key, names).dump());
+          return with_value(text, entry.pointer, new_value(entry.key->shape, names).dump());
         },
         {});
   });
