@@ -58,14 +58,16 @@ report_progress() {
   done 3> "$log"
 }
 
-# build PRESET [TARGET…]: on a terminal with ninja's one moving line, otherwise with a line each tenth of a long build.
+# build PRESET [TARGET…]: on a terminal with ninja's one moving line, which is removed at the end, otherwise with a line each tenth
+# of a long build.
 build() {
   local preset=$1 arguments=() log="$root/build/$1-build.log"
   shift
   arguments=("$root/build/$preset" --parallel "$(jobs)")
   if [[ $# -gt 0 ]]; then arguments+=(--target "$@"); fi
   if [[ -t 2 ]]; then
-    NINJA_STATUS="Building Asperity ($preset): %f of %t steps after %e s " cmake --build "${arguments[@]}" >&2
+    NINJA_STATUS="Building Asperity ($preset): %f of %t steps after %e s " cmake --build "${arguments[@]}" >&2 || return
+    if [[ ${TERM-dumb} != dumb ]]; then printf '\033[A\033[2K' >&2; fi
   elif ! (SECONDS=0; NINJA_STATUS="[%f/%t] " cmake --build "${arguments[@]}" 2>&1 | report_progress "Asperity ($preset)" "$log"); then
     tail --lines 100 "$log" >&2
     say "Failed: cmake --build ${arguments[*]} (all of its output is in $log)"

@@ -291,7 +291,7 @@ void add_check(CLI::App& program, Job& job) {
           }
         } else if (check.diagnostics.empty()) {
           std::cout << check.file << ": " << check.protocol->name << ' ' << check.protocol->version
-                    << ": " << (has_estimated_trials(*check.protocol) ? "about " : "")
+                    << ": valid, " << (has_estimated_trials(*check.protocol) ? "about " : "")
                     << counted(check.cost.trials, "trial") << ", "
                     << counted(check.cost.contacts, "contact") << ", "
                     << fixed(check.cost.contact_s / 60.0, 1) << " min of contact, about "

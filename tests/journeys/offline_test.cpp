@@ -401,7 +401,9 @@ TEST(Check, SaysWhereFilesOfTheDemonstrationComeFrom) {
   EXPECT_EQ(outcome.status, 1);
   EXPECT_NE(outcome.err.find("stimuli/cones_05.png is not in the study"), std::string::npos)
       << outcome.err;
-  EXPECT_NE(outcome.err.find("asperity new DIR --demo creates it"), std::string::npos);
+  EXPECT_NE(outcome.err.find(
+                "the computed texture of this name from a demo study (asperity new DIR --demo)"),
+            std::string::npos);
 }
 
 // Of a wave whose tile does not close, when it is made and when it is about to be felt.

@@ -45,8 +45,8 @@ std::optional<std::string> complaint_about_file(const NamedFile& named,
         std::filesystem::file_type::not_found) {
       const char* const from =
           !demo_stimulus_of(path).empty()
-              ? "; the demo study has one of this name (asperity new DIR --demo creates "
-                "it): copy it from there, together with its .json if there is one"
+              ? "; copy the file into the study, or the computed texture of this name from a demo "
+                "study (asperity new DIR --demo), together with its .json if there is one"
               : "; copy the file into the study";
       return "the file " + path + " is not in the study " + study.string() + from;
     }
