@@ -23,8 +23,7 @@
 #include "app/exports/publication.h"
 #include "app/exports/sidecar.h"
 #include "app/exports/stimulus_table.h"
-#include "app/findings/methods/discrimination/catch/catch_exclusions.h"
-#include "app/findings/study/own_scales.h"
+#include "app/findings/study/participant_results.h"
 #include "app/records/eye_mask.h"
 #include "app/records/session_conditions.h"
 #include "app/records/session_timeline.h"
@@ -113,11 +112,9 @@ void refuse_questions(const StudyVocabulary& vocabulary) {
 class StudyExport final {
  public:
   StudyExport(const Study& study, const ModelRegistry& models, ExportFolder& folder,
-              const ExportOptions& options, const OwnScales& own_scales,
-              const CatchDecisions& decisions)
+              const ExportOptions& options, const ParticipantResults& results)
       : study_(study),
-        own_scales_(own_scales),
-        decisions_(decisions),
+        results_(results),
         folder_(folder),
         options_(options),
         participants_(exported_participants(study, options)),
@@ -276,7 +273,8 @@ class StudyExport final {
 
   // `stored`: the participant under the label of the study.
   void add_session(ExportPlace at, const ParticipantRow& stored, GroupFiles& files) {
-    at.is_excluded_by_catch = decisions_.of(stored, *at.session, *at.protocol);
+    const ParticipantResult result = results_.of(stored, *at.session, *at.protocol);
+    at.is_excluded_by_catch = result.is_excluded_by_catch;
     add("sessions", at);
     stimuli_.begin_session(at);
     std::vector<AttemptRow> attempts = study_.attempts(at.session->id);
@@ -302,7 +300,7 @@ class StudyExport final {
       add("responses", here);
       files.add_session_answer(here);
     }
-    own_scale_ = own_scales_.of(stored, *at.session, *at.protocol);
+    at.own_scale = result.own_scale;
     std::map<int, std::vector<AttemptRow*>> attempts_by_trial{};
     for (AttemptRow& attempt : attempts) attempts_by_trial[attempt.trial].push_back(&attempt);
     std::map<int, const PlannedTrialRow*> trials{};
@@ -338,7 +336,6 @@ class StudyExport final {
   void add_attempt(ExportPlace at, AttemptRow& attempt, GroupFiles& files) {
     at.attempt = &attempt;
     at.doubted_estimate = doubted_in(attempt);
-    at.own_scale = own_scale_;
     add("attempts", at);
     for (const PresentationRow& presentation : attempt.presentations) {
       ExportPlace here = at;
@@ -381,9 +378,7 @@ class StudyExport final {
   }
 
   const Study& study_;
-  const OwnScales& own_scales_;
-  const CatchDecisions& decisions_;
-  std::optional<double> own_scale_{};  ///< of the session
+  const ParticipantResults& results_;
   ExportFolder& folder_;
   ExportOptions options_;
   std::vector<ExportedParticipant> participants_;
@@ -428,11 +423,10 @@ ExportOutcome export_study(const Study& study, const ModelRegistry& models, cons
   const auto export_one_moment = [&] {
     if (std::exchange(has_begun, true)) making.emplace(folder, options.overwrite);
     outcome = {};
-    const OwnScales own_scales(study, stop);
-    const CatchDecisions decisions(study, stop);
+    const ParticipantResults results(study, stop);
     stopped = stop.stop_requested();
     if (stopped) return;
-    StudyExport walk(study, models, *making, options, own_scales, decisions);
+    StudyExport walk(study, models, *making, options, results);
     stopped = !walk.walk(stop, progress);
     if (stopped) return;
     walk.finish(outcome);

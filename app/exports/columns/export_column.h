@@ -38,12 +38,12 @@ struct ExportPlace {
   bool response_is_withheld = false;
   /// The first estimate of the attempt, if the magnitude was re-elicited.
   std::optional<double> doubted_estimate{};
-  /// The factor that removes the participant's own scale from an estimate (OwnScales).
+  /// The factor that removes the participant's own scale from an estimate (ParticipantResult).
   std::optional<double> own_scale{};
   /// Of the session: its stretches of uninterrupted running, and when the eye mask was worn.
   const std::vector<RecordedStretch>* stretches = nullptr;
   const EyeMask* eye_mask = nullptr;
-  /// Of the session: whether the declared rule excludes the participant by errors in catch trials (CatchDecisions).
+  /// Of the session: whether the declared rule excludes the participant by errors in catch trials (ParticipantResult).
   std::optional<bool> is_excluded_by_catch{};
   std::size_t attempts_of_trial = 0;
   // The JSON of these rows, parsed.

@@ -14,7 +14,6 @@
 #include "app/findings/outcome/drawn_table.h"
 #include "app/findings/outcome/result_table.h"
 #include "app/findings/outcome/study_tests.h"
-#include "protocols/file/stored_protocol.h"
 
 namespace asperity {
 
@@ -88,31 +87,6 @@ bool is_excluded(const CatchExclusion& rule, const CatchErrors& errors) {
   if (rule.more_errors_than) return count > static_cast<double>(*rule.more_errors_than);
   return rule.error_rate_above && errors.trials > 0 &&
          count > *rule.error_rate_above * static_cast<double>(errors.trials);
-}
-
-CatchDecisions::CatchDecisions(const Study& study, const std::stop_token& stop) {
-  std::set<std::string> names{};
-  for (const ProtocolRow& protocol : study.protocols()) {
-    if (stored_protocol(protocol.source).protocol.analysis.exclude) names.insert(protocol.name);
-  }
-  for (const std::string& name : names) {
-    for (const GatheredAnswers& gathered : gather_answers(study, name, stop)) {
-      const std::optional<CatchExclusion>& rule = gathered.declared.exclude;
-      if (!rule) continue;
-      for (const CatchErrors& errors : catch_errors(gathered)) {
-        excluded_[{gathered.protocol, gathered.version, gathered.group, errors.participant}] =
-            is_excluded(*rule, errors);
-      }
-    }
-  }
-}
-
-std::optional<bool> CatchDecisions::of(const ParticipantRow& participant, const SessionRow& session,
-                                       const ProtocolRow& protocol) const {
-  const auto found = excluded_.find(
-      {protocol.name, protocol.version, group_of(participant, session), participant.label});
-  if (found == excluded_.end()) return {};
-  return found->second;
 }
 
 GatheredAnswers without_participants(GatheredAnswers gathered,

@@ -3,12 +3,8 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
-#include <optional>
 #include <set>
-#include <stop_token>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "app/findings/gathering/gathered_answers.h"
@@ -31,22 +27,6 @@ struct CatchErrors {
 std::vector<CatchErrors> catch_errors(const GatheredAnswers& gathered);
 
 bool is_excluded(const CatchExclusion& rule, const CatchErrors& errors);
-
-/// The decisions of the declared rules, by protocol, version and group, which are separate analyses. Excludes a participant also
-/// where the rule excludes all, so that the results are those of the excluded participants.
-class CatchDecisions final {
- public:
-  /// Errors: those of `gather_answers`.
-  explicit CatchDecisions(const Study& study, const std::stop_token& stop = {});
-
-  /// Nothing for a protocol without a rule, and for a participant without a catch trial.
-  std::optional<bool> of(const ParticipantRow& participant, const SessionRow& session,
-                         const ProtocolRow& protocol) const;
-
- private:
-  using Key = std::tuple<std::string, std::string, AnswerGroup, std::string>;
-  std::map<Key, bool> excluded_{};
-};
 
 /// The responses without those of these participants. Responses in catch trials remain: they are the reason.
 GatheredAnswers without_participants(GatheredAnswers gathered,
