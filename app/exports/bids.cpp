@@ -9,12 +9,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/exports/bids_events.h"
 #include "app/exports/columns/export_tables.h"
 #include "app/exports/sidecar.h"
 #include "app/records/attempt_detail.h"
 #include "app/study_files/program.h"
 #include "app/words/event_kinds.h"
-#include "protocols/file/stored_protocol.h"
 #include "results_schema/recording.h"
 
 namespace asperity {
@@ -64,11 +64,10 @@ std::vector<std::int64_t> stream_rows(const std::vector<std::int64_t>& time_ns, 
   return rows;
 }
 
-}  // namespace
-
-std::vector<ExportColumn> BidsDataset::beh_columns(const StudyVocabulary& vocabulary,
-                                                   ExportAudience audience, Recordings recordings,
-                                                   std::vector<std::string>& left_out) {
+/// Those of an answered trial, `response_time` under its BIDS name, and `run`.
+std::vector<ExportColumn> beh_columns(const StudyVocabulary& vocabulary, ExportAudience audience,
+                                      BidsDataset::Recordings recordings,
+                                      std::vector<std::string>& left_out) {
   std::vector<ExportColumn> columns =
       columns_for(audience, answered_trial_columns(vocabulary), left_out);
   ExportColumn time = *std::find_if(columns.begin(), columns.end(), [](const ExportColumn& each) {
@@ -76,7 +75,7 @@ std::vector<ExportColumn> BidsDataset::beh_columns(const StudyVocabulary& vocabu
   });
   time.name = "response_time";
   columns.push_back(std::move(time));
-  if (recordings == Recordings::left_out) return columns;
+  if (recordings == BidsDataset::Recordings::left_out) return columns;
   ExportColumn run{};
   run.name = "run";
   run.type = "integer";
@@ -87,9 +86,9 @@ std::vector<ExportColumn> BidsDataset::beh_columns(const StudyVocabulary& vocabu
   return columns;
 }
 
-std::vector<ExportColumn> BidsDataset::participant_columns(const StudyVocabulary& vocabulary,
-                                                           ExportAudience audience,
-                                                           std::vector<std::string>& left_out) {
+std::vector<ExportColumn> participant_columns(const StudyVocabulary& vocabulary,
+                                              ExportAudience audience,
+                                              std::vector<std::string>& left_out) {
   std::vector<ExportColumn> columns =
       columns_for(audience, export_files(vocabulary).front().columns, left_out);
   ExportColumn& label = columns.front();
@@ -114,6 +113,8 @@ std::vector<ExportColumn> BidsDataset::participant_columns(const StudyVocabulary
   return columns;
 }
 
+}  // namespace
+
 BidsDataset::BidsDataset(ExportFolder& folder, std::string root, const std::string& study_name,
                          const StudyMetadata& metadata, const StudyVocabulary& vocabulary,
                          ExportAudience audience, Recordings recordings, const MadeBy& made_by)
@@ -122,6 +123,7 @@ BidsDataset::BidsDataset(ExportFolder& folder, std::string root, const std::stri
       study_name_(study_name),
       metadata_(metadata),
       made_by_(made_by),
+      vocabulary_(vocabulary),
       audience_(audience),
       recordings_(recordings),
       columns_(beh_columns(vocabulary, audience, recordings, left_out_)),
@@ -170,9 +172,8 @@ void BidsDataset::begin_session(const ExportPlace& at) {
   note_file(name);
   beh_.emplace(folder_.path_of(name), TableFile::Format::tsv, column_names(columns_));
   Json sidecar{{"TaskName", task_name_}};
-  const StoredProtocol specified = stored_protocol(at.protocol->source);
-  senses_ = specified.senses();
-  if (const std::string& title = specified.protocol.title; !title.empty()) {
+  if (const std::string& title = vocabulary_.titles.at(at.protocol->source_sha256);
+      !title.empty()) {
     sidecar["TaskDescription"] = title;
   }
   sidecar.update(session_sidecar(at, columns_));
@@ -190,15 +191,16 @@ Json BidsDataset::session_sidecar(const ExportPlace& at,
   if (audience_ != ExportAudience::relabelled) {
     presentation["SoftwareVersion"] = at.session->program_version;
   }
-  if (senses_.vision && senses_.noise) {
+  const StoredProtocol::Senses& senses = vocabulary_.senses.at(at.protocol->source_sha256);
+  if (senses.vision && senses.noise) {
     // An object: BIDS takes every other member of the sidecar of events for a column.
     Json& environment = sidecar["Environment"];
     environment["Description"] =
         "what the participant was to see and hear, as the protocol requests; what was recorded is "
         "in eye_mask_confirmed and masking_noise_source of _beh.tsv";
-    environment["Vision"] = text_of(*senses_.vision);
-    environment["MaskingNoise"] = text_of(senses_.noise->kind);
-    if (const auto level = senses_.noise->level_dBA) environment["MaskingNoiseLevel_dBA"] = *level;
+    environment["Vision"] = text_of(*senses.vision);
+    environment["MaskingNoise"] = text_of(senses.noise->kind);
+    if (const auto level = senses.noise->level_dBA) environment["MaskingNoiseLevel_dBA"] = *level;
   }
   for (const ExportColumn& column : columns) sidecar[column.name] = sidecar_of(column);
   return sidecar;
@@ -277,7 +279,7 @@ void BidsDataset::end_session() {
   beh_.reset();
 }
 
-void BidsDataset::finish() {
+void BidsDataset::finish(CodebookFile& codebook) {
   TableFile participants(folder_.path_of(root_ + "participants.tsv"), TableFile::Format::tsv,
                          column_names(participant_columns_));
   Json sidecar{};
@@ -293,6 +295,9 @@ void BidsDataset::finish() {
   if (const std::vector<std::string> ignored = intended(); !ignored.empty()) {
     folder_.write(root_ + ".bids-validator-config.json", indented_text(Json{{"ignore", ignored}}));
   }
+  codebook.add(root_ + "participants.tsv", participant_columns_);
+  codebook.add(root_ + "sub-*/ses-*/beh/*_beh.tsv", columns_);
+  codebook.add(root_ + "sub-*/ses-*/beh/*_events.tsv", event_columns_);
 }
 
 void BidsDataset::note_file(const std::string& name) {

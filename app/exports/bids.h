@@ -11,12 +11,12 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/exports/bids_events.h"
+#include "app/exports/codebook_file.h"
 #include "app/exports/columns/export_column.h"
 #include "app/exports/columns/study_vocabulary.h"
 #include "app/exports/export_folder.h"
 #include "app/exports/made_by.h"
-#include "protocols/file/stored_protocol.h"
+#include "app/records/session_timeline.h"
 #include "results_schema/study.h"
 
 namespace asperity {
@@ -41,19 +41,11 @@ class BidsDataset final {
  public:
   enum class Recordings { left_out, written };
 
-  /// `made_by`: the participants of the dataset, where they are not people whose responses count.
+  /// `vocabulary` must outlive the dataset. `made_by`: the participants of the dataset, where they are not people whose
+  /// responses count.
   BidsDataset(ExportFolder& folder, std::string root, const std::string& study_name,
               const StudyMetadata& metadata, const StudyVocabulary& vocabulary,
               ExportAudience audience, Recordings recordings, const MadeBy& made_by);
-
-  /// The columns of `_beh.tsv`, for the codebook: those of an answered trial, `response_time` under
-  /// its BIDS name, and `run`.
-  static std::vector<ExportColumn> beh_columns(const StudyVocabulary& vocabulary,
-                                               ExportAudience audience, Recordings recordings,
-                                               std::vector<std::string>& left_out);
-  static std::vector<ExportColumn> participant_columns(const StudyVocabulary& vocabulary,
-                                                       ExportAudience audience,
-                                                       std::vector<std::string>& left_out);
 
   void add_participant(const ExportPlace& at);
   void begin_session(const ExportPlace& at);
@@ -66,7 +58,7 @@ class BidsDataset final {
   /// Adds the recording of an attempt, if it has one; called before its rows.
   void add_attempt(const Study& study, const ExportPlace& at);
   void end_session();
-  void finish();
+  void finish(CodebookFile& codebook);
 
  private:
   std::string task_of(const std::string& protocol);
@@ -86,6 +78,7 @@ class BidsDataset final {
   std::string study_name_{};
   StudyMetadata metadata_{};
   MadeBy made_by_{};
+  const StudyVocabulary& vocabulary_;
   std::string last_ended_utc_{};  ///< of the sessions of the dataset; empty where none has ended
   ExportAudience audience_;
   Recordings recordings_;
@@ -104,7 +97,6 @@ class BidsDataset final {
   std::map<std::string, std::set<std::string>> files_{};     ///< by participant
   std::map<std::string, std::set<std::string>> sessions_{};  ///< by participant
   std::string task_name_{};
-  StoredProtocol::Senses senses_{};  ///< of the session's protocol
   std::optional<TableFile> beh_{};
   std::int64_t run_ = 0;
   bool attempt_is_recorded_ = false;

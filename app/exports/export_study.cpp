@@ -226,7 +226,7 @@ class StudyExport final {
       folder_.add(table.name + ".tsv", table.file.finish(), table.left_out);
     }
     for (auto& [group, files] : groups_) {
-      files->finish(vocabulary_, codebook_, outcome.not_written);
+      files->finish(codebook_, outcome.not_written);
     }
     if (groups_.empty() && !options_.formats.empty()) {
       outcome.not_written.push_back(

@@ -4,7 +4,6 @@
 
 #include <utility>
 
-#include "app/exports/bids_events.h"
 #include "app/exports/columns/export_tables.h"
 #include "app/exports/made_by.h"
 #include "results_schema/tables/table_file.h"
@@ -69,11 +68,11 @@ GroupFiles::GroupFiles(ExportFolder& folder, SessionGroup group, const std::stri
   }
   columns_ = columns_for(options.audience, answered_trial_columns(vocabulary), left_out_);
   if (wants(ExportFormat::sav)) trials_.emplace(columns_, folder.path_of(""));
-  recordings_ = wants(ExportFormat::physio) ? BidsDataset::Recordings::written
-                                            : BidsDataset::Recordings::left_out;
   if (wants(ExportFormat::bids) || wants(ExportFormat::physio)) {
     bids_.emplace(folder, root_ + "bids/", study_name, metadata, vocabulary, options.audience,
-                  recordings_, made_by(group));
+                  wants(ExportFormat::physio) ? BidsDataset::Recordings::written
+                                              : BidsDataset::Recordings::left_out,
+                  made_by(group));
   }
   if (wants(ExportFormat::psychds)) {
     psych_.emplace(folder, root_ + "psychds/", study_name, vocabulary, options.audience,
@@ -125,8 +124,7 @@ void GroupFiles::add_row(const ExportPlace& at) {
   if (trials_) trials_->add(std::move(row));
 }
 
-void GroupFiles::finish(const StudyVocabulary& vocabulary, CodebookFile& codebook,
-                        std::vector<Phrase>& not_written) {
+void GroupFiles::finish(CodebookFile& codebook, std::vector<Phrase>& not_written) {
   if (wide_) finish_wide(codebook);
   if (fit_) finish_fit(codebook, not_written);
   if (detection_ && !detection_->is_empty()) {
@@ -139,16 +137,7 @@ void GroupFiles::finish(const StudyVocabulary& vocabulary, CodebookFile& codeboo
     folder_.add(name, trials_->write(folder_.path_of(name), title_), left_out_);
     codebook.add(name, renamed(columns_, trials_->names()));
   }
-  std::vector<std::string> ignored{};
-  if (bids_) {
-    bids_->finish();
-    codebook.add(root_ + "bids/participants.tsv",
-                 BidsDataset::participant_columns(vocabulary, options_.audience, ignored));
-    codebook.add(root_ + "bids/sub-*/ses-*/beh/*_beh.tsv",
-                 BidsDataset::beh_columns(vocabulary, options_.audience, recordings_, ignored));
-    codebook.add(root_ + "bids/sub-*/ses-*/beh/*_events.tsv",
-                 bids_event_columns(vocabulary, options_.audience, ignored));
-  }
+  if (bids_) bids_->finish(codebook);
   if (psych_) {
     psych_->finish();
     codebook.add(root_ + "psychds/data/*_data.csv", columns_);

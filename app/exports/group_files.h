@@ -44,8 +44,7 @@ class GroupFiles final {
   /// With a response, or without one if the attempt has none.
   void add_row(const ExportPlace& at);
   /// Completes the files. `not_written` receives the formats without content.
-  void finish(const StudyVocabulary& vocabulary, CodebookFile& codebook,
-              std::vector<Phrase>& not_written);
+  void finish(CodebookFile& codebook, std::vector<Phrase>& not_written);
 
  private:
   void finish_fit(CodebookFile& codebook, std::vector<Phrase>& not_written);
@@ -57,7 +56,6 @@ class GroupFiles final {
   ExportOptions options_{};
   std::vector<ExportColumn> columns_{};
   std::vector<std::string> left_out_{};
-  BidsDataset::Recordings recordings_ = BidsDataset::Recordings::left_out;
   std::optional<WideTable> wide_{};
   std::optional<FitTable> fit_{};
   std::optional<DetectionTable> detection_{};

@@ -138,6 +138,7 @@ void learn_from_protocol(const ProtocolRow& protocol, StudyVocabulary& vocabular
     }
   }
   learn_questions(protocol, specified, vocabulary);
+  vocabulary.titles[protocol.source_sha256] = specified.title;
   vocabulary.senses[protocol.source_sha256] = stored.senses();
   if (specified.groups) {
     vocabulary.group_factors[protocol.source_sha256] = specified.groups->factor;

@@ -76,7 +76,8 @@ struct StudyVocabulary {
   std::map<std::string, std::set<std::string>> assets{};  ///< declared role → models that used one
   /// The spacings of textures that protocol files for magnitude estimation declare, by the file's SHA-256.
   std::map<std::string, EstimationDeclaration> estimations{};
-  /// What participants were to see and hear, by the SHA-256 of a protocol file.
+  std::map<std::string, std::string> titles{};  ///< by the SHA-256 of a protocol file
+  /// What participants were to see and hear, by the same.
   std::map<std::string, StoredProtocol::Senses> senses{};
   /// The factor of the groups of participants, by the SHA-256 of a protocol file that has groups.
   std::map<std::string, std::string> group_factors{};
