@@ -138,7 +138,7 @@ void add_export(CLI::App& program, Job& job) {
       wanted.overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
       wanted.formats = formats_in(options->formats, wanted.audience);
       wanted.questions_for_public = {options->questions.begin(), options->questions.end()};
-      refuse_export(study, models, options->out, wanted);  // before it is listed
+      refuse_export(study, options->out, wanted);  // before it is listed
       ListedOutput listed(study,
                           options->published ? OutputKind::public_export : OutputKind::export_,
                           options->out);

@@ -397,14 +397,13 @@ class StudyExport final {
 
 }  // namespace
 
-void refuse_export(const Study& study, const ModelRegistry& models, const fs::path& folder,
-                   const ExportOptions& options) {
+void refuse_export(const Study& study, const fs::path& folder, const ExportOptions& options) {
   if (options.has_age_bands && !is_public(options.audience)) {
     throw std::invalid_argument("has_age_bands applies to public exports only");
   }
   refuse_target(folder, options.overwrite);
   if (options.questions_for_public.empty()) return;
-  StudyVocabulary vocabulary = vocabulary_of(study, models);
+  StudyVocabulary vocabulary = vocabulary_of_protocols(study);
   vocabulary.for_public = options.questions_for_public;
   refuse_questions(vocabulary);
 }
@@ -412,7 +411,7 @@ void refuse_export(const Study& study, const ModelRegistry& models, const fs::pa
 ExportOutcome export_study(const Study& study, const ModelRegistry& models, const fs::path& folder,
                            const ExportOptions& options, const std::stop_token& stop,
                            const std::function<void(double)>& progress) {
-  refuse_export(study, models, folder, options);
+  refuse_export(study, folder, options);
   std::optional<ExportFolder> making(std::in_place, folder, options.overwrite);
   bool has_begun = false;
   bool stopped = false;

@@ -27,8 +27,8 @@ struct ExportOutcome {
 /// Checks what `export_study` refuses before it reads the study's rows. Errors: those of ExportFolder;
 /// std::invalid_argument for a question whose answers cannot be published, and for bands of ages in an export that is not
 /// public.
-void refuse_export(const Study& study, const ModelRegistry& models,
-                   const std::filesystem::path& folder, const ExportOptions& options);
+void refuse_export(const Study& study, const std::filesystem::path& folder,
+                   const ExportOptions& options);
 
 /// Writes a study into `folder`, which appears only when complete: docs/formats/export.md states
 /// which files. After a stop there is no folder. `progress` receives 0 to 1.

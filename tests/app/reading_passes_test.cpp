@@ -124,5 +124,18 @@ TEST(ReadingPasses, AreOneOfAnExportWithoutSuchRows) {
       1.0);
 }
 
+TEST(ReadingPasses, AreNoneOfTheRefusalOfAnExport) {
+  MadeUpStudy made;
+  fill(made);
+  ExportOptions options = options_of(ExportAudience::published);
+  options.questions_for_public = {"hand"};
+  const std::filesystem::path out = made.beside("out");
+  const RunStatements run{};
+  refuse_export(Study::open(made.folder(), Access::read_only), out, options);
+  EXPECT_GT(run.reading("protocol"), 0U);
+  EXPECT_EQ(run.reading("trial"), 0U);
+  EXPECT_EQ(run.reading("presentation"), 0U);
+}
+
 }  // namespace
 }  // namespace asperity

@@ -183,6 +183,29 @@ void learn_declaration(const std::string& model, const Parameter& parameter,
   meaning.maximum = std::max(meaning.maximum.value_or(parameter.maximum), parameter.maximum);
 }
 
+void learn_from_protocols(const Study& study, StudyVocabulary& vocabulary) {
+  // Translations of one protocol. Two files in the same language may ask different questions.
+  struct Wordings {
+    std::string first_sha256{};
+    std::set<std::string> languages{};
+  };
+  std::map<std::tuple<std::string, std::string, std::string>, Wordings> translations{};
+  std::set<std::string> known_languages{};
+  for (const ProtocolRow& protocol : study.protocols()) {
+    learn_from_protocol(protocol, vocabulary);
+    Wordings& wordings =
+        translations[{protocol.name, protocol.version, without_texts(protocol.source)}];
+    if (wordings.languages.empty()) wordings.first_sha256 = protocol.source_sha256;
+    const std::string language = language_of(protocol.source);
+    const bool is_new = wordings.languages.insert(language).second;
+    vocabulary.languages[protocol.source_sha256] = language;
+    known_languages.insert(language);
+    vocabulary.first_wording[protocol.source_sha256] =
+        is_new ? wordings.first_sha256 : protocol.source_sha256;
+  }
+  vocabulary.known_languages = {known_languages.begin(), known_languages.end()};
+}
+
 bool holds(const StudyVocabulary& vocabulary, const std::string& question,
            bool StudyVocabulary::AnswerMeaning::*what) {
   const auto known = vocabulary.questions.find(question);
@@ -248,26 +271,13 @@ StudyVocabulary vocabulary_of(const Study& study, const ModelRegistry& loaded) {
   for (const SessionRow& session : study.sessions()) {
     if (session.group_level) vocabulary.groups.insert(*session.group_level);
   }
-  // Translations of one protocol. Two files in the same language may ask different questions.
-  struct Wordings {
-    std::string first_sha256{};
-    std::set<std::string> languages{};
-  };
-  std::map<std::tuple<std::string, std::string, std::string>, Wordings> translations{};
-  std::set<std::string> known_languages{};
-  for (const ProtocolRow& protocol : study.protocols()) {
-    learn_from_protocol(protocol, vocabulary);
-    Wordings& wordings =
-        translations[{protocol.name, protocol.version, without_texts(protocol.source)}];
-    if (wordings.languages.empty()) wordings.first_sha256 = protocol.source_sha256;
-    const std::string language = language_of(protocol.source);
-    const bool is_new = wordings.languages.insert(language).second;
-    vocabulary.languages[protocol.source_sha256] = language;
-    known_languages.insert(language);
-    vocabulary.first_wording[protocol.source_sha256] =
-        is_new ? wordings.first_sha256 : protocol.source_sha256;
-  }
-  vocabulary.known_languages = {known_languages.begin(), known_languages.end()};
+  learn_from_protocols(study, vocabulary);
+  return vocabulary;
+}
+
+StudyVocabulary vocabulary_of_protocols(const Study& study) {
+  StudyVocabulary vocabulary{};
+  learn_from_protocols(study, vocabulary);
   return vocabulary;
 }
 

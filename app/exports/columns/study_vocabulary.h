@@ -112,5 +112,7 @@ struct StudyVocabulary {
 /// A protocol that cannot be read and a model that this program does not know declare nothing: their columns
 /// have only the facts from the rows.
 StudyVocabulary vocabulary_of(const Study& study, const ModelRegistry& loaded);
+/// Only what the protocols declare, for which no row of a session is read.
+StudyVocabulary vocabulary_of_protocols(const Study& study);
 
 }  // namespace asperity

@@ -345,7 +345,7 @@ void AnalysisPage::export_to(const QString& folder, const ExportOptions& options
           const std::stop_token& stop, const BackgroundTask::Progress& progress) {
         const Study own = Study::open(study, Access::read_only);
         const ModelRegistry models = built_in_models();
-        refuse_export(own, models, to, options);  // before it is listed
+        refuse_export(own, to, options);  // before it is listed
         ListedOutput listed(
             own, is_public(options.audience) ? OutputKind::public_export : OutputKind::export_, to);
         ExportOutcome outcome = export_study(own, models, to, options, stop, progress);
