@@ -11,39 +11,18 @@
 #include <tuple>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
+#include "app/findings/gathering/gathered_session.h"
 #include "app/findings/gathering/group_blocks.h"
 #include "app/findings/gathering/questions_of_kind.h"
-#include "app/records/session_conditions.h"
 #include "protocols/design/protocol.h"
 #include "protocols/file/stored_protocol.h"
 #include "protocols/kinds/experiment_kind.h"
 #include "protocols/plan/groups.h"
-#include "protocols/plan/plan.h"
-#include "protocols/plan/roughness_matching.h"
-#include "results_schema/stored_json.h"
 #include "results_schema/tables/table.h"
 
 namespace asperity {
 
 namespace {
-
-/// Whether the observer's responses are declared to be guesses. Numbers require no expectation.
-bool is_guessing(const SessionRow& session, const std::string& kind) {
-  const nlohmann::json observer = stored_json(session.observer_json, "session.observer_json");
-  if (!observer.is_object()) return false;
-  const ExperimentKind* const known = find_kind(kind);
-  const bool needs_expectation = known == nullptr || known->has_expectations;
-  return observer.value("deaf", false) ||
-         (needs_expectation && observer.value("expectation", "") == "none");
-}
-
-/// Whether the stored device shows that participants could not feel the surfaces.
-bool is_unfelt(const SessionRow& session) {
-  const RecordedDevice device = recorded_device(session.device, session.device_json);
-  return device.has_motors == false || !device.hand_of_program().empty();
-}
 
 /// The matches of the trials with an attempt that counts.
 std::vector<PresentedMatch> counted_matches(const Study& study, const SessionRow& session,
@@ -85,58 +64,8 @@ class Gathering {
   void add_session(const SessionRow& session, const ParticipantRow& participant,
                    const SessionAnswers& answers, const QuestionsOfKind& questions,
                    const std::optional<std::string>& group_block) {
-    ++gathered.count.sessions;
-    if (session.state != SessionState::completed) ++gathered.count.unfinished_sessions;
-    if (is_guessing(session, gathered.kind)) ++gathered.count.guessing_sessions;
-    if (!participant.is_virtual && is_unfelt(session)) ++gathered.count.unfelt_sessions;
     participants_.insert(session.participant);
-    Session reading{.session = session.session,
-                    .is_unfinished = session.state != SessionState::completed,
-                    .answers = answers,
-                    .questions = questions,
-                    .words = std::vector<std::optional<std::uint32_t>>(answers.words.size())};
-    reading.options = reading.factors = reading.words;
-    std::map<int, const SessionAnswers::Trial*> planned{};
-    std::map<int, int> first_of_block{};  ///< the trial, by the ordinal of the block
-    for (const SessionAnswers::Trial& trial : answers.trials) {
-      first_of_block.try_emplace(trial.block_ordinal, trial.trial);
-      if (!reading.asks(trial)) continue;
-      planned[trial.trial] = &trial;
-      if (trial.use == AnalysisUse::counted) ++gathered.count.planned_trials;
-    }
-    for (const SessionAnswers::Attempt& attempt : answers.attempts) {
-      const auto trial = planned.find(attempt.trial);
-      if (trial == planned.end()) continue;
-      switch (attempt.use) {
-        case AnalysisUse::practice:
-          break;
-        case AnalysisUse::anchor:
-          if (attempt.valid && attempt.replies > 0) ++gathered.count.anchors;
-          if (attempt.valid && !attempt.excluded) {
-            add_anchor(reading, attempt, *trial->second, session.participant);
-          }
-          break;
-        case AnalysisUse::catch_trial:
-          if (attempt.valid && !attempt.excluded) {
-            add_catch_response({.participant = session.participant,
-                                .block = answers.words[trial->second->block],
-                                .type = type_of_catch_trial(reading, *trial->second, attempt)},
-                               answers.replies_of(attempt));
-          }
-          break;
-        case AnalysisUse::invalid:
-        case AnalysisUse::unanswered:
-        case AnalysisUse::excluded:
-          ++gathered.count.not_counted[fate_of(attempt.use, attempt.outcome)];
-          break;
-        case AnalysisUse::counted:
-          if (attempt.flagged) ++gathered.count.flagged;
-          add_answers(reading, attempt, person(participant),
-                      {.trial = *trial->second,
-                       .place = attempt.trial - first_of_block[trial->second->block_ordinal] + 1});
-          break;
-      }
-    }
+    gather_session({session, participant, answers, questions}, option_lists_, gathered);
     if (session.group_level && !gathered.people.empty() &&
         gathered.people.back().label == session.participant) {
       gathered.people.back().group = session.group_level;
@@ -273,243 +202,11 @@ class Gathering {
   }
 
  private:
-  /// A session's indices of words, as far as the group has them.
-  struct Session {
-    int session = 1;  ///< ordinal within the participant
-    bool is_unfinished = false;
-    const SessionAnswers& answers;
-    const QuestionsOfKind& questions;
-    std::vector<std::optional<std::uint32_t>> words{};
-    /// Indices of option lists, by the word of their JSON.
-    std::vector<std::optional<std::uint32_t>> options{};
-    /// Indices of levels, by the word of their JSON.
-    std::vector<std::optional<std::uint32_t>> factors{};
-
-    bool asks(const SessionAnswers::Trial& trial) const {
-      return questions.has_block(answers.words[trial.block]);
-    }
-  };
-
-  std::uint32_t word(Session& session, std::uint32_t place) {
-    std::optional<std::uint32_t>& own = session.words[place];
-    if (!own) own = gathered.words.place(session.answers.words[place]);
-    return *own;
-  }
-
-  std::uint32_t factors(Session& session, std::uint32_t factors_json) {
-    std::optional<std::uint32_t>& own = session.factors[factors_json];
-    if (own) return *own;
-    own = static_cast<std::uint32_t>(gathered.factor_levels.size());
-    auto& levels = gathered.factor_levels.emplace_back();
-    const auto stored = stored_json(session.answers.words[factors_json], "trial.factors_json");
-    for (const auto& [factor, level] : stored.items()) {
-      levels[factor] = gathered.words.place(
-          level.is_string() ? level.get<std::string>() : text_of_number(level.get<double>()));
-    }
-    return *own;
-  }
-
-  std::uint32_t options(Session& session, std::uint32_t options_json) {
-    std::optional<std::uint32_t>& own = session.options[options_json];
-    if (own) return *own;
-    const std::string& text = session.answers.words[options_json];
-    const auto [known, is_new] =
-        option_lists_.try_emplace(text, static_cast<std::uint32_t>(gathered.option_lists.size()));
-    if (is_new) {
-      gathered.option_lists.push_back(
-          stored_json(text, "response.options_json").get<std::vector<std::string>>());
-    }
-    own = known->second;
-    return *own;
-  }
-
-  std::uint32_t person(const ParticipantRow& participant) {
-    if (gathered.people.empty() || gathered.people.back().label != participant.label) {
-      gathered.exploration.end_participant(gathered);
-      gathered.people.push_back({participant.label, participant.sex});
-    }
-    return static_cast<std::uint32_t>(gathered.people.size() - 1);
-  }
-
-  /// The replies to one question that was asked, which stand together.
-  struct RepliesToQuestion {
-    std::uint32_t question = 0;
-    std::span<const SessionAnswers::Reply> replies{};
-  };
-  std::vector<RepliesToQuestion> replies_by_question(const Session& session,
-                                                     const SessionAnswers::Attempt& attempt,
-                                                     const std::string& block) const {
-    const auto all = session.answers.replies_of(attempt);
-    std::vector<RepliesToQuestion> found{};
-    for (std::size_t from = 0; from < all.size();) {
-      std::size_t to = from + 1;
-      while (to < all.size() && all[to].question == all[from].question) ++to;
-      if (all[from].was_asked &&
-          session.questions.has(block, session.answers.words[all[from].question])) {
-        found.push_back({all[from].question, all.subspan(from, to - from)});
-      }
-      from = to;
-    }
-    return found;
-  }
-
-  /// Nothing in a block of this kind. Of the questions of other kinds a block has one.
-  std::optional<AccompaniedResponse> accompanied_response(Session& session,
-                                                          const SessionAnswers::Attempt& attempt,
-                                                          const std::string& block) {
-    if (!session.questions.accompanied.contains(block)) return std::nullopt;
-    AccompaniedResponse response{};
-    std::size_t items = 0;
-    for (const SessionAnswers::Reply& reply : session.answers.replies_of(attempt)) {
-      const std::string& question = session.answers.words[reply.question];
-      if (session.questions.has(block, question)) continue;
-      if (session.questions.is_additional(block, question)) continue;
-      if (!reply.was_asked) continue;
-      response.question = word(session, reply.question);
-      response.answer = ++items == 1 && !reply.number ? word(session, reply.answer) : kNoWord;
-      if (reply.correct) response.correct = response.correct.value_or(true) && *reply.correct;
-    }
-    return response;
-  }
-
-  /// Nothing in a block without a rating of confidence.
-  static std::optional<double> confidence_in(const Session& session,
-                                             const SessionAnswers::Attempt& attempt,
-                                             const std::string& block) {
-    const auto scale = session.questions.confidences.find(block);
-    if (scale == session.questions.confidences.end()) return std::nullopt;
-    for (const SessionAnswers::Reply& reply : session.answers.replies_of(attempt)) {
-      if (session.answers.words[reply.question] == scale->second) return reply.number;
-    }
-    return std::nullopt;
-  }
-
-  struct PlannedTrial {
-    const SessionAnswers::Trial& trial;
-    int place = 1;  ///< in the run of its block
-  };
-
-  void add_answers(Session& session, const SessionAnswers::Attempt& attempt, std::uint32_t person,
-                   const PlannedTrial& of_plan) {
-    const SessionAnswers::Trial& planned = of_plan.trial;
-    const std::string& block = session.answers.words[planned.block];
-    const auto by_question = replies_by_question(session, attempt, block);
-    if (by_question.empty()) return;
-    const std::size_t first_surface = gathered.surfaces.size();
-    const auto surfaces = session.answers.surfaces_of(attempt);
-    for (const SessionAnswers::Surface& surface : surfaces) add_surface(session, surface);
-    gathered.exploration.add(session.answers.explorations_of(attempt));
-    const std::uint32_t levels = factors(session, planned.factors_json);
-    const auto accompanied = accompanied_response(session, attempt, block);
-    const auto confidence = confidence_in(session, attempt, block);
-    for (const RepliesToQuestion& to : by_question) {
-      const std::optional<double>& time_s = to.replies.back().from_cue_s;
-      gathered.answers.push_back({.person = person,
-                                  .block = word(session, planned.block),
-                                  .question = word(session, to.question),
-                                  .factors = levels,
-                                  .options = options(session, to.replies.back().options_json),
-                                  .repetition = planned.repetition,
-                                  .session = session.session,
-                                  .block_ordinal = planned.block_ordinal,
-                                  .trial_of_block = of_plan.place,
-                                  .track = planned.track.value_or(0),
-                                  .step = planned.step.value_or(0),
-                                  .continues_trial = &to != by_question.data(),
-                                  .session_is_unfinished = session.is_unfinished,
-                                  .response_time_s = time_s > 0.0 ? time_s : std::nullopt,
-                                  .accompanied = accompanied,
-                                  .confidence = confidence,
-                                  .surface_count = static_cast<std::uint16_t>(surfaces.size()),
-                                  .reply_count = static_cast<std::uint16_t>(to.replies.size()),
-                                  .first_surface = first_surface,
-                                  .first_reply = gathered.replies.size()});
-      for (const SessionAnswers::Reply& reply : to.replies) {
-        gathered.replies.push_back({word(session, reply.answer), reply.correct, reply.number});
-      }
-    }
-  }
-
-  void add_anchor(const Session& session, const SessionAnswers::Attempt& attempt,
-                  const SessionAnswers::Trial& trial, const std::string& participant) {
-    const AnchorResponse of{.participant = participant,
-                            .session = session.session,
-                            .block_ordinal = trial.block_ordinal,
-                            .block = session.answers.words[trial.block],
-                            .place = anchor_place_in(stored_json(
-                                session.answers.anchor_plans.at(trial.trial), "trial.plan_json"))};
-    for (const RepliesToQuestion& to : replies_by_question(session, attempt, of.block)) {
-      AnchorResponse& response = gathered.anchors.emplace_back(of);
-      response.question = session.answers.words[to.question];
-      if (to.replies.size() == 1) response.number = to.replies.front().number;
-      std::size_t judged = 0;
-      std::size_t correct = 0;
-      for (const SessionAnswers::Reply& reply : to.replies) {
-        const std::string& answer = session.answers.words[reply.answer];
-        response.answer += (response.answer.empty() ? "" : ", ") + answer;
-        judged += reply.correct ? 1U : 0U;
-        correct += reply.correct.value_or(false) ? 1U : 0U;
-      }
-      if (judged > 0) {
-        response.correct = static_cast<double>(correct) / static_cast<double>(judged);
-      }
-    }
-  }
-
-  /// Of the surfaces that the attempt presented: without a comparison, it is not an easy one.
-  CatchType type_of_catch_trial(const Session& session, const SessionAnswers::Trial& trial,
-                                const SessionAnswers::Attempt& attempt) const {
-    const auto surfaces = session.answers.surfaces_of(attempt);
-    const bool has_comparison =
-        std::any_of(surfaces.begin(), surfaces.end(), [&session](const auto& surface) {
-          return session.answers.words[surface.item].starts_with("comparison");
-        });
-    if (surfaces.empty() || has_comparison) return CatchType::easy;
-    const auto block = gathered.blocks.find(session.answers.words[trial.block]);
-    const bool is_performance =
-        block != gathered.blocks.end() &&
-        std::any_of(block->second.questions.begin(), block->second.questions.end(),
-                    [](const auto& question) {
-                      return question.judgement() == DiscriminationJudgement::performance;
-                    });
-    return is_performance ? CatchType::no_signal : CatchType::identical_pair;
-  }
-
-  /// `of`: without counts. Correct where there is a response, and none is incorrect.
-  void add_catch_response(CatchResponses of, std::span<const SessionAnswers::Reply> replies) {
-    auto& all = gathered.catch_responses;
-    auto known = std::find_if(all.begin(), all.end(), [&](const CatchResponses& each) {
-      return each.participant == of.participant && each.block == of.block && each.type == of.type;
-    });
-    if (known == all.end()) known = all.insert(known, std::move(of));
-    ++known->trials;
-    const bool is_correct =
-        !replies.empty() && std::all_of(replies.begin(), replies.end(), [](const auto& reply) {
-          return reply.correct.value_or(true);
-        });
-    if (is_correct) ++known->correct;
-  }
-
-  void add_surface(Session& session, const SessionAnswers::Surface& surface) {
-    gathered.surfaces.push_back({word(session, surface.item), word(session, surface.texture)});
-    TextureForces& forces = gathered.forces[session.answers.words[surface.model]];
-    ++forces.surfaces;
-    if (surface.matched_texture_force_N) {
-      forces.matched_N.push_back(*surface.matched_texture_force_N);
-    }
-    if (surface.achieved_texture_force_N) {
-      forces.achieved_N.push_back(*surface.achieved_texture_force_N);
-      ItemTextureForce& of_item = gathered.item_forces[gathered.surfaces.back().item];
-      ++of_item.surfaces;
-      of_item.sum_N += *surface.achieved_texture_force_N;
-    }
-  }
-
   std::set<std::string> participants_{};
   std::set<std::string> recorded_participants_{};
   std::set<std::string> sources_{};
   std::vector<std::string> texts_of_sources_{};
-  std::map<std::string, std::uint32_t> option_lists_{};
+  OptionListPlaces option_lists_{};
   bool has_own_questions_ = false;
   bool has_accompanying_ones_ = false;
 };
@@ -628,6 +325,18 @@ const ScaleForm& scale_of(const Protocol::TrialQuestionTemplate& question) {
   return scale == nullptr ? kUnstated : *scale;
 }
 
+struct SessionGathering::OfProtocol::Asked {
+  std::map<std::string, QuestionsOfKind> by_kind{};
+};
+
+SessionGathering::OfProtocol::OfProtocol(ProtocolRow of)
+    : row(std::move(of)),
+      specified(stored_protocol(row.source)),
+      asked(std::make_unique<const Asked>(Asked{questions_by_kind(specified.protocol, row.kind)})) {
+}
+
+SessionGathering::OfProtocol::~OfProtocol() = default;
+
 std::vector<GatheredAnswers> gather_answers(const Study& study,
                                             const std::optional<std::string>& protocol,
                                             const std::stop_token& stop) {
@@ -640,11 +349,8 @@ std::vector<GatheredAnswers> gather_answers(
     const std::function<bool(const ParticipantRow&)>& is_included, const std::stop_token& stop) {
   Gatherings groups{};
   std::map<std::int64_t, ProtocolRow> protocols{};
-  struct ReadProtocol {
-    StoredProtocol specified{};
-    std::map<std::string, QuestionsOfKind> asked{};
-  };
-  std::map<std::int64_t, ReadProtocol> read{};  ///< those of the sessions, each once
+  std::map<std::int64_t, SessionGathering::OfProtocol>
+      read{};  ///< those of the sessions, each once
   for (ProtocolRow& row : study.protocols()) protocols.emplace(row.id, std::move(row));
   std::map<std::string, ParticipantRow> participants{};
   for (ParticipantRow& row : study.participants()) participants.emplace(row.label, std::move(row));
@@ -666,16 +372,13 @@ std::vector<GatheredAnswers> gather_answers(
     const ParticipantRow& participant = participants.at(session.participant);
     const AnswerGroup group = group_of(participant, session);
     const SessionAnswers given = answers.next();
-    const auto [found, is_new] = read.try_emplace(of.id);
-    if (is_new) {
-      found->second.specified = stored_protocol(of.source);
-      found->second.asked = questions_by_kind(found->second.specified.protocol, of.kind);
-    }
+    const SessionGathering::OfProtocol& protocol_read = read.try_emplace(of.id, of).first->second;
+    const StoredProtocol& specified = protocol_read.specified;
     const std::vector<PresentedMatch> matches =
-        counted_matches(study, session, given, found->second.specified.protocol);
-    const std::optional<std::string> block = blocks.of(session, found->second.specified.protocol);
-    for (const auto& [kind, questions] : found->second.asked) {
-      Gathering& gathering = gathering_of(groups, of, group, kind, found->second.specified);
+        counted_matches(study, session, given, specified.protocol);
+    const std::optional<std::string> block = blocks.of(session, specified.protocol);
+    for (const auto& [kind, questions] : protocol_read.asked->by_kind) {
+      Gathering& gathering = gathering_of(groups, of, group, kind, specified);
       gathering.add_session(session, participant, given, questions, block);
       if (gathering.needs_felt_octaves()) {
         gathering.add_recordings(study, session, given, questions, stop);
@@ -685,18 +388,6 @@ std::vector<GatheredAnswers> gather_answers(
   }
   return gathered_in(std::move(groups));
 }
-
-struct SessionGathering::OfProtocol::Asked {
-  std::map<std::string, QuestionsOfKind> by_kind{};
-};
-
-SessionGathering::OfProtocol::OfProtocol(ProtocolRow of)
-    : row(std::move(of)),
-      specified(stored_protocol(row.source)),
-      asked(std::make_unique<const Asked>(Asked{questions_by_kind(specified.protocol, row.kind)})) {
-}
-
-SessionGathering::OfProtocol::~OfProtocol() = default;
 
 struct SessionGathering::Groups {
   Gatherings by_key{};
