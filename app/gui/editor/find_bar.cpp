@@ -1,68 +1,97 @@
-// Searches forwards and backwards from the cursor, and states the number of matches.
+// Searches forwards and backwards, in the text from the cursor and in the form from the last match, and states the number of
+// matches.
 
 #include "app/gui/editor/find_bar.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
 #include <QtGui/QKeyEvent>
+#include <QtWidgets/QApplication>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPlainTextEdit>
 
+#include "app/gui/editor/form/protocol_form.h"
 #include "app/gui/look/controls.h"
 
 namespace asperity {
 
-FindBar::FindBar(QPlainTextEdit& text, QWidget* parent) : QWidget(parent), text_(text) {
+namespace {
+
+QString count_of(qsizetype matches) {
+  return matches == 0   ? FindBar::tr("no match")
+         : matches == 1 ? FindBar::tr("1 match")
+                        : FindBar::tr("%1 matches").arg(matches);
+}
+
+}  // namespace
+
+FindBar::FindBar(QPlainTextEdit& text, ProtocolForm& form, QWidget* parent)
+    : QWidget(parent), text_(text), form_(form) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(kGrid);
   words_ = new QLineEdit(this);
   words_->setObjectName("find_words");
-  words_->setPlaceholderText(tr("Find in the text"));
   words_->setClearButtonEnabled(true);
   count_ = make_text({}, this, true);
   count_->setObjectName("find_count");
   count_->setWordWrap(false);
   count_->setMinimumWidth(96);
-  QPushButton* previous = make_button(tr("Previous"), ButtonRole::plain, this);
-  previous->setObjectName("find_previous");
-  QPushButton* next = make_button(tr("Next"), ButtonRole::plain, this);
-  next->setObjectName("find_next");
-  QPushButton* close = make_button(tr("Close"), ButtonRole::link, this);
   layout->addWidget(words_, 1);
   layout->addWidget(count_);
-  layout->addWidget(previous);
-  layout->addWidget(next);
+  const auto add = [&](const QString& verb, const char* name, int key, Direction direction) {
+    QPushButton* button = make_button(verb, ButtonRole::plain, this);
+    button->setObjectName(name);
+    button->setToolTip(QKeySequence(key).toString(QKeySequence::NativeText));
+    layout->addWidget(button);
+    connect(button, &QPushButton::clicked, this, [this, direction] { find(direction); });
+  };
+  add(tr("Previous"), "find_previous", int(Qt::SHIFT) | Qt::Key_F3, Direction::backwards);
+  add(tr("Next"), "find_next", Qt::Key_F3, Direction::forwards);
+  QPushButton* close = make_button(tr("Close"), ButtonRole::link, this);
   layout->addWidget(close);
-  // What is typed is found from where the last hit began, so that it grows in place.
-  connect(words_, &QLineEdit::textChanged, this,
-          [this] { find_from(text_.textCursor().selectionStart(), Direction::forwards); });
-  connect(previous, &QPushButton::clicked, this, [this] { find(Direction::backwards); });
-  connect(next, &QPushButton::clicked, this, [this] { find(Direction::forwards); });
-  connect(close, &QPushButton::clicked, this, [this] {
-    hide();
-    text_.setFocus();
+  // What is typed is found from where the last hit began, so that it grows in place. In the form only its matches are counted:
+  // a field would take the focus.
+  connect(words_, &QLineEdit::textChanged, this, [this] {
+    if (!is_in_form()) find_from(text_.textCursor().selectionStart(), Direction::forwards);
+    refresh();
   });
-  connect(&text_, &QPlainTextEdit::textChanged, this, [this] {
-    if (isVisible()) say_how_many();
-  });
+  connect(close, &QPushButton::clicked, this, &FindBar::leave);
   hide();
 }
 
+bool FindBar::is_in_form() const { return !form_.isHidden(); }
+
 void FindBar::begin() {
-  const QString selected = text_.textCursor().selectedText();
+  const QString selected = is_in_form() ? QString() : text_.textCursor().selectedText();
+  if (QWidget* const focus = QApplication::focusWidget();
+      focus != nullptr && !isAncestorOf(focus)) {
+    was_focus_ = focus;
+  }
   show();
   if (!selected.isEmpty() && !selected.contains(QChar::ParagraphSeparator)) {
     words_->setText(selected);
   }
   words_->selectAll();
   words_->setFocus();
-  say_how_many();
+  refresh();
+}
+
+/// Not to a button that began the search.
+void FindBar::leave() {
+  hide();
+  QWidget* const view = is_in_form() ? static_cast<QWidget*>(&form_) : &text_;
+  const bool was_in_view =
+      was_focus_ != nullptr && was_focus_->isVisible() && view->isAncestorOf(was_focus_);
+  (was_in_view ? was_focus_.data() : view)->setFocus();
 }
 
 void FindBar::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape) {
-    hide();
-    text_.setFocus();
+    leave();
   } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
     find(event->modifiers().testFlag(Qt::ShiftModifier) ? Direction::backwards
                                                         : Direction::forwards);
@@ -72,13 +101,36 @@ void FindBar::keyPressEvent(QKeyEvent* event) {
 }
 
 void FindBar::find(Direction direction) {
-  const QTextCursor cursor = text_.textCursor();
-  find_from(direction == Direction::forwards ? cursor.selectionEnd() : cursor.selectionStart(),
-            direction);
+  if (words_->text().isEmpty()) {
+    begin();
+  } else if (is_in_form()) {
+    find_in_form(direction);
+  } else {
+    const QTextCursor cursor = text_.textCursor();
+    find_from(direction == Direction::forwards ? cursor.selectionEnd() : cursor.selectionStart(),
+              direction);
+  }
+  refresh();
+}
+
+/// From the last match, if its page is shown, otherwise from the page.
+void FindBar::find_in_form(Direction direction) {
+  const std::vector<std::string> places = form_.places_with(words_->text());
+  if (places.empty()) return;
+  const bool is_forwards = direction == Direction::forwards;
+  const auto last = std::find(places.begin(), places.end(), found_);
+  const bool is_last_shown = last != places.end() && &form_page_of(found_) == &form_.page();
+  const auto from = is_last_shown
+                        ? last + (is_forwards ? 1 : 0)
+                        : std::find_if(places.begin(), places.end(), [this](const auto& place) {
+                            return &form_page_of(place) >= &form_.page();
+                          });
+  const auto index = static_cast<std::size_t>(from - places.begin());
+  found_ = places[(is_forwards ? index : index + places.size() - 1) % places.size()];
+  form_.go_to(found_);
 }
 
 void FindBar::find_from(int position, Direction direction) {
-  say_how_many();
   if (words_->text().isEmpty()) return;
   const QTextDocument& document = *text_.document();
   const bool back = direction == Direction::backwards;
@@ -93,16 +145,24 @@ void FindBar::find_from(int position, Direction direction) {
   text_.ensureCursorVisible();
 }
 
-void FindBar::say_how_many() {
+void FindBar::refresh() {
+  const QString where = is_in_form() ? tr("Find in the form") : tr("Find in the text");
+  words_->setPlaceholderText(where);
+  words_->setAccessibleName(where);
   const QString words = words_->text();
-  if (words.isEmpty()) {
-    count_->clear();
-    return;
+  QString count{};
+  if (isHidden() || words.isEmpty()) {
+    // nothing to count
+  } else if (!is_in_form()) {
+    count = count_of(text_.document()->toRawText().count(words, Qt::CaseInsensitive));
+  } else {
+    const std::vector<std::string> places = form_.places_with(words);
+    const auto last = std::find(places.begin(), places.end(), found_);
+    count = last == places.end() ? count_of(static_cast<qsizetype>(places.size()))
+                                 : tr("%1 of %2").arg(last - places.begin() + 1).arg(places.size());
   }
-  const auto hits = text_.document()->toRawText().count(words, Qt::CaseInsensitive);
-  count_->setText(hits == 0   ? tr("not found")
-                  : hits == 1 ? tr("1 match")
-                              : tr("%1 matches").arg(hits));
+  count_->setText(count);
+  words_->setAccessibleDescription(count);
 }
 
 }  // namespace asperity

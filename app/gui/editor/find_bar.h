@@ -1,7 +1,10 @@
-// Finding words in the text above.
+// Finding words in the view of a protocol below.
 
 #pragma once
 
+#include <string>
+
+#include <QtCore/QPointer>
 #include <QtWidgets/QWidget>
 
 class QLabel;
@@ -10,26 +13,36 @@ class QPlainTextEdit;
 
 namespace asperity {
 
-/// Hidden until `begin`; Escape hides it and gives the focus back to the text.
+class ProtocolForm;
+
+/// Searches the text or the form, whichever is shown. Hidden until `begin`; Escape hides it and gives the focus back.
 class FindBar final : public QWidget {
   Q_OBJECT
  public:
-  explicit FindBar(QPlainTextEdit& text, QWidget* parent = nullptr);
+  FindBar(QPlainTextEdit& text, ProtocolForm& form, QWidget* parent = nullptr);
   /// With what is selected in the text, if that is in one line.
   void begin();
+  enum class Direction { forwards, backwards };
+  /// Leads to the next match: in the text the focus stays here, in the form the field gets it.
+  void find(Direction direction);
+  /// The view has changed, or what it shows.
+  void refresh();
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  enum class Direction { forwards, backwards };
-  void find(Direction direction);
+  bool is_in_form() const;
+  void leave();
+  void find_in_form(Direction direction);
   void find_from(int position, Direction direction);
-  void say_how_many();
 
   QPlainTextEdit& text_;
+  ProtocolForm& form_;
   QLineEdit* words_ = nullptr;
   QLabel* count_ = nullptr;
+  std::string found_{};            ///< the pointer of the last match in the form
+  QPointer<QWidget> was_focus_{};  ///< before the search began
 };
 
 }  // namespace asperity

@@ -15,6 +15,7 @@
 #include "app/gui/editor/form/protocol_form.h"
 #include "app/gui/editor/protocol_text_edit.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/focus_order.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/look/words.h"
 
@@ -56,12 +57,17 @@ ProtocolViews::ProtocolViews(std::vector<ModelDeclaration> models, QWidget* pare
   form_->setObjectName("editor_form");
   stack_->addWidget(form_);
   stack_->addWidget(text_view);
+  find_ = new FindBar(*edit_, *form_, this);
+  find_->setObjectName("editor_find_bar");
+  layout->insertWidget(1, find_);
+  place_in_focus_order(*find_);
   connect(form_, &ProtocolForm::edit_made, this, &ProtocolViews::take_edit);
   connect(form_, &ProtocolForm::edit_refused, this, &ProtocolViews::refused);
   connect(form_, &ProtocolForm::text_wanted, this, &ProtocolViews::show_in_text);
   connect(edit_, &QPlainTextEdit::textChanged, this, [this] {
     if (!is_editing_) step_.clear();
     if (view() == View::form) form_->show_text(edit_->text().toStdString());
+    find_->refresh();
   });
   connect(edit_, &QPlainTextEdit::cursorPositionChanged, this, &ProtocolViews::show_help);
   for (const auto key : {QKeySequence::Undo, QKeySequence::Redo}) {
@@ -70,6 +76,13 @@ ProtocolViews::ProtocolViews(std::vector<ModelDeclaration> models, QWidget* pare
     connect(shortcut, &QShortcut::activated, this,
             [this, key] { undo_or_redo(key == QKeySequence::Undo); });
   }
+  const auto add_finding = [this](QKeyCombination keys, FindBar::Direction direction) {
+    auto* shortcut = new QShortcut(keys, this);
+    shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+    connect(shortcut, &QShortcut::activated, this, [this, direction] { find_->find(direction); });
+  };
+  add_finding(Qt::Key_F3, FindBar::Direction::forwards);
+  add_finding(Qt::SHIFT | Qt::Key_F3, FindBar::Direction::backwards);
 }
 
 /// The buttons of both views.
@@ -110,15 +123,12 @@ QWidget* ProtocolViews::make_text_view() {
   edit_ = new ProtocolTextEdit(view);
   edit_->setObjectName("editor_text");
   edit_->setAccessibleName(tr("Text of the protocol"));
-  find_ = new FindBar(*edit_, view);
-  find_->setObjectName("editor_find_bar");
   key_help_ = make_text({}, view);
   key_help_->setObjectName("editor_help");
   key_help_->setFont(text_font(TextSize::small));
   key_help_->setTextFormat(Qt::RichText);
   key_help_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   key_help_->setFixedHeight(3 * QFontMetrics(key_help_->font()).lineSpacing());
-  layout->addWidget(find_);
   layout->addWidget(edit_, 1);
   layout->addWidget(key_help_);
   return view;
@@ -137,6 +147,7 @@ void ProtocolViews::set_view(View view) {
   stack_->setCurrentIndex(view == View::form ? 0 : 1);
   to_form_->setChecked(view == View::form);
   to_text_->setChecked(view == View::text);
+  find_->refresh();
 }
 
 void ProtocolViews::show_form_if_possible() {
@@ -203,10 +214,7 @@ void ProtocolViews::show_in_text(const std::string& pointer) {
   }
 }
 
-void ProtocolViews::find() {
-  set_view(View::text);
-  find_->begin();
-}
+void ProtocolViews::find() { find_->begin(); }
 
 void ProtocolViews::give_focus() {
   if (view() == View::form) {

@@ -14001,6 +14001,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
 <context>
     <name>asperity::FindBar</name>
     <message>
+        <source>Find in the form</source>
+        <translation>Im Formular suchen</translation>
+    </message>
+    <message>
         <source>Find in the text</source>
         <translation>Im Text suchen</translation>
     </message>
@@ -14017,8 +14021,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>not found</source>
-        <translation>nicht gefunden</translation>
+        <source>no match</source>
+        <translation>kein Treffer</translation>
     </message>
     <message>
         <source>1 match</source>
@@ -14027,6 +14031,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>%1 matches</source>
         <translation>%1 Treffer</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
     </message>
 </context>
 <context>

@@ -17,6 +17,7 @@
 #include <QtWidgets/QSpinBox>
 #include <QtWidgets/QStackedWidget>
 
+#include "app/gui/base/settings.h"
 #include "app/gui/base/study_table.h"
 #include "app/gui/editor/find_bar.h"
 #include "app/gui/editor/form/protocol_form.h"
@@ -69,6 +70,14 @@ class ProtocolEditor : public QuietHome {
   void type(const QString& keys) { QTest::keyClicks(&edit(), keys); }
   void click(const char* button) {
     QTest::mouseClick(&child<QPushButton>(*page_, button), Qt::LeftButton);
+  }
+  void find_in_form(const QString& words) {
+    page_->resize(910, 512);
+    click("editor_find");
+    auto& line = child<QLineEdit>(*page_, "find_words");
+    line.setText(words);
+    QTest::keyClick(&line, Qt::Key_Return);
+    QApplication::processEvents();
   }
   QString label(const char* name) { return child<QLabel>(*page_, name).text(); }
   bool asks() { return child<QuestionBar>(*page_, "editor_question").isVisible(); }
@@ -781,6 +790,10 @@ TEST_F(ProtocolEditor, Pictures) {
     ASSERT_TRUE(eventually([&] { return !label("screen_words").isEmpty(); }));
     take_screenshot(*page_, "editor-form" + end);
     take_screenshot(*page_, "editor-form-small" + end, {910, 512});
+    find_in_form("deadline");
+    take_screenshot(*page_, "editor-form-find" + end, {910, 512});
+    QTest::keyClick(&child<QLineEdit>(*page_, "find_words"), Qt::Key_Escape);
+    page_->resize(1366, 768);
     click("editor_show_plan");
     click("editor_to_text");
     go_behind("hand_oc");
@@ -804,6 +817,12 @@ TEST_F(ProtocolEditor, Pictures) {
     take_screenshot(*page_, "editor-leaving" + end);
   }
   apply_theme(*qApp, ThemeChoice::light);
+  apply_language("de");
+  open();
+  click("editor_to_form");
+  find_in_form("Frage");
+  take_screenshot(*page_, "german-editor-form-find", {910, 512});
+  apply_language("en");
 }
 
 }  // namespace

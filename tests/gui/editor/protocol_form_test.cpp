@@ -39,6 +39,14 @@ namespace {
 
 using nlohmann::json;
 
+/// Names a control with the focus, for messages.
+std::string focus_text() {
+  const QWidget* const focused = QApplication::focusWidget();
+  if (focused == nullptr) return "nothing";
+  return std::string(focused->metaObject()->className()) + " " +
+         focused->objectName().toStdString() + " " + focused->accessibleName().toStdString();
+}
+
 class FormOfProtocol : public QuietHome {
  protected:
   FormOfProtocol() : views_(declarations_of(built_in_models())) {
@@ -369,14 +377,6 @@ TEST_F(FormOfProtocol, RenamesATextureWithItsReferences) {
   EXPECT_EQ(tree()["factors"]["texture"]["levels"][4], "fine_cones");
 }
 
-/// Names a control with the focus, for messages.
-std::string focus_text() {
-  const QWidget* const focused = QApplication::focusWidget();
-  if (focused == nullptr) return "nothing";
-  return std::string(focused->metaObject()->className()) + " " +
-         focused->objectName().toStdString() + " " + focused->accessibleName().toStdString();
-}
-
 TEST_F(FormOfProtocol, KeepsAnEntryOpenWhenItIsRenamed) {
   int renamed = 0;
   for (const LibraryProtocol& library : library_protocols()) {
@@ -501,6 +501,94 @@ TEST_F(FormOfProtocol, ShowsAWarningInAnotherColourThanAProblem) {
   EXPECT_TRUE(pages.currentItem()->text().endsWith("✕ 1"));
   views_.show_problems({remark}, {remark});
   EXPECT_EQ(shown(), "✕ rather stiff\n▲ rather stiff color: " + color_of(State::stop).name());
+}
+
+TEST_F(FormOfProtocol, FindsLabelsValuesMeaningsAndNamesOfAllPages) {
+  open(library_text("amplitude_jnd"));
+  const auto is_found = [this](const std::string& place, const QString& words) {
+    const std::vector<std::string> places = form().places_with(words);
+    return std::find(places.begin(), places.end(), place) != places.end();
+  };
+  EXPECT_TRUE(is_found("/blocks/comparisons/question/prompt", "which SURFACE is rougher"));
+  EXPECT_TRUE(is_found("/stimuli/grating", "grating"));
+  EXPECT_TRUE(is_found("/stimuli/grating/parameters/amplitude_m", "50 µm"));
+  EXPECT_TRUE(is_found("/blocks/practice/question/name", "name of the response in the data"));
+  EXPECT_TRUE(is_found("/blocks/comparisons/response_deadline_s", "response deadline"))
+      << "which is not stated";
+  EXPECT_TRUE(form().places_with("").empty());
+  EXPECT_TRUE(form().places_with("no such words").empty());
+}
+
+TEST_F(FormOfProtocol, LeadsToWhatIsFound) {
+  open(library_text("semantic_differential"));
+  const std::vector<std::string> places = form().places_with("e");
+  EXPECT_GT(places.size(), 100U);
+  constexpr std::size_t kStep = 3;  // opening all of them takes seconds
+  for (std::size_t i = 0; i < places.size(); i += kStep) {
+    const std::string& place = places[i];
+    form().go_to(place);
+    QApplication::processEvents();
+    const QWidget* const focus = QApplication::focusWidget();
+    ASSERT_NE(focus, nullptr) << place;
+    EXPECT_FALSE(focus->visibleRegion().isEmpty()) << place;
+    if (focus->objectName() == QString::fromStdString("add:" + place)) continue;
+    std::string part{};
+    for (const QWidget* at = focus; at != nullptr && part.empty(); at = at->parentWidget()) {
+      if (const auto* const one = qobject_cast<const FormPart*>(at)) part = one->pointer();
+    }
+    EXPECT_TRUE(part == place || part.starts_with(place + "/") ||
+                (!part.empty() && place.starts_with(part + "/")))
+        << place << ": " << focus_text() << " of " << part;
+  }
+}
+
+TEST_F(FormOfProtocol, FindsByKeysFromPageToPageAndAround) {
+  open(library_text("semantic_differential"));
+  control<QLineEdit>("/title").setFocus();
+  views_.find();
+  auto& words = child<QLineEdit>(views_, "find_words");
+  const auto& count = child<QLabel>(views_, "find_count");
+  EXPECT_TRUE(words.hasFocus());
+  EXPECT_EQ(words.accessibleName(), "Find in the form");
+  QTest::keyClicks(&words, "metals");
+  EXPECT_EQ(count.text(), "no match");
+  EXPECT_EQ(words.accessibleDescription(), "no match");
+  QTest::keyClick(&words, Qt::Key_Return);
+  QTest::keyClick(&words, Qt::Key_Backspace);
+  EXPECT_TRUE(words.hasFocus()) << "what is typed is not complete";
+  EXPECT_EQ(count.text(), "5 matches");
+  const std::vector<std::string> places{"/textures/metal", "/textures/metal/height_field",
+                                        "/textures/metal/picture", "/factors/texture/levels/0",
+                                        "/blocks/range/listed/2/texture"};
+  EXPECT_EQ(form().places_with("metal"), places);
+  QTest::keyClick(&words, Qt::Key_Return);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    QApplication::processEvents();
+    EXPECT_EQ(form().page().id, form_page_of(places[i]).id);
+    EXPECT_TRUE(form().isAncestorOf(QApplication::focusWidget())) << focus_text();
+    EXPECT_EQ(count.text(), QString("%1 of 5").arg(i + 1));
+    if (const auto* const line = qobject_cast<QLineEdit*>(QApplication::focusWidget())) {
+      EXPECT_TRUE(line->text().contains("metal"));
+    }
+    if (const auto* const table = qobject_cast<QTableWidget*>(QApplication::focusWidget())) {
+      EXPECT_EQ(table->currentItem()->text(), "metal");
+    }
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_F3);
+  }
+  QApplication::processEvents();
+  EXPECT_EQ(count.text(), "1 of 5") << "around";
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_F3, Qt::ShiftModifier);
+  QApplication::processEvents();
+  EXPECT_EQ(count.text(), "5 of 5");
+  QWidget* const field = QApplication::focusWidget();
+  views_.find();
+  EXPECT_EQ(words.selectedText(), "metal");
+  QTest::keyClick(&words, Qt::Key_Escape);
+  EXPECT_FALSE(words.isVisible());
+  EXPECT_EQ(QApplication::focusWidget(), field);
+  views_.set_view(ProtocolViews::View::text);
+  views_.find();
+  EXPECT_EQ(words.accessibleName(), "Find in the text");
 }
 
 TEST_F(FormOfProtocol, ShowsListedTrialsAsATable) {

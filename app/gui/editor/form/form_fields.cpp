@@ -25,14 +25,6 @@ bool is_level(const FormsShape& shape) {
   return true;
 }
 
-NumberShape number_shape(const Parameter& parameter) {
-  return {.minimum = parameter.minimum,
-          .maximum = parameter.maximum,
-          .is_whole = parameter.kind == ParameterKind::integer,
-          .unit = parameter.unit,
-          .display = display_unit_of(parameter)};
-}
-
 class FieldMaker final {
  public:
   FieldMaker(FormContext& context, const FieldOf& of, const std::string& pointer, QWidget* parent)
@@ -51,9 +43,7 @@ class FieldMaker final {
         [words = shape.words] {
           std::vector<ChoiceField::Choice> choices{};
           for (const KeyWord& word : words) {
-            QString shown = text(std::string(word.name)).replace('_', ' ');
-            if (!word.meaning.empty()) shown += ": " + text_of_keys(word.meaning);
-            choices.push_back({std::string(word.name), shown});
+            choices.push_back({std::string(word.name), shown_word(word)});
           }
           return choices;
         },
@@ -140,6 +130,19 @@ bool has_field(const ValueShape& shape, const nlohmann::json* value) {
     return is_level(*forms) || (value != nullptr && has_field(*shape_of(shape, *value), value));
   }
   return !std::holds_alternative<MapShape>(shape) && !std::holds_alternative<ObjectShape>(shape);
+}
+
+QString shown_word(const KeyWord& word) {
+  const QString name = text(std::string(word.name)).replace('_', ' ');
+  return word.meaning.empty() ? name : name + ": " + text_of_keys(word.meaning);
+}
+
+NumberShape number_shape(const Parameter& parameter) {
+  return {.minimum = parameter.minimum,
+          .maximum = parameter.maximum,
+          .is_whole = parameter.kind == ParameterKind::integer,
+          .unit = parameter.unit,
+          .display = display_unit_of(parameter)};
 }
 
 FormPart* make_field(FormContext& context, const ValueShape& shape, const FieldOf& of,

@@ -23,6 +23,11 @@ struct FieldOf {
 /// Whether a field can show values of the shape; `value` is the present one, null if there is none.
 bool has_field(const ValueShape& shape, const nlohmann::json* value);
 
+/// A word as a choice shows it, with its meaning.
+QString shown_word(const KeyWord& word);
+/// The numbers that a parameter of a force model can have.
+NumberShape number_shape(const Parameter& parameter);
+
 /// A field for the shape, for which `has_field` is true.
 FormPart* make_field(FormContext& context, const ValueShape& shape, const FieldOf& of,
                      const std::string& pointer, QWidget* parent);

@@ -61,6 +61,8 @@ class FormPart : public QWidget {
   const std::string& pointer() const noexcept { return pointer_; }
   /// Shows the present text; makes again what has another structure.
   virtual void refresh() = 0;
+  /// Chooses the value at the pointer among those that the part shows in one control.
+  virtual void point_to(const std::string& /*pointer*/) {}
   /// The name of its control for screen readers.
   virtual void set_name(const QString& name);
   /// The meaning of the value, for help.

@@ -35,14 +35,6 @@ constexpr int kColumns = 3;
 
 const nlohmann::json kNoObject = nlohmann::json::object();
 
-/// A list of objects whose values are levels: a table with a column per factor.
-bool is_table(const ValueShape& shape) {
-  const auto* const list = std::get_if<ListShape>(&shape);
-  if (list == nullptr) return false;
-  const auto* const map = std::get_if<MapShape>(list->entry);
-  return map != nullptr && has_field(*map->entry, nullptr);
-}
-
 }  // namespace
 
 ObjectRows::ObjectRows(FormContext& context, const KeyTable& table, const std::string& pointer,

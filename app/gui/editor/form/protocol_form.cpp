@@ -18,6 +18,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/gui/base/form_words.h"
+#include "app/gui/editor/form/form_search.h"
 #include "app/gui/editor/form/object_rows.h"
 #include "app/gui/editor/form/texts_list.h"
 #include "app/gui/look/controls.h"
@@ -47,6 +48,21 @@ void collect_controls(QLayout& layout, std::vector<QWidget*>& controls) {
     if ((widget->focusPolicy() & Qt::TabFocus) != 0) controls.push_back(widget);
     if (widget->layout() != nullptr) collect_controls(*widget->layout(), controls);
   }
+}
+
+/// Never a button that removes something, which may belong to another value now.
+bool takes_focus(const QWidget& widget) {
+  return widget.isVisible() && (widget.focusPolicy() & Qt::TabFocus) != 0 &&
+         !widget.objectName().startsWith(kRemoving);
+}
+
+/// The field of the part, or the first control in it.
+QWidget* control_of(const FormPart& part) {
+  if (part.focusProxy() != nullptr) return part.focusProxy();
+  for (QWidget* next = part.nextInFocusChain(); next != &part; next = next->nextInFocusChain()) {
+    if (part.isAncestorOf(next) && takes_focus(*next)) return next;
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -81,6 +97,10 @@ ProtocolForm::ProtocolForm(const std::vector<ModelDeclaration>& models, QWidget*
   area_->setFrameShape(QFrame::NoFrame);
   area_->setAccessibleName(tr("Fields"));
   right->addWidget(area_, 1);
+  // Boxes that have got their width change their height, several times where cards are unfolded within cards.
+  connect(area_->verticalScrollBar(), &QScrollBar::rangeChanged, this, [this] {
+    if (found_ != nullptr && found_->hasFocus()) area_->ensureWidgetVisible(found_);
+  });
   help_ = make_text({}, this, true);
   help_->setObjectName("form_help");
   help_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -283,11 +303,6 @@ ProtocolForm::Focus ProtocolForm::focus_of(const QWidget& focused) const {
 }
 
 void ProtocolForm::give_focus_back(const Focus& focus) {
-  // Never to a button that removes something, which may belong to another value now.
-  const auto takes_focus = [](const QWidget& widget) {
-    return widget.isVisible() && (widget.focusPolicy() & Qt::TabFocus) != 0 &&
-           !widget.objectName().startsWith(kRemoving);
-  };
   QString name = focus.name;
   if (name.startsWith(kRemovingValue)) name.replace(0, kRemovingValue.size(), kChoosing);
   QWidget* control = nullptr;
@@ -299,14 +314,7 @@ void ProtocolForm::give_focus_back(const Focus& focus) {
     if (control == nullptr && part->isVisible()) control = part->focusProxy();
   }
   FormPart* const part = part_at(focus.pointer);
-  if (control == nullptr && part != nullptr) {
-    control = part->focusProxy();
-    // Of a list whose button is gone, the first control.
-    for (QWidget* next = part->nextInFocusChain(); control == nullptr && next != part;
-         next = next->nextInFocusChain()) {
-      if (part->isAncestorOf(next) && takes_focus(*next)) control = next;
-    }
-  }
+  if (control == nullptr && part != nullptr) control = control_of(*part);
   if (control == nullptr) return;
   control->setFocus();
   if (auto* const line = qobject_cast<QLineEdit*>(control); line != nullptr && focus.cursor >= 0) {
@@ -376,6 +384,22 @@ FormPart* ProtocolForm::part_at(const std::string& pointer) const {
   return nearest;
 }
 
+/// The field of the value, that of its name or the button that adds it; otherwise a control of the part, the nearest one.
+QWidget* ProtocolForm::control_at(const FormPart& part, const std::string& pointer) const {
+  if (part.pointer() == pointer && part.focusProxy() != nullptr) return part.focusProxy();
+  const bool is_present = context_.source->find(pointer) != nullptr;
+  for (QWidget* const widget :
+       content_->findChildren<QWidget*>((is_present ? "name:" : "add:") + text(pointer))) {
+    if (widget->isVisible()) return widget;
+  }
+  return control_of(part);
+}
+
+std::vector<std::string> ProtocolForm::places_with(const QString& words) const {
+  return context_.source == nullptr ? std::vector<std::string>{}
+                                    : asperity::places_with(*context_.source, words);
+}
+
 void ProtocolForm::show_page(std::string_view id) {
   for (std::size_t i = 0; i < form_pages().size(); ++i) {
     if (form_pages()[i].id == id) pages_->setCurrentRow(static_cast<int>(i));
@@ -393,12 +417,17 @@ void ProtocolForm::go_to(const std::string& pointer) {
   }
   show_page(form_page_of(pointer).id);
   refresh();
-  FormPart* const part = part_at(pointer);
-  if (part == nullptr) return;
   // After the layout of what was unfolded.
-  QTimer::singleShot(0, part, [this, part] {
+  QTimer::singleShot(0, content_, [this, pointer] {
+    FormPart* const part = part_at(pointer);
+    if (part == nullptr) return;
     area_->ensureWidgetVisible(part);
-    if (part->focusProxy() != nullptr) part->setFocus();
+    part->point_to(pointer);
+    QWidget* const control = control_at(*part, pointer);
+    if (control == nullptr) return;
+    control->setFocus();
+    area_->ensureWidgetVisible(control);
+    found_ = control;
   });
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <QtCore/QPointer>
 #include <QtWidgets/QWidget>
 
 #include "app/gui/editor/form/entry_list.h"
@@ -40,7 +41,11 @@ class ProtocolForm final : public QWidget {
   void show_problems(const std::vector<Diagnostic>& problems,
                      const std::vector<Diagnostic>& warnings);
 
-  /// Shows the page with the value, unfolded, and gives its field the focus.
+  /// The values that are found with these words, of all pages: see `form_search.h`.
+  std::vector<std::string> places_with(const QString& words) const;
+
+  /// Shows the page with the value, unfolded, and gives its field the focus; without a field the first control that belongs to
+  /// it.
   void go_to(const std::string& pointer);
   void show_page(std::string_view id);
   const FormPage& page() const noexcept { return *page_; }
@@ -75,6 +80,7 @@ class ProtocolForm final : public QWidget {
   void count_problems();
   void fit_pages();
   FormPart* part_at(const std::string& pointer) const;
+  QWidget* control_at(const FormPart& part, const std::string& pointer) const;
 
   FormContext context_{};
   const std::vector<ModelDeclaration>& models_;
@@ -85,6 +91,7 @@ class ProtocolForm final : public QWidget {
   QListWidget* pages_ = nullptr;
   QLabel* state_ = nullptr;
   QScrollArea* area_ = nullptr;
+  QPointer<QWidget> found_{};  ///< to which go_to led; visible as long as it has the focus
   QWidget* content_ = nullptr;
   QLabel* help_ = nullptr;
 };

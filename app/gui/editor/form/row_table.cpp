@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QMenu>
@@ -12,6 +13,7 @@
 
 #include "analysis/numbers/number_text.h"
 #include "app/gui/base/typed_number.h"
+#include "app/gui/editor/form/form_fields.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/look/words.h"
@@ -33,6 +35,13 @@ QString shown_level(const nlohmann::json& row, const QString& factor) {
 }
 
 }  // namespace
+
+bool is_table(const ValueShape& shape) {
+  const auto* const list = std::get_if<ListShape>(&shape);
+  if (list == nullptr) return false;
+  const auto* const map = std::get_if<MapShape>(list->entry);
+  return map != nullptr && has_field(*map->entry, nullptr);
+}
 
 RowTable::RowTable(FormContext& context, const std::string& pointer, QWidget* parent)
     : FormPart(context, pointer, parent) {
@@ -145,6 +154,14 @@ void RowTable::refresh() {
 std::string RowTable::cell(int row, int column) const {
   return pointer_to(pointer_to(pointer(), static_cast<std::size_t>(row)),
                     factors_[column].toStdString());
+}
+
+void RowTable::point_to(const std::string& pointer) {
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    for (int column = 0; column < table_->columnCount(); ++column) {
+      if (cell(row, column) == pointer) table_->setCurrentCell(row, column);
+    }
+  }
 }
 
 void RowTable::take(int row, int column) {

@@ -10,6 +10,9 @@ class QTableWidget;
 
 namespace asperity {
 
+/// Whether the values of a shape are shown in a table: a list of objects whose values are levels.
+bool is_table(const ValueShape& shape);
+
 /// A list of objects with levels: a row for each, a column for each factor. Selected rows are moved, duplicated and removed
 /// together.
 class RowTable final : public FormPart {
@@ -17,6 +20,7 @@ class RowTable final : public FormPart {
  public:
   RowTable(FormContext& context, const std::string& pointer, QWidget* parent);
   void refresh() override;
+  void point_to(const std::string& pointer) override;
 
  private:
   std::string cell(int row, int column) const;
