@@ -237,7 +237,9 @@ void ProtocolForm::set_read_only(bool read_only) {
 void ProtocolForm::make_page() {
   parts_.clear();
   if (context_.source == nullptr) return;
-  content_ = new QWidget();
+  // Hidden until its fields are made: each that is shown alone would lay out all others again.
+  content_ = new QWidget(area_->viewport());
+  content_->resize(area_->viewport()->size());
   auto* layout = new QVBoxLayout(content_);
   layout->setContentsMargins(0, 0, kMargin, 0);
   layout->setSpacing(kMargin);
@@ -251,8 +253,8 @@ void ProtocolForm::make_page() {
     parts_.push_back(texts);
   }
   layout->addStretch();
-  area_->setWidget(content_);  // deletes the page before
   refresh();
+  area_->setWidget(content_);  // deletes the page before
 }
 
 void ProtocolForm::refresh() {
