@@ -72,7 +72,7 @@ std::string names_of(const std::vector<std::filesystem::path>& files) {
 void rename_one(const StimulusOfStudy& stimulus, const std::string& name) {
   const Study study = Study::open(stimulus.study, Access::read_only);
   const RenamePlan plan = plan_of_renaming(study, stimulus.path);
-  const std::string renamed = rename_stimulus(study, stimulus.path, name);
+  const std::string renamed = rename_stimulus(study, plan, name);
   std::cout << stimulus.path << ": renamed to " << renamed << '\n';
   if (!plan.changed.empty()) {
     std::cout << "references changed in: " << names_of(plan.changed) << '\n';

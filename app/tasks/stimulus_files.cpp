@@ -295,15 +295,19 @@ RenamePlan plan_of_renaming(const Study& study, const std::string& path) {
 }
 
 std::string rename_stimulus(const Study& study, const std::string& path, const std::string& stem) {
+  return rename_stimulus(study, plan_of_renaming(study, path), stem);
+}
+
+std::string rename_stimulus(const Study& study, const RenamePlan& plan, const std::string& stem) {
   if (!is_stimulus_name(stem)) {
     throw PhrasedError(phrase("StimulusFiles",
                               "“%1” cannot be the name of a stimulus. Use at most %2 unaccented "
                               "letters, digits, _ and -.")
                            .with(stem, std::to_string(kLongestStimulusName)));
   }
+  const std::string& path = plan.stimuli.front();
   const std::string renamed = kFolder + stem + ending_of(path);
   if (renamed == path) return path;
-  const RenamePlan plan = plan_of_renaming(study, path);
   if (plan.complaint) throw PhrasedError(*plan.complaint);
   NewNames names{};
   for (const std::string& from : plan.stimuli) {

@@ -37,7 +37,7 @@ std::optional<Phrase> complaint_about_deletion(const StimulusUses& uses, const s
 
 /// What the renaming of a stimulus changes.
 struct RenamePlan {
-  /// Itself, and of a height field its photograph NAME_photo.png if there is one.
+  /// Itself first, and of a height field its photograph NAME_photo.png if there is one.
   std::vector<std::string> stimuli{};
   std::vector<std::string> files{};  ///< those of the stimuli, with sidecars
   /// Protocols and renderings of which the references, and the notes of a rendering's name, are changed.
@@ -60,6 +60,7 @@ std::vector<std::string> files_of_stimulus(const std::filesystem::path& study,
 /// Errors: PhrasedError for a name that is not valid or that another file has, for a stimulus of a stored session, for a
 /// protocol that names it and is not JSON, and for a text that is edited meanwhile; ResultsError for a file that cannot be
 /// read, written or removed. Everything is as before then, except if an old file cannot be removed.
+std::string rename_stimulus(const Study& study, const RenamePlan& plan, const std::string& stem);
 std::string rename_stimulus(const Study& study, const std::string& path, const std::string& stem);
 
 /// Errors: PhrasedError for a stimulus that something refers to; ResultsError as for Study, and for a file that cannot be
