@@ -85,6 +85,12 @@ bool is_one_of_several_kinds(const AnalysisOutcome& outcome,
   });
 }
 
+/// Whether both are of the same responses, of which one can have more.
+bool is_of_same(const AnalysisOutcome& one, const AnalysisOutcome& other) {
+  return one.protocol == other.protocol && one.version == other.version &&
+         one.group == other.group && one.kind == other.kind;
+}
+
 }  // namespace
 
 AnalysisPage::AnalysisPage(OpenStudy& study, QWidget* parent) : QWidget(parent), study_(study) {
@@ -167,6 +173,12 @@ AnalysisPage::AnalysisPage(OpenStudy& study, QWidget* parent) : QWidget(parent),
 }
 
 void AnalysisPage::choose(const std::string& protocol, SessionMode mode) {
+  if (is_under_dialog()) {
+    banner_->show_news(State::fine,
+                       tr("There are new results of %1.").arg(QString::fromStdString(protocol)),
+                       tr("Show the results"), [this, protocol, mode] { choose(protocol, mode); });
+    return;
+  }
   wanted_ = protocol;
   wanted_mode_ = mode;
   if (outdated_ || analysis_.is_running()) {
@@ -212,6 +224,15 @@ void AnalysisPage::showEvent(QShowEvent* event) {
   if (outdated_) refresh();
 }
 
+bool AnalysisPage::event(QEvent* event) {
+  if (event->type() == QEvent::WindowBlocked) is_blocked_ = true;
+  if (event->type() == QEvent::WindowUnblocked) {
+    is_blocked_ = false;
+    if (held_) show_analysis(std::move(*held_));
+  }
+  return QWidget::event(event);
+}
+
 void AnalysisPage::refresh() {
   outdated_ = false;
   analysis_.run<Analysis>(
@@ -232,7 +253,17 @@ void AnalysisPage::refresh() {
 }
 
 void AnalysisPage::show_analysis(Analysis analysis) {
-  const int shown = list_->currentRow() < 0 ? row_before_counting_ : list_->currentRow();
+  if (is_under_dialog()) {
+    held_ = std::move(analysis);
+    emit refreshed();
+    return;
+  }
+  held_.reset();
+  int shown = list_->currentRow() < 0 ? row_before_counting_ : list_->currentRow();
+  for (std::size_t i = 0, before = static_cast<std::size_t>(shown);
+       before < outcomes_.size() && i < analysis.outcomes.size(); ++i) {
+    if (is_of_same(analysis.outcomes[i], outcomes_[before])) shown = static_cast<int>(i);
+  }
   outcomes_ = std::move(analysis.outcomes);
   running_ = std::move(analysis.running);
   list_->clear();

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -27,21 +28,23 @@ class ReportSaving;
 class TaskLine;
 
 /// One entry per protocol, version and group of participants; the groups never mix. Read anew
-/// whenever the study changes while the page is seen.
+/// whenever the study changes while the page is seen. Under a modal dialog what is shown stays until the dialog is closed.
 class AnalysisPage final : public QWidget {
   Q_OBJECT
  public:
   explicit AnalysisPage(OpenStudy& study, QWidget* parent = nullptr);
 
   const std::vector<AnalysisOutcome>& outcomes() const noexcept { return outcomes_; }
-  /// Shows the first outcome of the latest version of this protocol in sessions of this mode, as soon as it is there.
+  /// Shows the first outcome of the latest version of this protocol in sessions of this mode, as soon as it is there; under a
+  /// dialog a button that shows it.
   void choose(const std::string& protocol, SessionMode mode);
 
  signals:
-  void refreshed();
+  void refreshed();  ///< the responses have been counted
 
  protected:
   void showEvent(QShowEvent* event) override;
+  bool event(QEvent* event) override;
 
  private:
   void refresh();
@@ -52,6 +55,7 @@ class AnalysisPage final : public QWidget {
     std::set<std::string> running{};
   };
   void show_analysis(Analysis analysis);
+  bool is_under_dialog() const { return is_blocked_ && isVisible(); }
   void show_whether_exportable();
   void show_outcome(int index);
   void select_wanted();
@@ -65,6 +69,8 @@ class AnalysisPage final : public QWidget {
 
   OpenStudy& study_;
   bool outdated_ = true;
+  bool is_blocked_ = false;         ///< by a modal dialog
+  std::optional<Analysis> held_{};  ///< what was counted under a dialog
   std::string wanted_{};  ///< the protocol to show next
   SessionMode wanted_mode_ = SessionMode::run;
   int row_before_counting_ = 0;

@@ -12631,6 +12631,14 @@
         <source>Counting the responses was cancelled. Count again to see the results.</source>
         <translation>Das Zählen der Antworten wurde abgebrochen. Für die Ergebnisse erneut zählen.</translation>
     </message>
+    <message>
+        <source>There are new results of %1.</source>
+        <translation>Es gibt neue Ergebnisse von %1.</translation>
+    </message>
+    <message>
+        <source>Show the results</source>
+        <translation>Ergebnisse zeigen</translation>
+    </message>
 </context>
 <context>
     <name>asperity::AnswersPanel</name>

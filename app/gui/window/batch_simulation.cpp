@@ -8,6 +8,8 @@
 #include <thread>
 #include <utility>
 
+#include <QtWidgets/QApplication>
+
 #include "app/gui/base/open_study.h"
 #include "app/gui/data/analysis_page.h"
 #include "app/gui/look/controls.h"
@@ -77,7 +79,8 @@ void BatchSimulation::run(SimulationInputs inputs) {
         window_.study()->announce_change();
         const QString what = tr("%n sessions were simulated.", nullptr, simulated.result.sessions) +
                              ' ' + tr("Trials of all blocks: %1.").arg(simulated.result.attempts);
-        if (window_.shown_page() == page) {
+        // Another page was chosen meanwhile, or a dialog asks about this one.
+        if (window_.shown_page() == page && QApplication::activeModalWidget() == nullptr) {
           show_results(simulated.protocol);
           window_.banner().show_news(State::fine, what, tr("Show the sessions"),
                                      [this] { window_.show_page("sessions"); });

@@ -16,11 +16,13 @@
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QCheckBox>
+#include <QtWidgets/QDialog>
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QPushButton>
+#include <QtWidgets/QScrollArea>
 #include <QtWidgets/QTableView>
 #include <gtest/gtest.h>
 
@@ -522,6 +524,70 @@ TEST(AnalysisPage, ShowsNoOtherResultsWhileThoseOfTheChosenProtocolAreCounted) {
   EXPECT_EQ(list->currentRow(), 0);
   EXPECT_EQ(page.findChild<QWidget*>("analysis_counting"), nullptr);
   EXPECT_NE(page.findChild<QLabel*>("answer"), nullptr);
+}
+
+/// One choice of one participant.
+void add_choice(MadeUpStudy& made, std::int64_t protocol, const std::string& label,
+                SessionMode mode) {
+  if (mode == SessionMode::simulate) {
+    made.add_virtual(label, "F");
+  } else {
+    made.add_person(label, "F");
+  }
+  MadeUpTrial trial{};
+  trial.options = {"height_map", "sinusoid"};
+  for (const std::string& model : trial.options) {
+    trial.surfaces.push_back(surface_of(model, model, "brick"));
+  }
+  trial.answers = {"height_map"};
+  made.add_session(label, protocol, {trial}, mode);
+}
+
+TEST(AnalysisPage, KeepsTheChosenExperimentWhenAnotherHasResults) {
+  std::int64_t first = 0;
+  OpenAnalysisPage opened([&first](MadeUpStudy& made) {
+    first = made.add_protocol("first", "selection");
+    add_choice(made, first, "p01", SessionMode::run);
+    add_choice(made, made.add_protocol("second", "selection"), "p02", SessionMode::run);
+  });
+  auto& [made, study, page, refreshed] = opened;
+  auto* list = page.findChild<QListWidget*>("outcomes");
+  list->setCurrentRow(1);
+  ASSERT_TRUE(list->currentItem()->text().startsWith("second"));
+  add_choice(made, first, "v01", SessionMode::simulate);
+  study.announce_change();
+  ASSERT_TRUE(refreshed.wait(kPatience_ms));
+  EXPECT_EQ(list->count(), 3);
+  EXPECT_TRUE(list->currentItem()->text().startsWith("second"));
+}
+
+TEST(AnalysisPage, StaysAsItIsUnderADialog) {
+  std::int64_t first = 0;
+  OpenAnalysisPage opened([&first](MadeUpStudy& made) {
+    first = made.add_protocol("first", "selection");
+    add_choice(made, first, "p01", SessionMode::run);
+  });
+  auto& [made, study, page, refreshed] = opened;
+  auto* list = page.findChild<QListWidget*>("outcomes");
+  const auto& area = *page.findChild<QScrollArea*>();
+  const QWidget* const shown = area.widget();
+  QDialog dialog(&page);
+  dialog.open();
+  add_choice(made, first, "v01", SessionMode::simulate);
+  study.announce_change();
+  page.choose("first", SessionMode::simulate);
+  ASSERT_TRUE(refreshed.wait(kPatience_ms));
+  EXPECT_EQ(area.widget(), shown);
+  EXPECT_EQ(list->count(), 1);
+  auto& banner = *page.findChild<Banner*>();
+  EXPECT_EQ(banner.text(), "There are new results of first.");
+  dialog.close();
+  EXPECT_EQ(list->count(), 2);
+  EXPECT_EQ(list->currentRow(), 0) << "what was read stays chosen";
+  for (QPushButton* const button : banner.findChildren<QPushButton*>()) {
+    if (button->text() == "Show the results") button->click();
+  }
+  EXPECT_EQ(list->currentRow(), 1);
 }
 
 TEST(AnalysisPage, ReadsAgainWhenTheStudyChanges) {

@@ -1,6 +1,9 @@
 // Virtual participants in the background of the study window: from a click to the analysis of their responses.
 
+#include "app/gui/window/batch_simulation.h"
+
 #include <QtTest/QTest>
+#include <QtWidgets/QDialog>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QSpinBox>
@@ -9,7 +12,6 @@
 #include "app/gui/data/analysis_page.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/start/start_page.h"
-#include "app/gui/window/batch_simulation.h"
 #include "app/gui/window/session_desk.h"
 #include "app/gui/window/study_window.h"
 #include "results_schema/files/atomic_file.h"
@@ -88,6 +90,19 @@ TEST_F(BatchSimulationTest, ShowsTheResultsOfTwelveVirtualParticipants) {
   EXPECT_EQ(window_.shown_page(), "analysis");
   EXPECT_TRUE(eventually([this] { return shown_outcome().protocol == "first"; }));
   EXPECT_EQ(stored().participants().size(), 24U);
+}
+
+TEST_F(BatchSimulationTest, LeavesThePageUnderADialog) {
+  click("protocol_simulate_several");
+  QDialog dialog(&window_);
+  dialog.open();
+  ASSERT_TRUE(has_ended());
+  EXPECT_EQ(window_.shown_page(), "protocols");
+  EXPECT_EQ(window_.banner().text(), "12 sessions were simulated. Trials of all blocks: 36.");
+  dialog.close();
+  press_banner("Show the results");
+  EXPECT_EQ(window_.shown_page(), "analysis");
+  EXPECT_TRUE(eventually([this] { return shown_outcome().protocol == "second"; }));
 }
 
 TEST_F(BatchSimulationTest, ResumesASimulationThatWasCancelled) {
