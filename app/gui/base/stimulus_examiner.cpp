@@ -43,7 +43,7 @@ void StimulusExaminer::withdraw(const QObject* page) {
 }
 
 void StimulusExaminer::hold() {
-  if (std::exchange(is_held_, true)) return;
+  if (holds_++ > 0) return;
   if (current_) {
     waiting_.push_front(*current_);
     stop();
@@ -52,7 +52,7 @@ void StimulusExaminer::hold() {
 }
 
 void StimulusExaminer::release() {
-  if (!std::exchange(is_held_, false)) return;
+  if (--holds_ > 0) return;
   begin_next();
   emit held_changed();
 }
@@ -73,7 +73,7 @@ StimulusExaminer::Found StimulusExaminer::found_in(const Protocol& protocol,
 }
 
 void StimulusExaminer::begin_next() {
-  if (is_held_ || task_.is_running() || waiting_.empty()) return;
+  if (is_held() || task_.is_running() || waiting_.empty()) return;
   current_ = std::move(waiting_.front());
   waiting_.pop_front();
   task_.run<Found>(

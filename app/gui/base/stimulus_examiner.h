@@ -26,8 +26,9 @@ namespace asperity {
 /// protocols, the editor and the start page share one examination. What was stopped is not kept.
 ///
 /// A page requests while it is shown, withdraws when it is hidden and need not withdraw when it is destroyed. While a
-/// session runs, the servo loop needs the processor: its owner holds the examinations. What runs then is stopped, and
-/// begun again when they are released.
+/// session or a device test runs, the servo loop needs the processor: its owner holds the examinations. What runs then is
+/// stopped, and begun again when they are released. Everything else that a page computes about a protocol follows
+/// `held_changed` in the same way.
 ///
 /// A stop takes effect at the next stimulus. Belongs to the GUI thread. When it is destroyed, it waits for the
 /// worker; nothing is delivered any more.
@@ -47,9 +48,10 @@ class StimulusExaminer final : public QObject {
                Done done);
   void withdraw(const QObject* page);
 
+  /// Once for each release: a session can begin before a device test that was stopped has ended.
   void hold();
   void release();
-  bool is_held() const noexcept { return is_held_; }
+  bool is_held() const noexcept { return holds_ > 0; }
 
   /// In place of `examine_stimuli`, for tests.
   void set_examine(Examine examine) { examine_ = std::move(examine); }
@@ -81,7 +83,7 @@ class StimulusExaminer final : public QObject {
   Known known_{};
   std::deque<Request> waiting_{};
   std::optional<Request> current_{};  ///< absent while a worker that was stopped ends
-  bool is_held_ = false;
+  int holds_ = 0;
   BackgroundTask task_{};
 };
 

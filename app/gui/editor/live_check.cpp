@@ -22,7 +22,16 @@ LiveCheck::LiveCheck(Text text, Check check, QObject* parent)
 void LiveCheck::want() {
   ++wanted_;
   settled_ = false;
-  if (!is_checking_ && !soon_.isActive()) soon_.start();
+  if (!is_held_ && !is_checking_ && !soon_.isActive()) soon_.start();
+}
+
+void LiveCheck::set_held(bool held) {
+  is_held_ = held;
+  if (held) {
+    soon_.stop();
+  } else if (!settled_ && !is_checking_) {
+    soon_.start();
+  }
 }
 
 void LiveCheck::begin() {
@@ -42,7 +51,7 @@ void LiveCheck::begin() {
 bool LiveCheck::ends_newest(std::uint64_t number) {
   is_checking_ = false;
   settled_ = number == wanted_;
-  if (!settled_) begin();
+  if (!settled_ && !is_held_) begin();
   return settled_;
 }
 

@@ -16,7 +16,8 @@
 namespace asperity {
 
 /// Has the text checked as soon as it has changed. While a check runs, further changes wait for its end: then the newest text
-/// is checked, and what was found in the older one is dropped. Belongs to the GUI thread.
+/// is checked, and what was found in the older one is dropped. While it is held, no check begins; the newest text is checked
+/// afterwards. Belongs to the GUI thread.
 class LiveCheck final : public QObject {
   Q_OBJECT
  public:
@@ -28,6 +29,7 @@ class LiveCheck final : public QObject {
 
   /// The text has changed: what is known of it no longer holds.
   void want();
+  void set_held(bool held);
   /// Neither waiting nor checking: what `checked` delivered last holds.
   bool is_settled() const noexcept { return settled_; }
 
@@ -45,6 +47,7 @@ class LiveCheck final : public QObject {
   QTimer soon_{};
   std::uint64_t wanted_ = 0;
   bool is_checking_ = false;
+  bool is_held_ = false;
   bool settled_ = true;
   NewestWork work_{};
 };

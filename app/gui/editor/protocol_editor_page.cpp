@@ -112,9 +112,15 @@ ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
   connect(edit_, &QPlainTextEdit::textChanged, this, [this] {
     examination_->abandon();
     precision_->hold_for_new_text();
-    state_->set_state(State::unknown, tr("checking…"));
     check_->want();
+    show_checking();
   });
+  const auto follow_hold = [this] {
+    check_->set_held(this->study().examiner().is_held());
+    if (!check_->is_settled()) show_checking();
+  };
+  connect(&study.examiner(), &StimulusExaminer::held_changed, this, follow_hold);
+  follow_hold();
   connect(views_, &ProtocolViews::refused, this,
           [this](const QString& why) { banner().show_news(State::look, why); });
   connect(edit_->document(), &QTextDocument::modificationChanged, this,
@@ -389,6 +395,12 @@ void ProtocolEditorPage::take_checked(const LiveCheck::Result& result) {
     if (isVisible()) examination_->want(protocol);
   }
   show_checked();
+}
+
+void ProtocolEditorPage::show_checking() {
+  state_->set_state(State::unknown, study().examiner().is_held()
+                                        ? tr("The text is checked when the session has ended.")
+                                        : tr("checking…"));
 }
 
 void ProtocolEditorPage::show_checked() {

@@ -83,6 +83,7 @@ class ProtocolEditorPage final : public StudyPage {
   bool gives_back(const std::string& bytes) const;
   void show_whether_saved();
   void take_checked(const LiveCheck::Result& result);
+  void show_checking();
   void show_checked();
   void show_plan_or_why_not(const ProtocolCheck& shown);
   void go_to_problem(const QString& key);

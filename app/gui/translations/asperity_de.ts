@@ -15985,6 +15985,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>The file has been changed outside the editor and its new text is shown. Undo restores the previous text.</source>
         <translation>Die Datei wurde außerhalb des Editors geändert, und ihr neuer Text wird angezeigt. Rückgängig stellt den vorherigen Text wieder her.</translation>
     </message>
+    <message>
+        <source>The text is checked when the session has ended.</source>
+        <translation>Der Text wird nach dem Ende der Sitzung geprüft.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ProtocolFileActions</name>

@@ -361,6 +361,7 @@ TEST_F(DeviceTests, LeaveZeroForceAndNoProfileWhereTheyAreStopped) {
           "words of the sweep");
   require([this] { return find<MotionPicture>("motion_picture").points() > 100; }, "picture");
   EXPECT_GT(bench.force_N.load(), 0.3) << "it is being pushed";
+  EXPECT_TRUE(study->examiner().is_held()) << "the servo loop needs the processor";
   EXPECT_GT(find<QProgressBar>("device_test_progress").value(), 0);
   EXPECT_FALSE(page->property("keep").toString().isEmpty());
   EXPECT_FALSE(find<QPushButton>("device_test_back").isVisible());
@@ -368,6 +369,7 @@ TEST_F(DeviceTests, LeaveZeroForceAndNoProfileWhereTheyAreStopped) {
   EXPECT_FALSE(find<QPushButton>("device_test_stop").isEnabled());
   bench.go_on.release();
   wait_until_it_ended();
+  EXPECT_FALSE(study->examiner().is_held());
   EXPECT_EQ(bench.force_N.load(), 0.0);
   EXPECT_FALSE(bench.is_open);
   EXPECT_FALSE(has_profiles());

@@ -128,6 +128,41 @@ TEST(LiveCheck, ChecksTheNewestTextWhereTheOneBeforeCouldNotBeChecked) {
   EXPECT_EQ(failed.size(), 0);
 }
 
+TEST(LiveCheck, ChecksNothingWhileItIsHeld) {
+  std::promise<void> go_on{};
+  const std::shared_future<void> gate = go_on.get_future().share();
+  std::atomic<int> begun = 0;
+  std::string text = "old";
+  LiveCheck live([&] { return text; },
+                 [&](const std::string& now) {
+                   ++begun;
+                   gate.wait();
+                   return echo(now);
+                 });
+  QSignalSpy checked(&live, &LiveCheck::checked);
+  live.want();
+  live.set_held(true);  // before it began
+  constexpr int kMoment_ms = 50;
+  QTest::qWait(kMoment_ms);
+  EXPECT_EQ(begun, 0);
+  live.set_held(false);
+  ASSERT_TRUE(eventually([&] { return begun == 1; }));
+  text = "new";
+  live.want();
+  live.set_held(true);  // while the one before runs
+  go_on.set_value();
+  text = "newest";
+  live.want();
+  QTest::qWait(kMoment_ms);
+  EXPECT_EQ(begun, 1);
+  EXPECT_EQ(checked.size(), 0) << "what was found in an older text";
+  EXPECT_FALSE(live.is_settled());
+  live.set_held(false);
+  ASSERT_TRUE(eventually([&] { return live.is_settled(); }));
+  ASSERT_EQ(checked.size(), 1);
+  EXPECT_EQ(checked[0][0].value<LiveCheck::Result>()->file, "newest");
+}
+
 TEST(LiveCheck, SaysWhyATextCouldNotBeChecked) {
   LiveCheck live([] { return std::string{}; },
                  [](const std::string&) -> ProtocolCheck { throw std::runtime_error("no disk"); });

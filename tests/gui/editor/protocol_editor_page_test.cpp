@@ -124,6 +124,23 @@ TEST_F(ProtocolEditor, UnderlinesAndListsWarnings) {
       << problems.text_at(0, 1).toStdString();
 }
 
+TEST_F(ProtocolEditor, ChecksNoTextWhileASessionRuns) {
+  open();
+  StimulusExaminer& examiner = study_->examiner();
+  examiner.hold();
+  go_behind("\"planned\": 2");
+  type("x");
+  EXPECT_TRUE(label("editor_state").contains("when the session has ended"));
+  constexpr int kMoment_ms = 50;
+  QTest::qWait(kMoment_ms);
+  EXPECT_FALSE(page_->is_checked());
+  EXPECT_TRUE(underlined().isEmpty());
+  examiner.release();
+  EXPECT_TRUE(label("editor_state").contains("checking"));
+  ASSERT_TRUE(checked());
+  EXPECT_FALSE(underlined().isEmpty());
+}
+
 // The relief of 500 N/m exerts at most 1.5 N, which `check` finds by rendering it.
 TEST_F(ProtocolEditor, ShowsTheWarningsThatNeedTheStimuliOnceTheTextIsStill) {
   open();
