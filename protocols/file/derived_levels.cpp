@@ -13,9 +13,8 @@ void declare_derived(const Protocol::Block& block, Protocol& protocol,
                      const std::set<std::string>& of_file) {
   if (block.derived.empty()) return;
   const bool can_be_made =
-      std::all_of(block.crossed.begin(), block.crossed.end(), [&of_file](const auto& name) {
-        return of_file.contains(name);
-      });
+      std::all_of(block.crossed.begin(), block.crossed.end(),
+                  [&of_file](const auto& name) { return of_file.contains(name); });
   if (!can_be_made || (block.all_pairs && !of_file.contains(block.all_pairs->factor)) ||
       row_count(protocol, block) > kMaximumTrials) {
     return;

@@ -105,20 +105,20 @@ TEST(Discriminations, ByComparisonHaveNoCorrectResponse) {
 TEST(Discriminations, RefuseSurfacesThatAreNotAStandardAndAComparison) {
   const ProtocolJson standard{{"role", "standard"}, {"stimulus", "grating"}};
   const ProtocolJson comparison{{"role", "comparison"}, {"stimulus", "grating"}};
-  expect_faults(
-      amplitude_jnd(),
-      {{"/presented", "one surface with the role \"standard\"",
-        [&](ProtocolJson& p) { main_block(p)["presented"] = {comparison}; }},
-       {"/presented", "one surface with the role \"standard\"",
-        [&](ProtocolJson& p) {
-          main_block(p)["presented"] = {standard, standard, comparison};
-        }},
-       {"/presented/1/item", "the role names each surface",
-        [&](ProtocolJson& p) { main_block(p)["presented"][1]["item"] = "grating"; }},
-       {"/presented", "the same surface would always be presented first",
-        [&](ProtocolJson& p) { main_block(p)["positions"] = "as_listed"; }},
-       {"/question/correct_factor", "only a recognition",
-        [&](ProtocolJson& p) { main_block(p)["question"]["correct_factor"] = "amplitude_m"; }}});
+  expect_faults(amplitude_jnd(),
+                {{"/presented", "one surface with the role \"standard\"",
+                  [&](ProtocolJson& p) { main_block(p)["presented"] = {comparison}; }},
+                 {"/presented", "one surface with the role \"standard\"",
+                  [&](ProtocolJson& p) {
+                    main_block(p)["presented"] = {standard, standard, comparison};
+                  }},
+                 {"/presented/1/item", "the role names each surface",
+                  [&](ProtocolJson& p) { main_block(p)["presented"][1]["item"] = "grating"; }},
+                 {"/presented", "the same surface would always be presented first",
+                  [&](ProtocolJson& p) { main_block(p)["positions"] = "as_listed"; }},
+                 {"/question/correct_factor", "only a recognition", [&](ProtocolJson& p) {
+                    main_block(p)["question"]["correct_factor"] = "amplitude_m";
+                  }}});
 }
 
 TEST(Discriminations, MayHaveTheOptionCannotTell) {
