@@ -168,6 +168,7 @@ StressByChance stress_by_chance(std::span<const RatedPairs> raters, const Chance
                             .random_starts = question.random_starts};
   StressByChance answer{.observed = scaled(mean_of_raters(raters), fit, random).stress_1,
                         .drawn = question.permutations};
+  const double tied = std::max(answer.observed, StressByChance::kPerfectStress);
   std::size_t as_small = 1;  // the observed one
   std::vector<double> stresses{};
   for (std::size_t draw = 0; draw < question.permutations; ++draw) {
@@ -176,7 +177,8 @@ StressByChance stress_by_chance(std::span<const RatedPairs> raters, const Chance
     for (std::size_t s = 0; s < raters.size(); ++s)
       shuffled.push_back(permuted(raters[s], of_draw.split(static_cast<std::uint64_t>(s))));
     stresses.push_back(scaled(mean_of_raters(shuffled), fit, random).stress_1);
-    if (stresses.back() <= answer.observed) ++as_small;
+    if (stresses.back() <= tied) ++as_small;
+    if (stresses.back() <= StressByChance::kPerfectStress) ++answer.perfect;
   }
   if (!stresses.empty()) {
     answer.mean = summary_of(stresses)->mean;

@@ -36,6 +36,13 @@ std::vector<std::optional<double>> agreement_with_others(std::span<const RatedPa
 /// stress counts as one of the permutations. A level of stress alone shows nothing: it grows with the number of items and
 /// falls with that of dimensions, whatever the judgements are [Spence 1973].
 ///
+/// p = (1 + #{permutations: stress ≤ max(observed, kPerfectStress)}) / (permutations + 1). The statistic is max(stress, kPerfectStress):
+/// stresses of perfect fits differ only by what the steps of a fit leave of 0, and are ties. If each rater's judgements are
+/// exchangeable over the pairs, independently of those of the other raters, the ratings and their permutations are exchangeable, and
+/// the statistic is the same function of all of them (the random starts are the same). The observed one then has every rank with
+/// the same probability, ties count against it, and P(p ≤ α) ≤ α for any number of permutations. This is approximate if a rater's
+/// means are of different numbers of judgements, and if the number of dimensions or the level was chosen by the same ratings.
+///
 /// [Spence 1973] Spence, Ogilvie: A table of expected stress values for random rankings in nonmetric multidimensional scaling.
 struct StressByChance {
   double observed =
@@ -44,14 +51,20 @@ struct StressByChance {
   double p05 = 0.0;   ///< their 5 % quantile (type 7)
   double p = 1.0;
   std::size_t drawn = 0;
+  std::size_t perfect = 0;  ///< permutations with a perfect fit
 
-  /// Whether there are ratings for which the test can be significant. p is at least the proportion of permutations with a perfect fit,
-  /// because no stress is below 0; if that proportion is 5 % or more, every p is above .05, and its value depends on what the
-  /// steps of a fit leave of a stress of 0. Few items suffice for this: the order of the dissimilarities of m items, without ties,
-  /// has a perfect fit in m − 2 dimensions. A constant added to all of them keeps their order, and the smallest one that makes them
-  /// Euclidean distances makes them distances in at most m − 2 dimensions.
-  bool can_be_significant() const { return p05 >= kPerfectStress; }
-  static constexpr double kPerfectStress = 1e-3;  ///< what is below is left of a stress of 0
+  /// That of ratings with a perfect fit.
+  double smallest_p() const {
+    return static_cast<double>(perfect + 1) / static_cast<double>(drawn + 1);
+  }
+  /// Whether there are ratings for which the test can be significant. Few items suffice for the contrary: the order of the
+  /// dissimilarities of m items, without ties, has a perfect fit in m − 2 dimensions. A constant added to all of them keeps their
+  /// order, and the smallest one that makes them Euclidean distances makes them distances in at most m − 2 dimensions.
+  ///
+  /// A test that is omitted here would not have been significant. The Type I error rate of all studies is thus unchanged; that
+  /// of the studies with a test is greater, by at most the factor of their reciprocal proportion.
+  bool can_be_significant() const { return smallest_p() <= 0.05; }
+  static constexpr double kPerfectStress = 1e-3;  ///< what is up to it is left of a stress of 0
 };
 struct ChanceQuestion {
   Eigen::Index dimensions = 2;

@@ -85,6 +85,25 @@ TEST(RatedDissimilarities, HaveAStressBelowThatOfPermutedOnes) {
   EXPECT_LE(smallest, 3);
 }
 
+// Seven items have a perfect fit in the plane in a few permutations: these are ties of ratings that are distances in a plane.
+TEST(RatedDissimilarities, CountPermutationsThatFitPerfectlyAsTies) {
+  const std::vector<RatedPairs> exact =
+      judged_by({.number = 4, .weight_log_sd = 0.0, .power_log_sd = 0.0, .noise = 0.0},
+                drawn_plane(7, Random(61)), Random(61));
+  const StressByChance stress = stress_by_chance(exact, {.permutations = 99});
+  EXPECT_LT(stress.observed, 1e-6);
+  EXPECT_GT(stress.p05, 0.01) << "other permutations do not fit";
+  EXPECT_EQ(stress.p, 0.04) << "and not 0.01: three permutations fit as well";
+  EXPECT_EQ(stress.p, stress.smallest_p());
+  EXPECT_TRUE(stress.can_be_significant());
+}
+
+TEST(RatedDissimilarities, AreTestedWhereTheSmallestPIsSignificant) {
+  EXPECT_TRUE((StressByChance{.drawn = 199, .perfect = 9}.can_be_significant()));
+  EXPECT_FALSE((StressByChance{.drawn = 199, .perfect = 10}.can_be_significant()));
+  EXPECT_FALSE((StressByChance{.drawn = 9, .perfect = 0}.can_be_significant()));
+}
+
 // Half of the noise, half of the half axes: the regions come from the raters and not from the configuration.
 TEST(RatedDissimilarities, HaveSmallerRegionsWithLessNoise) {
   const Eigen::MatrixXd plane = drawn_plane(kItems, Random(31));

@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::size_t kStudies = 200;
 constexpr Eigen::Index kTextures = 12;
+/// A configuration in the plane fits about 1.4 % of the permuted ratings of so few perfectly.
+constexpr Eigen::Index kFewTextures = 7;
 
 // 12 textures, 10 raters, one judgement of each of the 66 pairs.
 TEST(SimilarityRecovery, RestoresThePlane) {
@@ -41,17 +43,20 @@ TEST(SimilarityRecovery, RestoresThePlane) {
 // With 39 permutations, p ≤ .05 occurs with probability 2/40 if nothing but chance is at work: of 200 studies 10, and
 // more than 21 with a probability below 0.0005 (binomial).
 TEST(SimilarityRecovery, FindsNoConfigurationInGuesses) {
-  std::size_t significant = 0;
-  for (std::size_t study = 0; study < kStudies; ++study) {
-    const Random random = Random(2000).split(static_cast<std::uint64_t>(study));
-    const Eigen::MatrixXd plane = drawn_plane(kTextures, random.split("plane"));
-    const StressByChance stress =
-        stress_by_chance(judged_by({.guess = true}, plane, random.split("raters")),
-                         {.permutations = 39, .random_starts = 2}, random.split("permutations"));
-    if (stress.p <= 0.05) ++significant;
+  for (const Eigen::Index textures : {kTextures, kFewTextures}) {
+    std::size_t significant = 0;
+    for (std::size_t study = 0; study < kStudies; ++study) {
+      const Random random = Random(2000).split(static_cast<std::uint64_t>(study));
+      const Eigen::MatrixXd plane = drawn_plane(textures, random.split("plane"));
+      const StressByChance stress =
+          stress_by_chance(judged_by({.guess = true}, plane, random.split("raters")),
+                           {.permutations = 39, .random_starts = 2}, random.split("permutations"));
+      if (stress.p <= 0.05) ++significant;
+    }
+    std::cout << textures << " textures: p ≤ .05 in " << significant << " of " << kStudies
+              << " studies of guesses\n";
+    EXPECT_LE(significant, 21U) << textures;
   }
-  std::cout << "p ≤ .05 in " << significant << " of " << kStudies << " studies of guesses\n";
-  EXPECT_LE(significant, 21U);
 }
 
 }  // namespace

@@ -191,6 +191,7 @@ TEST(CoverageCounts, HaveTheAttainableSizeOfPermutationTests) {
     const std::vector<DrawnCount> counts = coverage_counts(part, quantity);
     EXPECT_THAT(counts, testing::Not(testing::IsEmpty())) << part;
     for (const DrawnCount& count : counts) {
+      if (count.given == 0.0) continue;  // six items: permuted ratings fit perfectly
       const double rejected = count.failed / count.given;
       const double attainable = attainable_of(count);
       EXPECT_LE(rejected, most) << part << ' ' << quantity << ' ' << count.participants;

@@ -58,7 +58,7 @@ TidyInput draw_guessed_pairs(const CoverageSetting& setting, Random& random) {
 std::vector<Finding> findings_of_stress(const TidyInput& input) {
   const StressByChance stress = stress_by_chance(judged_pairs_in(input.table(), {}).by_rater());
   FindingList list{};
-  list.number("stress.perm.p", "", stress.p, {});
+  list.number("stress.perm.p", "", stress.can_be_significant() ? stress.p : kUndefined, {});
   return list.take();
 }
 

@@ -405,15 +405,15 @@ class SimilarityFindings {
     list_.number("stress.perm.p05", "", stress.p05, permuted);
     if (!stress.can_be_significant()) {
       list_.word("stress.perm.p", "", "permuted_fit_perfectly",
-                 "at least 5 % of the permuted judgements fit perfectly, so that no judgements can "
-                 "fit significantly better: add items, or compare the dissimilarities of the pairs",
+                 "so many of the permuted judgements fit perfectly that no judgements can fit "
+                 "significantly better: add items, or compare the dissimilarities of the pairs",
                  permuted);
       list_.count("stress.perm.draws", "", stress.drawn, permuted);
       return;
     }
     list_.number("stress.perm.p", "", stress.p, permuted);
     list_.count("stress.perm.draws", "", stress.drawn, permuted);
-    list_.number("stress.perm.smallest", "", 1.0 / static_cast<double>(stress.drawn + 1), permuted);
+    list_.number("stress.perm.smallest", "", stress.smallest_p(), permuted);
     list_.number("stress.perm.reduction", "", 1.0 - stress.observed / stress.mean,
                  basis("1 − stress / mean stress of permuted judgements"));
   }
