@@ -66,6 +66,13 @@ std::vector<PlannedRun> runs_in(const Protocol& protocol, const std::vector<Plan
   return runs;
 }
 
+std::size_t first_trial_step(const Plan& plan) {
+  const auto first = std::find_if(plan.steps.begin(), plan.steps.end(), [](const PlanStep& step) {
+    return std::holds_alternative<TrialStep>(step);
+  });
+  return static_cast<std::size_t>(first - plan.steps.begin());
+}
+
 bool has_variable_length(const Protocol::Block& block) {
   return block.until || !has_tracks_of_fixed_length(block);
 }

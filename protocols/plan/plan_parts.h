@@ -38,6 +38,9 @@ struct PlannedRun {
 /// Those that the parts of a plan consist of, in their order. The protocol must outlive them.
 std::vector<PlannedRun> runs_in(const Protocol& protocol, const std::vector<PlanPart>& parts);
 
+/// The first step of a plan that is a trial; the number of steps where there is none.
+std::size_t first_trial_step(const Plan& plan);
+
 /// Whether the responses determine how many trials a run of the block has.
 bool has_variable_length(const Protocol::Block& block);
 

@@ -53,6 +53,7 @@ TEST(PlanParts, AreDividedByBreaksAndJoinedToRuns) {
   std::vector<PlanPart::What> kinds{};
   for (const PlanPart& part : parts_of(protocol, plan)) kinds.push_back(part.what);
   ASSERT_GE(kinds.size(), 4U);
+  EXPECT_EQ(first_trial_step(plan), parts_of(protocol, plan)[1].first_step);
   kinds.resize(4);
   EXPECT_THAT(kinds, ElementsAre(PlanPart::What::reading, PlanPart::What::trials,
                                  PlanPart::What::pause, PlanPart::What::trials));

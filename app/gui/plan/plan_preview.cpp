@@ -362,12 +362,7 @@ void PlanPreview::show_plan() {
   }
   table_->fill(rows);
   if (detail_ == nullptr) return;
-  if (table_->selected_key().isEmpty()) {
-    const auto first =
-        std::find_if(plan_->steps.begin(), plan_->steps.end(),
-                     [](const PlanStep& step) { return std::holds_alternative<TrialStep>(step); });
-    select_step(static_cast<int>(first - plan_->steps.begin()));
-  }
+  if (table_->selected_key().isEmpty()) select_step(static_cast<int>(first_trial_step(*plan_)));
 }
 
 void PlanPreview::select_step(int step) { table_->select(QString::number(step)); }

@@ -25,6 +25,7 @@
 #include "app/gui/participant/screen_preview.h"
 #include "protocols/keys/tables.h"
 #include "protocols/plan/course.h"
+#include "protocols/plan/plan_parts.h"
 #include "protocols/texts/protocol_texts.h"
 #include "results_schema/error_text.h"
 
@@ -398,11 +399,8 @@ void TemplateDialog::take(const Checked& checked) {
 void TemplateDialog::show_screens(const Protocol& protocol) {
   protocol_ = std::make_shared<const Protocol>(protocol);
   plan_ = std::make_shared<const Plan>(as_read(*protocol_, example_plan(*protocol_, {1, 0})));
-  const auto first =
-      std::find_if(plan_->steps.begin(), plan_->steps.end(),
-                   [](const PlanStep& step) { return std::holds_alternative<TrialStep>(step); });
   screen_->show();
-  screen_->show_step(protocol_, plan_, static_cast<std::size_t>(first - plan_->steps.begin()));
+  screen_->show_step(protocol_, plan_, first_trial_step(*plan_));
 }
 
 TemplateChoice TemplateDialog::choice_of(const TemplateTextures& textures) const {
