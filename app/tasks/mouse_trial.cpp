@@ -84,7 +84,7 @@ MouseTrial::MouseTrial(const Protocol& protocol, const std::filesystem::path& st
   write_file(inputs_.protocol, mouse_trial_text(protocol, introduction), Overwrite::refuse);
   inputs_.participant = "try";
   inputs_.new_person = ParticipantRow{.label = inputs_.participant};
-  inputs_.has_consented = true;
+  inputs_.consent.emplace();  // nobody is asked
   inputs_.seed = seed;
   inputs_.mode = SessionMode::pilot;
   inputs_.device = "mouse";

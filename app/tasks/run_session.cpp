@@ -52,12 +52,13 @@ Wait sleep_until_stopped(const std::stop_token& stop, const SessionLinks& links)
   };
 }
 
-/// Asks a participant to agree to the protocol's statement; without agreement nothing is stored.
-void ask_consent(const Protocol& protocol, Respondent& respondent, SessionMonitor* monitor,
-                 const Wait& wait) {
+/// Asks a participant to agree to the protocol's statement, which is returned as it was read; without agreement nothing is stored.
+std::string ask_consent(const Protocol& protocol, Respondent& respondent, SessionMonitor* monitor,
+                        const Wait& wait) {
+  std::string statement = consent_as_read(protocol);
   const Question question{
       .name = "consent",
-      .prompt = consent_as_read(protocol) + "\n\nDo you agree?",
+      .prompt = statement + "\n\nDo you agree?",
       .options = {{.value = "yes", .text = "yes"}, {.value = "no", .text = "no"}}};
   if (monitor != nullptr) monitor->show(scene_of_form(question));
   const std::optional<Answer> answer = respondent.answer(question, wait);
@@ -66,6 +67,7 @@ void ask_consent(const Protocol& protocol, Respondent& respondent, SessionMonito
                               "the participant did not agree to take part, and nothing was stored; "
                               "run the session with another participant"));
   }
+  return statement;
 }
 
 ParticipantRow ask_person(const Protocol& protocol, const std::string& label,
@@ -303,7 +305,8 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   }
   if (inputs.ready) inputs.ready(protocol);
   if (!inputs.is_virtual && !inputs.resume && !protocol.consent_statement.empty()) {
-    if (!inputs.has_consented) ask_consent(protocol, *respondent, links.monitor, wait);
+    session_run.consent =
+        inputs.consent ? *inputs.consent : ask_consent(protocol, *respondent, links.monitor, wait);
     session_run.consent_utc = rig->clock().utc();
   }
   session_run.mirrored = inputs.mirrored;

@@ -71,8 +71,8 @@ struct RunInputs {
   /// Called before `ready` with what the study has under the label of a new session. Nothing is
   /// stored before it returns; it can wait for a confirmation, and throw RespondentGone.
   std::function<void(const LabelNotice&, const Wait&)> noticed{};
-  /// The participant has agreed to the protocol's statement; otherwise the respondent is asked.
-  bool has_consented = false;
+  /// The protocol's statement as the participant has read it and agreed to it; otherwise the respondent is asked.
+  std::optional<std::string> consent{};
 };
 
 /// Runs the session. `respondent` is null for a virtual participant.

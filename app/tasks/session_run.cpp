@@ -17,6 +17,7 @@
 #include "app/tasks/unfinished_session.h"
 #include "app/words/coded_phrases.h"
 #include "protocols/kinds/experiment_kind.h"
+#include "protocols/texts/placeholders.h"
 
 namespace asperity {
 
@@ -88,6 +89,14 @@ void store(const RehearsedDevice& device, Study& study, std::int64_t session_id,
   }
 }
 
+/// Stores the statement that the participant agreed to if it is not the one in the protocol.
+void store_consent(const SessionRun& session_run, const Protocol& protocol, Study& study,
+                   std::int64_t session_id, std::int64_t now_ns) {
+  if (!session_run.consent_utc || placeholders_in(protocol.consent_statement).empty()) return;
+  const nlohmann::ordered_json data{{"place", "/consent/statement"}};
+  study.add_event(session_id, event_row(now_ns, "text_as_read", session_run.consent, data.dump()));
+}
+
 /// Stores the plug-ins that this segment of the session loaded.
 void store_plugins(const ModelRegistry& models, Study& study, std::int64_t session_id,
                    std::int64_t now_ns) {
@@ -149,6 +158,7 @@ SessionEnd run_on_rig(Study& study, const Protocol& protocol, StimulusBuilder& b
     conditions.clock_zero_ns = rig.clock().now_ns();
     if (person == nullptr) conditions.observer_json = observer_json(protocol);
     session = begin_session(study, protocol, session_run.participant.label, conditions, program);
+    store_consent(session_run, protocol, study, session.row.id, rig.clock().now_ns());
   }
   store(session_run.device, study, session.row.id, rig.clock().now_ns());
   store_plugins(builder.models(), study, session.row.id, rig.clock().now_ns());

@@ -24,6 +24,7 @@ struct SessionRun {
   std::uint64_t seed = 0;
   std::optional<int> counterbalance_row{};
   std::optional<std::string> group{};  ///< as SessionConditions::group
+  std::string consent{};               ///< the statement that the participant agreed to, as read
   std::optional<std::string> consent_utc{};
   bool mirrored = false;  ///< of a new session
   /// The profile of a participant's device, and the parts of the plan that exceed it: stored with

@@ -49,7 +49,8 @@ const std::vector<EventKind>& event_kinds() {
        .text_is_public = true},
       {.name = "text_as_read",
        .meaning = "a text with placeholders, as this segment of the session shows it, in the "
-                  "language of the session. Data: `place`, its JSON pointer in the protocol",
+                  "language of the session; the consent's, as the participant agreed to it before "
+                  "the first segment. Data: `place`, its JSON pointer in the protocol",
        .hed = "Experiment-structure",
        .text_is_public = true,
        .public_data = {"place"}},

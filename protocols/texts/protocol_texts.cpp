@@ -102,7 +102,9 @@ std::vector<TextPlace> texts_with_placeholders(const Protocol& protocol) {
   if (protocol.source.empty()) return {};
   std::vector<TextPlace> places =
       participant_texts(nlohmann::json::parse(protocol.source), protocol);
-  std::erase_if(places, [](const TextPlace& each) { return placeholders_in(each.text).empty(); });
+  std::erase_if(places, [](const TextPlace& each) {
+    return placeholders_in(each.text).empty() || each.pointer.starts_with(kConsent);
+  });
   return places;
 }
 
@@ -121,10 +123,6 @@ std::vector<TextAsRead> texts_as_read(const Protocol& protocol,
                                       const DesignValues& of_session) {
   std::vector<TextAsRead> texts{};
   for (const TextPlace& place : places) {
-    if (place.pointer.starts_with(kConsent)) {
-      texts.push_back({place.pointer, consent_as_read(protocol)});
-      continue;
-    }
     const DesignValues values =
         place.is_of_session ? of_session : values_of_design(protocol, place);
     texts.push_back({place.pointer, with_values(place.text, values, protocol.language)});

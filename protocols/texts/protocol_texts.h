@@ -42,7 +42,8 @@ Plan as_read(const Protocol& protocol, Plan plan);
 /// The statement of a valid protocol that a participant agrees to, with the values of every session.
 std::string consent_as_read(const Protocol& protocol);
 
-/// The texts of a protocol that have a placeholder; none of one that a program has made, without a source.
+/// The texts of a protocol that are read in its sessions and have a placeholder; none of one that a program has made, without a source.
+/// The consent is read before its session (consent_as_read).
 std::vector<TextPlace> texts_with_placeholders(const Protocol& protocol);
 
 /// Whether one of the texts states a number of the session.

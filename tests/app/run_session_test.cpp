@@ -18,6 +18,7 @@
 #include "results_schema/files/atomic_file.h"
 #include "tests/app/scripted_session.h"
 #include "tests/support/refusal.h"
+#include "tests/support/replaced.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -266,7 +267,7 @@ TEST_F(RunSession, AsksForConsentUnlessThePersonHasGivenIt) {
   run();
   EXPECT_THAT(person_.forms, testing::Contains("consent"));
   inputs_.participant = "p2";
-  inputs_.has_consented = true;
+  inputs_.consent = "I take part.";
   inputs_.new_person = ParticipantRow{.label = "p2", .age_years = 31.0};
   person_.forms.clear();
   run();
@@ -391,6 +392,19 @@ TEST_F(ResumedSession, BeginsWithNoTextWhereTheProtocolWantsNone) {
   interrupt(protocol_with_texts(R"("resume": {"screens": []}, )"));
   EXPECT_EQ(run().state, SessionState::completed);
   EXPECT_THAT(person_.texts, testing::ElementsAre(kContinues, "Thank you."));
+}
+
+// It is read before the session, and not again when the session is resumed.
+TEST_F(ResumedSession, HasTheConsentOnceAsTheParticipantReadIt) {
+  inputs_.consent = "I take part in three trials.";
+  interrupt(replaced(protocol_with_texts(""), "I take part of my own free will.",
+                     "I take part in {trials} trials."));
+  EXPECT_EQ(run().state, SessionState::completed);
+  std::vector<std::string> read{};
+  for (const EventRow& event : study().events(study().sessions().at(0).id)) {
+    if (event.kind == "text_as_read") read.push_back(event.text);
+  }
+  EXPECT_THAT(read, testing::ElementsAre("I take part in three trials."));
 }
 
 TEST_F(ResumedSession, HasTheEarlierNotesAndTime) {

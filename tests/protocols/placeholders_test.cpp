@@ -132,9 +132,8 @@ TEST(Placeholders, OfTheConsentHoldForEveryParticipant) {
   const std::string expected = with_values(protocol.consent_statement, values, "en");
   EXPECT_THAT(expected, testing::AllOf(HasSubstr(" minutes, {so}."), Not(HasSubstr("at most"))));
   EXPECT_EQ(consent_as_read(protocol), expected);
-  const auto read = texts_as_read(protocol, texts_with_placeholders(protocol), values);
-  EXPECT_EQ(read.front().pointer, "/consent/statement");
-  EXPECT_EQ(read.front().text, expected);
+  for (const TextPlace& place : texts_with_placeholders(protocol))
+    EXPECT_NE(place.pointer, "/consent/statement") << "sessions do not resolve it again";
 }
 
 TEST(Placeholders, OfTheConsentAreTheLargestWhereSessionsDiffer) {

@@ -180,7 +180,7 @@ SessionOrder StartPage::order() const {
     inputs.new_person = participant_->new_person(*protocol);
   }
   if (needs_consent()) {
-    inputs.has_consented = consent_->is_given();
+    if (consent_->is_given()) inputs.consent = facts_.chosen.consent;
     order.consent_seen_by = consent_->seen_by();
   }
   order.noise = noise();

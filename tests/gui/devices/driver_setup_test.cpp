@@ -329,7 +329,7 @@ TEST_F(DriversToSetUp, AreToldWhatIsSetUpByThenWhenASessionIsBegunAgain) {
   SessionOrder order = start_page().order();
   order.inputs.device = "force_dimension:42";
   order.inputs.driver_options = driver_options(order.inputs.device);
-  order.inputs.has_consented = true;
+  order.inputs.consent = "I take part.";
   desk->begin(order);
   require([this] { return child<Banner>(*desk->session_window(), "news").isVisible(); }, "failure");
   const auto& news = child<Banner>(*desk->session_window(), "news");

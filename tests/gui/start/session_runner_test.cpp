@@ -245,7 +245,7 @@ TEST_F(RunningSession, LetsGoOfAPersonWhoIsInTheMiddleOfATrial) {
   order.inputs.is_virtual = false;
   order.inputs.pacing = RunPacing::real_time;
   order.inputs.servo = patient_servo();
-  order.inputs.has_consented = true;
+  order.inputs.consent = "I take part.";
   order.inputs.new_person = ParticipantRow{.label = "P001"};
   order.consent_seen_by = "MW";
   {

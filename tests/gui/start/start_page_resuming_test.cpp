@@ -221,7 +221,7 @@ TEST_F(TheStartPage, ContinuesWithWhatWasFilledInWhenItIsMadeAnew) {
   EXPECT_EQ(order.inputs.participant, "P044");
   EXPECT_EQ(order.inputs.mode, SessionMode::pilot);
   EXPECT_TRUE(order.inputs.mirrored);
-  EXPECT_TRUE(order.inputs.has_consented);
+  EXPECT_TRUE(order.inputs.consent);
   EXPECT_EQ(order.consent_seen_by, "MW");
   ASSERT_TRUE(order.inputs.new_person);
   EXPECT_EQ(order.inputs.new_person->age_years, 31.0);

@@ -63,7 +63,7 @@ TEST_F(TheStartPage, StartsAFilledInRunWithEverythingThatWasSaid) {
   EXPECT_FALSE(order.inputs.is_virtual);
   EXPECT_FALSE(order.inputs.resume);
   EXPECT_EQ(order.inputs.pacing, RunPacing::real_time);
-  EXPECT_TRUE(order.inputs.has_consented);
+  EXPECT_TRUE(order.inputs.consent);
   EXPECT_EQ(order.consent_seen_by, "MW");
   ASSERT_TRUE(order.inputs.new_person);
   EXPECT_EQ(order.inputs.new_person->age_years, 31.0);
@@ -374,7 +374,7 @@ TEST_F(TheStartPage, NeedsNeitherConsentNorAnswersForASimulation) {
   EXPECT_EQ(order.inputs.participant, "virtual0001");
   EXPECT_EQ(order.inputs.pacing, RunPacing::stepped);
   EXPECT_FALSE(order.inputs.new_person);
-  EXPECT_FALSE(order.inputs.has_consented);
+  EXPECT_FALSE(order.inputs.consent);
   click("speed_real_time");
   EXPECT_EQ(page->order().inputs.pacing, RunPacing::real_time);
   EXPECT_FALSE(find<QSpinBox>("virtual_participants").isEnabled());
