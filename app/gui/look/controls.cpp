@@ -13,7 +13,6 @@
 #include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QBoxLayout>
-#include <QtWidgets/QGridLayout>
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QSplitter>
 #include <QtWidgets/QStyle>
@@ -21,6 +20,7 @@
 #include <QtWidgets/QTableView>
 
 #include "app/gui/look/focus_order.h"
+#include "app/gui/look/wrapping_row.h"
 
 namespace asperity {
 
@@ -138,6 +138,17 @@ QFrame* make_card(QWidget* parent, QVBoxLayout*& layout) {
   return card;
 }
 
+void clear_layout(QLayout& layout) {
+  while (QLayoutItem* const item = layout.takeAt(0)) {
+    if (item->layout() != nullptr) clear_layout(*item->layout());
+    if (item->widget() != nullptr) {
+      item->widget()->hide();
+      item->widget()->deleteLater();
+    }
+    delete item;
+  }
+}
+
 QSplitter* make_splitter(Qt::Orientation orientation, QWidget* parent, int gap) {
   auto* splitter = new QSplitter(orientation, parent);
   splitter->setChildrenCollapsible(false);
@@ -194,19 +205,27 @@ void StateLabel::changeEvent(QEvent* event) {
 }
 
 Banner::Banner(QWidget* parent) : QFrame(parent) {
-  grid_ = new QGridLayout(this);
-  grid_->setContentsMargins(kMargin, kGrid, kGrid, kGrid);
-  grid_->setHorizontalSpacing(kMargin);
-  grid_->setVerticalSpacing(kGrid / 2);
-  grid_->setColumnStretch(1, 1);
+  constexpr int kLeastText = 280;  // next to the buttons; otherwise they are below it
   shape_ = new QLabel(this);
   shape_->setFont(text_font(TextSize::heading, true));
   text_ = make_text({}, this);
+  text_->setMinimumWidth(kLeastText);
   action_ = make_button({}, ButtonRole::plain, this);
   action_->setObjectName("banner_action");
   away_ = make_button(tr("Dismiss"), ButtonRole::link, this);
   away_->setObjectName("banner_dismiss");
-  arrange(false);
+  auto* row = new WrappingRow(this, kGrid / 2);
+  row->setContentsMargins(kMargin, kGrid, kGrid, kGrid);
+  auto* news = new QHBoxLayout();
+  auto* buttons = new QHBoxLayout();
+  for (QHBoxLayout* const part : {news, buttons}) part->setSpacing(kMargin);
+  news->addWidget(shape_);
+  news->addWidget(text_, 1);
+  buttons->setContentsMargins(kMargin - row->spacing(), 0, 0, 0);
+  buttons->addWidget(action_);
+  buttons->addWidget(away_);
+  row->add_layout(news);
+  row->add_layout(buttons, Qt::AlignRight);
   connect(action_, &QPushButton::clicked, this, [this] {
     const auto act = on_action_;  // may show other news
     hide();
@@ -216,28 +235,9 @@ Banner::Banner(QWidget* parent) : QFrame(parent) {
   hide();
 }
 
-void Banner::arrange(bool narrow) {
-  narrow_ = narrow;
-  grid_->addWidget(shape_, 0, 0);
-  grid_->addWidget(text_, 0, 1, 1, narrow ? 3 : 1);
-  grid_->addWidget(action_, narrow ? 1 : 0, 2);
-  grid_->addWidget(away_, narrow ? 1 : 0, 3);
-}
-
 void Banner::showEvent(QShowEvent* event) {
   QFrame::showEvent(event);
   place_in_focus_order(*this);
-}
-
-void Banner::resizeEvent(QResizeEvent* event) {
-  QFrame::resizeEvent(event);
-  constexpr int kNarrow = 664;
-  const bool narrow = width() < kNarrow;
-  if (narrow == narrow_) return;
-  arrange(narrow);
-  // The page has given it the height of the other arrangement, and does not ask again while it gives heights.
-  QMetaObject::invokeMethod(
-      this, [this] { updateGeometry(); }, Qt::QueuedConnection);
 }
 
 void Banner::show_news(State state, const QString& text, const QString& action,

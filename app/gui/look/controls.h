@@ -15,7 +15,6 @@
 #include "app/gui/look/theme.h"
 #include "results_schema/rows.h"
 
-class QGridLayout;
 class QSplitter;
 class QTableView;
 class QVBoxLayout;
@@ -51,6 +50,9 @@ QLabel* make_heading(const QString& text, QWidget* parent);  ///< of a group
 QLabel* make_text(const QString& text, QWidget* parent, bool muted = false);
 /// A panel with a border; its layout has the usual margins.
 QFrame* make_card(QWidget* parent, QVBoxLayout*& layout);
+
+/// Deletes the widgets of a layout, later, because one of them may have caused this.
+void clear_layout(QLayout& layout);
 
 /// Sides that cannot be collapsed, with a gap of `gap` pixels between them that can be dragged.
 QSplitter* make_splitter(Qt::Orientation orientation, QWidget* parent, int gap = kMargin);
@@ -95,15 +97,11 @@ class Banner final : public QFrame {
  protected:
   void showEvent(QShowEvent* event) override;
   void changeEvent(QEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void restyle();
-  void arrange(bool narrow);
 
   State state_ = State::unknown;
-  bool narrow_ = false;
-  QGridLayout* grid_ = nullptr;
   QLabel* shape_ = nullptr;
   QLabel* text_ = nullptr;
   QPushButton* action_ = nullptr;

@@ -10,6 +10,7 @@
 #include <QtCore/QLocale>
 #include <QtCore/QRegularExpression>
 #include <QtCore/QTranslator>
+#include <QtGui/QFontMetrics>
 #include <QtGui/QTextDocument>
 
 namespace asperity {
@@ -35,6 +36,26 @@ QString text_of(const QTextDocument& document) {
   QString text = document.toRawText();
   text.replace(QChar::ParagraphSeparator, '\n');
   return text;
+}
+
+std::vector<QString> pieces_of(const QString& text, QTextBoundaryFinder::BoundaryType type) {
+  std::vector<QString> pieces{};
+  QTextBoundaryFinder finder(type, text);
+  qsizetype from = 0;
+  for (qsizetype to = finder.toNextBoundary(); to >= 0; to = finder.toNextBoundary()) {
+    pieces.push_back(text.mid(from, to - from));
+    from = to;
+  }
+  if (from < text.size()) pieces.push_back(text.mid(from));
+  return pieces;
+}
+
+double width_of_longest_word(const QString& text, const QFontMetricsF& metrics) {
+  double longest = 0.0;
+  for (const QString& word : pieces_of(text, QTextBoundaryFinder::Line)) {
+    longest = std::max(longest, metrics.horizontalAdvance(word.trimmed()));
+  }
+  return longest;
 }
 
 Phrase::LookUp language_of_windows() {

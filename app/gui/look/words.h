@@ -8,9 +8,11 @@
 #include <vector>
 
 #include <QtCore/QString>
+#include <QtCore/QTextBoundaryFinder>
 
 #include "app/words/phrase.h"
 
+class QFontMetricsF;
 class QTextDocument;
 
 namespace asperity {
@@ -52,6 +54,11 @@ QString words_as_published(const Phrase& phrase);
 QString with_unbroken_numbers(QString text);
 /// `words_as_published` for such a label; for cells of tables and what is copied, use `words_as_published`.
 QString sentences_as_published(const Phrase& phrase);
+
+/// The words, lines, or sentences of a text, each with the spaces after it.
+std::vector<QString> pieces_of(const QString& text, QTextBoundaryFinder::BoundaryType type);
+/// The width below which a label that breaks lines cuts the text.
+double width_of_longest_word(const QString& text, const QFontMetricsF& metrics);
 
 /// A number as windows show it: in the user's locale, without separators of thousands and with a minus sign (−). `format` and `precision` as
 /// QString::number.

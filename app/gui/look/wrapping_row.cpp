@@ -6,8 +6,6 @@
 
 #include <QtWidgets/QWidget>
 
-#include "app/gui/look/theme.h"
-
 namespace asperity {
 
 namespace {
@@ -18,9 +16,9 @@ int height_of(const QLayoutItem& item, int width) {
 
 }  // namespace
 
-WrappingRow::WrappingRow(QWidget* parent) : QLayout(parent) {
+WrappingRow::WrappingRow(QWidget* parent, int gap) : QLayout(parent) {
   setContentsMargins(0, 0, 0, 0);
-  setSpacing(kGrid / 2);
+  setSpacing(gap);
 }
 
 WrappingRow::~WrappingRow() {
@@ -89,17 +87,28 @@ std::vector<int> WrappingRow::widths(const Line& line, int width) const {
   return widths;
 }
 
-int WrappingRow::heightForWidth(int width) const {
-  int height = 0;
-  for (const Line& line : lines(width)) {
-    const std::vector<int> wide = widths(line, width);
-    int highest = 0;
+int WrappingRow::lay_out(const QRect& place, Effect effect) const {
+  const QRect room = place.marginsRemoved(contentsMargins());
+  int end = room.y();
+  for (const Line& line : lines(room.width())) {
+    const std::vector<int> wide = widths(line, room.width());
+    const int y = end + (end > room.y() ? spacing() : 0);
+    int height = 0;
     for (std::size_t i = 0; i < line.size(); ++i) {
-      highest = std::max(highest, height_of(*line[i], wide[i]));
+      height = std::max(height, height_of(*line[i], wide[i]));
     }
-    height += (height > 0 ? spacing() : 0) + highest;
+    end = y + height;
+    if (effect == Effect::none) continue;
+    int x = room.x();
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const bool is_last = i + 1 == line.size();
+      const bool is_right = is_last && (line[i]->alignment() & Qt::AlignRight) != 0;
+      const int begin = is_right ? room.x() + room.width() - wide[i] : x;
+      line[i]->setGeometry(QRect(begin, y, wide[i], height));
+      x += wide[i] + spacing();
+    }
   }
-  return height;
+  return end - room.y() + place.height() - room.height();
 }
 
 QSize WrappingRow::sizeHint() const {
@@ -110,7 +119,7 @@ QSize WrappingRow::sizeHint() const {
     all = {all.width() + (all.width() > 0 ? spacing() : 0) + wanted.width(),
            std::max(all.height(), wanted.height())};
   }
-  return all;
+  return all.grownBy(contentsMargins());
 }
 
 QSize WrappingRow::minimumSize() const {
@@ -118,28 +127,12 @@ QSize WrappingRow::minimumSize() const {
   for (const QLayoutItem* const item : items_) {
     if (!item->isEmpty()) least = least.expandedTo(item->minimumSize());
   }
-  return least;
+  return least.grownBy(contentsMargins());
 }
 
 void WrappingRow::setGeometry(const QRect& place) {
   QLayout::setGeometry(place);
-  int y = place.y();
-  for (const Line& line : lines(place.width())) {
-    const std::vector<int> wide = widths(line, place.width());
-    int height = 0;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      height = std::max(height, height_of(*line[i], wide[i]));
-    }
-    int x = place.x();
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      const bool is_last = i + 1 == line.size();
-      const bool is_right = is_last && (line[i]->alignment() & Qt::AlignRight) != 0;
-      const int begin = is_right ? place.x() + place.width() - wide[i] : x;
-      line[i]->setGeometry(QRect(begin, y, wide[i], height));
-      x += wide[i] + spacing();
-    }
-    y += height + spacing();
-  }
+  lay_out(place, Effect::placed);
 }
 
 }  // namespace asperity

@@ -4,7 +4,6 @@
 
 #include <utility>
 
-#include <QtCore/QList>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
@@ -12,7 +11,7 @@
 
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
-#include "app/gui/look/wrapped_buttons.h"
+#include "app/gui/look/wrapping_row.h"
 
 namespace asperity {
 
@@ -30,8 +29,8 @@ ReasonForm::ReasonForm(QWidget* parent) : QFrame(parent) {
   why_locked_->setWordWrap(false);
   top->addWidget(why_locked_);
   rows->addLayout(top);
-  ready_made_ = new WrappedButtons(this);
-  rows->addWidget(ready_made_);
+  ready_made_ = new WrappingRow(nullptr, kGrid);
+  rows->addLayout(ready_made_);
   auto* bottom = new QHBoxLayout();
   bottom->setSpacing(kGrid);
   field_ = new QLineEdit(this);
@@ -62,16 +61,16 @@ void ReasonForm::ask(const QString& question, const std::vector<Phrase>& ready_m
   field_->clear();
   offered_ = ready_made;
   on_reason_ = std::move(on_reason);
-  QList<QPushButton*> buttons{};
+  clear_layout(*ready_made_);
   for (const Phrase& offered : ready_made) {
     const QString reason = words_of(offered);
-    QPushButton* button = make_button(reason, ButtonRole::plain, ready_made_);
+    QPushButton* button = make_button(reason, ButtonRole::plain, this);
     button->setFont(text_font(TextSize::small));
     button->setFocusPolicy(Qt::NoFocus);
     connect(button, &QPushButton::clicked, field_, [this, reason] { field_->setText(reason); });
-    buttons += button;
+    ready_made_->addWidget(button);
+    button->show();  // now, because the form may be shown already
   }
-  ready_made_->set_buttons(buttons);
   show();
   if (field_->isEnabled()) field_->setFocus();
 }

@@ -15,7 +15,7 @@ class QPushButton;
 
 namespace asperity {
 
-class WrappedButtons;
+class WrappingRow;
 
 /// A question in place with a reason for an answer. Nothing is done before there is one.
 ///
@@ -38,7 +38,7 @@ class ReasonForm final : public QFrame {
   void finish();
 
   QLabel* question_ = nullptr;
-  WrappedButtons* ready_made_ = nullptr;
+  WrappingRow* ready_made_ = nullptr;
   QLineEdit* field_ = nullptr;
   QLabel* why_locked_ = nullptr;
   QPushButton* act_ = nullptr;

@@ -19,7 +19,7 @@
 #include "app/gui/base/study_table.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
-#include "app/gui/look/wrapped_buttons.h"
+#include "app/gui/look/wrapping_row.h"
 #include "app/gui/plan/plan_preview.h"
 #include "app/gui/study/interrupted_news.h"
 #include "app/gui/study/protocol_file_actions.h"
@@ -142,22 +142,22 @@ QWidget* ProtocolsPage::make_detail() {
   layout->addWidget(facts_);
   layout->addWidget(last_run_);
 
-  auto* row = new WrappedButtons(card);
-  start_ = make_button(tr("Start session…"), ButtonRole::primary, row);
+  auto* row = new WrappingRow(nullptr, kGrid);
+  start_ = make_button(tr("Start session…"), ButtonRole::primary, card);
   start_->setObjectName("protocol_start");
-  edit_ = make_button(tr("Edit"), ButtonRole::plain, row);
+  edit_ = make_button(tr("Edit"), ButtonRole::plain, card);
   edit_->setObjectName("protocol_edit");
-  preview_ = make_button(tr("Preview plan"), ButtonRole::plain, row);
+  preview_ = make_button(tr("Preview plan"), ButtonRole::plain, card);
   preview_->setObjectName("protocol_preview");
-  simulate_ = make_button(tr("Simulate…"), ButtonRole::plain, row);
+  simulate_ = make_button(tr("Simulate…"), ButtonRole::plain, card);
   simulate_->setObjectName("protocol_simulate");
   simulate_several_ = make_button(tr("Simulate %n participants", nullptr, kVirtualParticipants),
-                                  ButtonRole::plain, row);
+                                  ButtonRole::plain, card);
   simulate_several_->setObjectName("protocol_simulate_several");
   simulate_several_->setToolTip(
       tr("Virtual participants, in the background. Their results are then shown. “Simulate…” "
          "offers another number."));
-  by_mouse_ = make_button(tr("Try it with the mouse"), ButtonRole::plain, row);
+  by_mouse_ = make_button(tr("Try it with the mouse"), ButtonRole::plain, card);
   by_mouse_->setObjectName("protocol_by_mouse");
   by_mouse_->setToolTip(tr("Two trials, without force, in a temporary copy. Nothing is stored."));
   reason_ = make_text(tr("The protocols are being read."), card, true);
@@ -167,15 +167,16 @@ QWidget* ProtocolsPage::make_detail() {
     widget->setEnabled(false);  // until there is a protocol
   }
   file_actions_ = new ProtocolFileActions(study(), card);
-  file_actions_->button()->setParent(row);
-  QPushButton* shown_commands = make_commands_button([this] { return commands(); }, row);
-  close_ = make_button(tr("Close the plan"), ButtonRole::link, row);
+  QPushButton* shown_commands = make_commands_button([this] { return commands(); }, card);
+  close_ = make_button(tr("Close the plan"), ButtonRole::link, card);
   close_->setObjectName("protocol_close_below");
-  row->set_buttons({start_, edit_, preview_, simulate_, simulate_several_, by_mouse_,
-                    file_actions_->button(), shown_commands, close_});
+  for (QPushButton* const button : {start_, edit_, preview_, simulate_, simulate_several_,
+                                    by_mouse_, file_actions_->button(), shown_commands, close_}) {
+    row->addWidget(button);
+  }
   close_->hide();
   layout->addSpacing(kGrid);
-  layout->addWidget(row);
+  layout->addLayout(row);
   layout->addWidget(reason_);
   layout->addWidget(file_actions_);
   layout->addSpacing(kGrid);

@@ -17,7 +17,7 @@
 
 #include "app/gui/base/study_table.h"
 #include "app/gui/look/words.h"
-#include "app/gui/look/wrapped_buttons.h"
+#include "app/gui/look/wrapping_row.h"
 #include "app/gui/scene/body_picture.h"
 #include "app/gui/study/copy_stimuli_dialog.h"
 #include "app/gui/study/stimulus_actions.h"
@@ -154,17 +154,17 @@ StimuliPage::StimuliPage(OpenStudy& study, QWidget* parent)
   QPushButton* second = empty->add_action(tr("Copy from another study…"), ButtonRole::plain,
                                           [this] { copy_from_study(); });
   set_empty_state(empty);
-  auto* made = new WrappedButtons(this);
-  QPushButton* generate = make_button(tr("Compute a texture…"), ButtonRole::plain, made);
+  auto* made = new WrappingRow(nullptr, kGrid);
+  QPushButton* generate = make_button(tr("Compute a texture…"), ButtonRole::plain, this);
   generate->setObjectName("stimuli_generate");
   generate->setToolTip(tr("A grating, noise, cones or another surface with known heights"));
-  QPushButton* copy = make_button(tr("Copy from another study…"), ButtonRole::plain, made);
+  QPushButton* copy = make_button(tr("Copy from another study…"), ButtonRole::plain, this);
   copy->setObjectName("stimuli_copy");
-  made->set_buttons({generate, copy});
+  for (QPushButton* const button : {generate, copy}) made->addWidget(button);
   for (QPushButton* const button : {first, second, generate, copy}) {
     button->setEnabled(study.can_be_written());
   }
-  body().addWidget(made);
+  body().addLayout(made);
   connect(generate, &QPushButton::clicked, this, &StimuliPage::generate_wanted);
   connect(copy, &QPushButton::clicked, this, &StimuliPage::copy_from_study);
 

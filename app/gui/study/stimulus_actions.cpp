@@ -15,7 +15,7 @@
 #include "app/gui/base/open_study.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
-#include "app/gui/look/wrapped_buttons.h"
+#include "app/gui/look/wrapping_row.h"
 
 namespace asperity {
 
@@ -60,18 +60,18 @@ StimulusActions::StimulusActions(OpenStudy& study, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(kGrid);
-  auto* buttons = new WrappedButtons(this);
-  const auto add = [buttons](const QString& verb, const char* name) {
-    QPushButton* button = make_button(verb, ButtonRole::plain, buttons);
+  auto* buttons = new WrappingRow(nullptr, kGrid);
+  const auto add = [this, buttons](const QString& verb, const char* name) {
+    QPushButton* button = make_button(verb, ButtonRole::plain, this);
     button->setObjectName(name);
+    buttons->addWidget(button);
     return button;
   };
   open_ = add(tr("Open in the workbench"), "stimulus_open");
   use_ = add(tr("Use in an experiment…"), "stimulus_use");
   rename_ = add(tr("Rename…"), "stimulus_rename");
   delete_ = add(tr("Delete…"), "stimulus_delete");
-  buttons->set_buttons({open_, use_, rename_, delete_});
-  layout->addWidget(buttons);
+  layout->addLayout(buttons);
   reason_ = make_text({}, this, true);
   reason_->setObjectName("stimulus_reason");
   layout->addWidget(reason_);

@@ -15,7 +15,6 @@
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QButtonGroup>
 #include <QtWidgets/QFileDialog>
-#include <QtWidgets/QGridLayout>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QScrollArea>
 #include <QtWidgets/QScrollBar>
@@ -25,6 +24,7 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
 #include "app/gui/look/words.h"
+#include "app/gui/look/wrapping_row.h"
 #include "app/gui/workbench/force_comparison.h"
 #include "app/gui/workbench/line_profile.h"
 #include "app/gui/workbench/relief_view.h"
@@ -38,64 +38,6 @@ namespace asperity {
 namespace {
 
 constexpr int kPanelWidth = 392;
-
-/// Two groups of controls: at both ends of a row, or one below the other where a row has no room for them.
-class GroupsOfControls final : public QWidget {
- public:
-  explicit GroupsOfControls(QWidget* parent) : QWidget(parent) {
-    grid_ = new QGridLayout(this);
-    grid_->setContentsMargins(0, 0, 0, 0);
-    grid_->setSpacing(kGrid);
-    grid_->setColumnStretch(0, 1);
-    for (QHBoxLayout*& row : groups_) {
-      row = new QHBoxLayout(new QWidget(this));
-      row->setContentsMargins(0, 0, 0, 0);
-      row->setSpacing(kGrid);
-    }
-    place();
-  }
-  QHBoxLayout& first() { return *groups_[0]; }
-  QHBoxLayout& second() { return *groups_[1]; }
-
-  QSize minimumSizeHint() const override {
-    const int least =
-        std::max(group(0)->minimumSizeHint().width(), group(1)->minimumSizeHint().width());
-    return {least, QWidget::minimumSizeHint().height()};
-  }
-
- protected:
-  bool event(QEvent* event) override {
-    if (event->type() == QEvent::LayoutRequest) arrange();  // a control was shown or hidden
-    return QWidget::event(event);
-  }
-  void resizeEvent(QResizeEvent* event) override {
-    QWidget::resizeEvent(event);
-    arrange();
-  }
-
- private:
-  QWidget* group(std::size_t number) const { return groups_[number]->parentWidget(); }
-
-  void arrange() {
-    const int needed = group(0)->sizeHint().width() + kGrid + group(1)->sizeHint().width();
-    const bool has_two_rows = needed > width();
-    if (has_two_rows == has_two_rows_) return;
-    has_two_rows_ = has_two_rows;
-    place();
-    // The page does not ask for another height while it gives heights.
-    QMetaObject::invokeMethod(
-        this, [this] { updateGeometry(); }, Qt::QueuedConnection);
-  }
-
-  void place() {
-    grid_->addWidget(group(0), 0, 0, 1, has_two_rows_ ? 2 : 1);
-    grid_->addWidget(group(1), has_two_rows_ ? 1 : 0, has_two_rows_ ? 0 : 1, Qt::AlignLeft);
-  }
-
-  QGridLayout* grid_ = nullptr;
-  std::array<QHBoxLayout*, 2> groups_{};
-  bool has_two_rows_ = false;
-};
 
 /// Its content has the size of the area, and scrolls where it needs more. An area that adapts its content by itself would give it
 /// the height that it prefers, because the content contains texts that wrap.
@@ -147,7 +89,7 @@ WorkbenchPage::WorkbenchPage(OpenStudy& study, QWidget* parent) : QWidget(parent
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
   layout->setSpacing(kGrid);
-  layout->addWidget(make_head());
+  layout->addLayout(make_head());
   banner_ = new Banner(this);
   banner_->setObjectName("banner");
   layout->addWidget(banner_);
@@ -204,39 +146,44 @@ QWidget* WorkbenchPage::make_empty() {
   return empty;
 }
 
-QWidget* WorkbenchPage::make_head() {
-  auto* head = new GroupsOfControls(this);
-  QHBoxLayout& modes = head->first();
-  QLabel* title = make_title(tr("Workbench"), head);
+QLayout* WorkbenchPage::make_head() {
+  auto* head = new WrappingRow(nullptr, kGrid);
+  auto* modes = new QHBoxLayout();
+  auto* sources = new QHBoxLayout();
+  for (QHBoxLayout* const group : {modes, sources}) {
+    group->setSpacing(kGrid);
+    head->add_layout(group);
+  }
+  QLabel* title = make_title(tr("Workbench"), this);
   title->setWordWrap(false);
-  modes.addWidget(title);
-  modes.addSpacing(kMargin);
+  modes->addWidget(title);
+  modes->addSpacing(kMargin);
   mode_ = new QButtonGroup(this);
   const std::array<QString, 2> words{tr("Make a relief"), tr("Compare force models")};
   for (int i = 0; i < 2; ++i) {
     QPushButton* button =
-        make_button(words[static_cast<std::size_t>(i)], ButtonRole::selector, head);
+        make_button(words[static_cast<std::size_t>(i)], ButtonRole::selector, this);
     button->setObjectName(i == 0 ? "mode_making" : "mode_comparing");
     // The chosen one is bold and needs its room before it is chosen.
     const QFontMetrics bold(text_font(TextSize::body, true));
     button->setMinimumWidth(bold.horizontalAdvance(button->text()) + 2 * kMargin);
     button->hide();  // until there is something to choose for
     mode_->addButton(button, i);
-    modes.addWidget(button);
+    modes->addWidget(button);
   }
-  modes.addStretch(1);
+  modes->addStretch(1);  // moves the sources to the other end of the row
   connect(mode_, &QButtonGroup::idClicked, this,
           [this](int id) { set_mode(static_cast<Mode>(id)); });
-  auto* fields = make_button(tr("Relief of the study"), ButtonRole::plain, head);
+  auto* fields = make_button(tr("Relief of the study"), ButtonRole::plain, this);
   fields->setObjectName("open_height_field");
   auto* menu = new QMenu(fields);
   connect(menu, &QMenu::aboutToShow, this, [this, menu] { fill_study_menu(*menu); });
   fields->setMenu(menu);
-  head->second().addWidget(fields);
-  QPushButton* open = make_button(tr("Open a photograph…"), ButtonRole::plain, head);
+  sources->addWidget(fields);
+  QPushButton* open = make_button(tr("Open a photograph…"), ButtonRole::plain, this);
   open->setObjectName("open_photograph");
   connect(open, &QPushButton::clicked, this, &WorkbenchPage::choose_file);
-  head->second().addWidget(open);
+  sources->addWidget(open);
   return head;
 }
 

@@ -79,7 +79,7 @@ class WorkbenchPage final : public QWidget {
   enum class Mode { making, comparing };
 
   QWidget* make_empty();
-  QWidget* make_head();
+  QLayout* make_head();
   QWidget* make_workspace();
   void set_mode(Mode mode);
   void fill_study_menu(QMenu& menu);

@@ -22,7 +22,7 @@
 #include "app/gui/look/decimal_field.h"
 #include "app/gui/look/task_line.h"
 #include "app/gui/look/words.h"
-#include "app/gui/look/wrapped_buttons.h"
+#include "app/gui/look/wrapping_row.h"
 #include "tests/gui/support/widgets.h"
 
 namespace asperity {
@@ -40,14 +40,32 @@ QColor ground_of(QWidget& widget) {
   return picture.pixelColor(10, picture.height() / 2);
 }
 
-TEST_F(Controls, GiveButtonsThatWrapTheHeightOfTheirRows) {
-  WrappedButtons wrapped{};
-  QList<QPushButton*> buttons{};
-  for (int i = 0; i < 3; ++i) buttons += make_button("Not ready", ButtonRole::plain, &wrapped);
-  wrapped.set_buttons(buttons);
-  const QSize one = buttons.front()->sizeHint();
-  EXPECT_GE(wrapped.heightForWidth(one.width()), 3 * one.height());
-  EXPECT_EQ(wrapped.heightForWidth(10 * one.width()), one.height());
+TEST_F(Controls, HaveTheHeightOfTheirLinesAndMarginsInARowThatWraps) {
+  QWidget page{};
+  auto* row = new WrappingRow(&page, kGrid);
+  row->setContentsMargins(1, 2, 3, 4);
+  for (int i = 0; i < 3; ++i) row->addWidget(make_button("Ready", ButtonRole::plain, &page));
+  const QWidget& first = *row->itemAt(0)->widget();
+  const QSize one = first.sizeHint();
+  EXPECT_EQ(row->minimumSize(), one + QSize(4, 6));
+  EXPECT_EQ(row->sizeHint(), QSize(3 * one.width() + 2 * kGrid + 4, one.height() + 6));
+  EXPECT_EQ(row->heightForWidth(row->sizeHint().width()), row->sizeHint().height());
+  EXPECT_EQ(row->heightForWidth(row->minimumSize().width()), 3 * one.height() + 2 * kGrid + 6);
+  row->setGeometry(QRect(10, 20, row->minimumSize().width(), 200));
+  EXPECT_EQ(first.geometry(), QRect(QPoint(11, 22), one));
+}
+
+// Of a banner of 600 pixels the button “Dismiss” leaves the text enough; of 392, the width of a panel, it does not.
+TEST_F(Controls, PutTheButtonsOfABannerBelowATextThatTheyWouldLeaveTooNarrow) {
+  QWidget page{};
+  auto* banner = new Banner(&page);
+  page.show();
+  banner->show_news(State::look, "The device is gone.");
+  const auto& dismiss = *banner->findChild<QPushButton*>("banner_dismiss");
+  const int one_row = banner->heightForWidth(600);
+  EXPECT_EQ(one_row, banner->heightForWidth(1200));
+  EXPECT_GE(banner->heightForWidth(392), one_row + dismiss.sizeHint().height() / 2);
+  EXPECT_LE(banner->minimumSizeHint().width(), 360) << "the room of a panel beside its scroll bar";
 }
 
 TEST_F(Controls, FollowTheThemeWhileTheyAreShown) {

@@ -6,8 +6,6 @@
 #include <array>
 #include <utility>
 
-#include <QtCore/QRegularExpression>
-#include <QtWidgets/QLayout>
 #include <QtWidgets/QToolButton>
 
 #include "app/gui/look/words.h"
@@ -31,13 +29,7 @@ class FieldLabel final : public QLabel {
 
  private:
   QSize of_width(int width) const { return {width, heightForWidth(width)}; }
-  int longest_word() const {
-    int longest = 0;
-    for (const QString& word : text().split(QRegularExpression(QStringLiteral("[ \\x{200B}]")))) {
-      longest = std::max(longest, fontMetrics().horizontalAdvance(word) + 1);
-    }
-    return longest;
-  }
+  int longest_word() const { return qRound(width_of_longest_word(text(), fontMetrics())) + 1; }
 };
 
 }  // namespace
@@ -120,17 +112,6 @@ QLabel* make_field_label(const QString& words, QWidget* parent) {
   policy.setHeightForWidth(true);
   label->setSizePolicy(policy);
   return label;
-}
-
-void clear_layout(QLayout& layout) {
-  while (QLayoutItem* const item = layout.takeAt(0)) {
-    if (item->layout() != nullptr) clear_layout(*item->layout());
-    if (item->widget() != nullptr) {
-      item->widget()->hide();
-      item->widget()->deleteLater();
-    }
-    delete item;
-  }
 }
 
 }  // namespace asperity

@@ -111,7 +111,4 @@ QToolButton* make_tool(const QString& sign, const QString& name, QWidget* parent
 /// The name of a field: as wide as those of other fields where there is room, otherwise in more lines. No word of it is cut.
 QLabel* make_field_label(const QString& words, QWidget* parent);
 
-/// Deletes the widgets of a layout, later, because one of them may have caused this.
-void clear_layout(QLayout& layout);
-
 }  // namespace asperity

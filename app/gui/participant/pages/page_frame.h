@@ -79,7 +79,10 @@ class PageFrame final {
   double width_of(const QString& text, int size_px, bool bold) const {
     return std::ceil(QFontMetricsF(participant_font(size_px, bold)).horizontalAdvance(text));
   }
-  double width_of_longest_word(const QString& text, int size_px) const;
+  double width_of_longest_word(const QString& text, int size_px) const {
+    return std::ceil(
+        asperity::width_of_longest_word(text, QFontMetricsF(participant_font(size_px, false))));
+  }
   /// Of an answer in words, with its key in a circle.
   double width_of_answer(const QString& text) const {
     return width_of(text, letters(kText), false) + em(kAroundAnswer);

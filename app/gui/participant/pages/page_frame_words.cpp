@@ -1,26 +1,8 @@
 // Words of any length in letters of a fixed least size: set in one piece, or divided into pages.
 
-#include <QtCore/QTextBoundaryFinder>
-
 #include "app/gui/participant/pages/page_frame.h"
 
 namespace asperity {
-
-namespace {
-
-std::vector<QString> pieces_of(const QString& text, QTextBoundaryFinder::BoundaryType type) {
-  std::vector<QString> pieces{};
-  QTextBoundaryFinder finder(type, text);
-  qsizetype from = 0;
-  for (qsizetype to = finder.toNextBoundary(); to >= 0; to = finder.toNextBoundary()) {
-    pieces.push_back(text.mid(from, to - from));
-    from = to;
-  }
-  if (from < text.size()) pieces.push_back(text.mid(from));
-  return pieces;
-}
-
-}  // namespace
 
 QRectF PageFrame::place_of(const QString& text, int size_px, bool bold, const QRectF& room) const {
   const double height = height_of(text, size_px, bold, room.width());
@@ -33,14 +15,6 @@ QRectF PageFrame::place_of(const QString& text, int size_px, bool bold, const QR
   // A line more than was asked for would be an accident of rounding.
   fits = std::min(room.width(), fits + 8.0);
   return QRectF(room.center().x() - fits / 2.0, room.top(), fits, height);
-}
-
-double PageFrame::width_of_longest_word(const QString& text, int size_px) const {
-  double longest = 0.0;
-  for (const QString& word : pieces_of(text, QTextBoundaryFinder::Line)) {
-    longest = std::max(longest, width_of(word.trimmed(), size_px, false));
-  }
-  return longest;
 }
 
 std::vector<QString> PageFrame::parts_of(const QString& text, int size_px, bool bold,
