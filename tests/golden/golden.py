@@ -23,6 +23,7 @@ import golden_texts
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 RESULTS = ROOT / "tests" / "golden" / "results"
+LIBRARY = ROOT / "protocols" / "library"
 COMMON = "common.tsv"
 # One protocol of each kind is simulated: the one whose text these changes shorten, or else the first. The demo study has its stimuli.
 SHORTENED = {"roughness_in_pairs": {'"repetitions": 3': '"repetitions": 1'},
@@ -80,7 +81,7 @@ def simulated_results(program, protocols):
             study, export = (pathlib.Path(folder) / f"{protocol}{end}" for end in ("", "-export"))
             shutil.copytree(demo, study)
             file = study / "protocols" / f"{protocol}.json"
-            text = file.read_text(encoding="utf-8")
+            text = (LIBRARY / file.name).read_text(encoding="utf-8")
             for before, after in SHORTENED.get(protocol, {}).items():
                 if before not in text:
                     sys.exit(f"The protocol {protocol} no longer has the text {before} that SHORTENED in tests/golden/golden.py replaces.")
@@ -152,7 +153,7 @@ def name_of(path):
 
 def library():
     """Name → kind."""
-    files = sorted((ROOT / "protocols" / "library").glob("*.json"))
+    files = sorted(LIBRARY.glob("*.json"))
     return {path.stem: json.loads(path.read_text(encoding="utf-8"))["kind"] for path in files if "." not in path.stem}
 
 
