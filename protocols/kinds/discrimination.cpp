@@ -22,12 +22,14 @@ namespace {
 using Block = Protocol::Block;
 
 constexpr std::array kDiscriminationTests{
-    KindTest{"order", "is the comparison chosen equally often in both positions"},
-    KindTest{"conditions", "do the thresholds differ between the conditions"},
+    KindTest{"order", "whether the comparison is chosen equally often in both positions"},
+    KindTest{"conditions", "whether the thresholds differ between the conditions"},
     KindTest{"point_of_subjective_equality",
-             "is the point of subjective equality different from the standard"},
+             "whether the point of subjective equality differs from the standard; only with the "
+             "judgement `comparison`"},
     KindTest{kGroupsTest,
-             "for every pair of groups: do the thresholds differ, or with one level d′"}};
+             "whether the thresholds of two groups differ, or with a single level d′, for every "
+             "pair of groups"}};
 
 constexpr std::array<std::string_view, 2> kDiscriminationRoles{"standard", "comparison"};
 

@@ -27,7 +27,7 @@ inline constexpr std::array<std::string_view, 1> kAlternativeRole{"alternative"}
 /// A group of tests of a kind, by the name under which a protocol can take it into its family.
 struct KindTest {
   std::string_view name{};
-  std::string_view meaning{};  ///< the question that it answers, without a question mark
+  std::string_view meaning{};  ///< what it answers, as on the page of the format: "whether …"
   /// Only with a declared target (AnalysisDeclaration::target).
   bool needs_target = false;
   /// Of magnitude estimates: the key of "estimation" with which it is possible, "spacing" or "factor"; empty: with both.

@@ -16,23 +16,26 @@ namespace asperity {
 namespace {
 
 constexpr std::array kMagnitudeTests{
-    KindTest{"spacing", "do estimates depend on the spacing", false, kBySpacing, "stimuli"},
-    KindTest{"interaction", "does the curve over spacings depend on the condition", false,
+    KindTest{"spacing", "whether estimates depend on the spacing", false, kBySpacing, "stimuli"},
+    KindTest{"interaction", "whether the effect of the spacing depends on the condition", false,
              kBySpacing, "stimuli_by_condition"},
-    KindTest{"condition", "do estimates depend on the condition"},
-    KindTest{"peaks", "for every pair of conditions: do their peaks differ", false, kBySpacing},
-    KindTest{"stimuli", "with a factor in place of the spacing: do estimates depend on it", false,
-             kByFactor},
+    KindTest{"condition", "whether estimates depend on the condition"},
+    KindTest{"peaks", "whether the peaks of two conditions differ, for every pair of conditions",
+             false, kBySpacing},
+    KindTest{"stimuli", "whether estimates depend on the stimulus", false, kByFactor},
     KindTest{"exponent",
-             "with a predictor: does the exponent of the power function differ from 0, for every "
-             "condition",
+             "with a predictor: whether the exponent of the power function differs from 0, for "
+             "every condition",
              false, kByFactor},
     KindTest{"stimuli_by_condition",
-             "with a factor in place of the spacing: does its effect depend on the condition",
+             "whether the effect of the stimulus depends on "
+             "the condition",
              false, kByFactor},
-    KindTest{kGroupsTest, "with a predictor, for every pair of groups: do the exponents differ"},
+    KindTest{
+        kGroupsTest,
+        "with a predictor: whether the exponents of two groups differ, for every pair of groups"},
     KindTest{kGroupProfilesTest,
-             "for every pair of groups: does the effect of the stimulus differ"}};
+             "whether the effect of the stimulus differs between two groups, for every pair"}};
 
 constexpr const char* kStandardRole = "standard";
 constexpr std::array<std::string_view, 2> kMagnitudeRoles{"target", kStandardRole};

@@ -13,12 +13,13 @@ namespace asperity {
 namespace {
 
 constexpr std::array kMatchingTests{
-    KindTest{"items", "are more items matched correctly than expected by chance"},
-    KindTest{"whole", "are more trials completely correct than expected by chance"},
+    KindTest{"items", "whether more items are matched correctly than expected by chance"},
+    KindTest{"whole", "whether more trials are completely correct than expected by chance"},
     KindTest{"textures",
-             "for every texture: is it matched correctly more often than expected by chance"},
-    KindTest{"sexes", "do women and men differ"},
-    KindTest{kGroupsTest, "for every pair of groups: do they differ"}};
+             "whether a texture is matched correctly more often than expected by chance, for every "
+             "texture"},
+    KindTest{"sexes", "whether women and men differ"},
+    KindTest{kGroupsTest, "whether two groups differ, for every pair of groups"}};
 
 std::string item_of_matching(const PlannedPresentation& surface) {
   return surface.stimulus.texture;

@@ -18,11 +18,13 @@ namespace asperity {
 namespace {
 
 constexpr std::array kPairedTests{
-    KindTest{"pairs", "every pair of items: is one chosen more often than the other"},
-    KindTest{"preference", "are all items chosen equally often"},
-    KindTest{"position", "are both positions chosen equally often"},
+    KindTest{"pairs",
+             "whether one item is chosen more often than the other, for every pair of items"},
+    KindTest{"preference", "whether all items are chosen equally often"},
+    KindTest{"position", "whether both positions are chosen equally often"},
     KindTest{kGroupProfilesTest,
-             "for every pair of groups: do the proportions of choices of the items differ"}};
+             "whether the proportions of choices of the items differ between two groups, for every "
+             "pair of groups"}};
 
 std::string item_of_pair(const PlannedPresentation& surface) {
   return surface.stimulus.texture.empty() ? surface.stimulus.model : surface.stimulus.texture;

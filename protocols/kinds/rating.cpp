@@ -15,18 +15,20 @@ namespace asperity {
 namespace {
 
 constexpr std::array kRatingTests{
-    KindTest{"ratings", "do the ratings differ between the items"},
-    KindTest{"rated_pairs", "for every pair of items: do the ratings differ"},
-    KindTest{
-        "rating_model",
-        "for every scale, in an analysis of variance of the participants' mean ratings: do the "
-        "ratings depend on the item"},
+    KindTest{"ratings", "whether ratings differ between the items, for every scale"},
+    KindTest{"rated_pairs",
+             "whether the ratings of two items differ, for every pair of items on every scale"},
+    KindTest{"rating_model",
+             "whether the ratings depend on the item in an analysis of variance of the "
+             "participants' mean ratings, for every scale"},
     KindTest{"accompanying_scales",
-             "for every scale that accompanies a question with correct responses: do the ratings "
-             "differ between correct and incorrect responses"},
-    KindTest{kGroupsTest, "for every scale and pair of groups: do the mean ratings differ"},
+             "whether ratings differ between correct and incorrect responses, for every scale that "
+             "accompanies a question with correct responses"},
+    KindTest{kGroupsTest,
+             "whether the mean ratings of two groups differ, for every scale and pair of groups"},
     KindTest{kGroupProfilesTest,
-             "for every scale and pair of groups: do the differences between the items differ"}};
+             "whether the differences between the items differ between two groups, for every scale "
+             "and pair"}};
 
 std::string item_of_rating(const PlannedPresentation& surface) {
   return surface.stimulus.texture.empty() ? surface.stimulus.model : surface.stimulus.texture;

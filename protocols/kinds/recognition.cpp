@@ -14,11 +14,13 @@ namespace asperity {
 namespace {
 
 constexpr std::array kRecognitionTests{
-    KindTest{"right", "is the proportion correct above the chance level"},
-    KindTest{"textures", "for every texture: is it recognised more often than expected by chance"},
-    KindTest{"information", "do the responses depend on the stimulus"},
-    KindTest{"sexes", "do women and men differ"},
-    KindTest{kGroupsTest, "for every pair of groups: do they differ"}};
+    KindTest{"right", "whether the proportion correct is above the chance level"},
+    KindTest{
+        "textures",
+        "whether a texture is recognised more often than expected by chance, for every texture"},
+    KindTest{"information", "whether the responses depend on the stimulus"},
+    KindTest{"sexes", "whether women and men differ"},
+    KindTest{kGroupsTest, "whether two groups differ, for every pair of groups"}};
 
 std::string item_of_recognition(const PlannedPresentation& surface) {
   return surface.stimulus.texture;

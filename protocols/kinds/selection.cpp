@@ -15,17 +15,20 @@ namespace asperity {
 namespace {
 
 constexpr std::array kSelectionTests{
-    KindTest{"pairs", "for every pair of items: is one chosen more often than the other"},
-    KindTest{
-        "target_pairs",
-        "for every pair of the target and another item: is one chosen more often than the other",
-        true},
-    KindTest{"preference", "are all items chosen equally often"},
-    KindTest{"position", "are all positions chosen equally often"},
-    KindTest{"textures", "is the target chosen equally often with every texture", true},
-    KindTest{kGroupsTest, "for every pair of groups: is the target chosen equally often", true},
+    KindTest{"pairs",
+             "whether one item is chosen more often than the other, for every pair of items"},
+    KindTest{"target_pairs",
+             "whether the target or the other item is chosen more often, for every pair that "
+             "contains the target",
+             true},
+    KindTest{"preference", "whether all items are chosen equally often"},
+    KindTest{"position", "whether all positions are chosen equally often"},
+    KindTest{"textures", "whether the target is chosen equally often with every texture", true},
+    KindTest{kGroupsTest, "whether the target is chosen equally often, for every pair of groups",
+             true},
     KindTest{kGroupProfilesTest,
-             "for every pair of groups: do the proportions of choices of the items differ"}};
+             "whether the proportions of choices of the items differ between two groups, for every "
+             "pair of groups"}};
 
 constexpr std::array kSelectionKeys{
     RequiredKey{"realism_standard",

@@ -19,12 +19,15 @@ namespace asperity {
 namespace {
 
 constexpr std::array kSimilarityTests{
-    KindTest{"configuration", "is the stress of the configuration below that of permuted ratings"},
-    KindTest{"identical", "with identical pairs: are different surfaces rated as more dissimilar"},
+    KindTest{"configuration",
+             "whether the stress of the configuration is below that of permuted ratings"},
+    KindTest{"identical",
+             "whether different surfaces are rated as more dissimilar than identical ones"},
     KindTest{"properties",
-             "for every measured property of the surfaces: is it related to the configuration"},
+             "whether a measured property is related to the configuration, for every property"},
     KindTest{kGroupProfilesTest,
-             "for every pair of groups: do the dissimilarities of the pairs differ"}};
+             "whether the dissimilarities of the pairs differ between two groups, for every pair "
+             "of groups"}};
 
 std::string item_of_similarity(const PlannedPresentation& surface) {
   return surface.stimulus.texture.empty() ? surface.stimulus.model : surface.stimulus.texture;

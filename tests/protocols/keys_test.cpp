@@ -1,6 +1,6 @@
 // The tables of keys: what is read of their objects, what is refused, and the agreement with schema and page.
 //
-// To write the present rows into docs/formats/protocol.md after a key was meant to change, run
+// To write the present rows into docs/formats/protocol.md after a key or a test of a kind was meant to change, run
 //   ASPERITY_STORE_PAGE=1 build/release/bin/asperity_protocols_tests --gtest_filter='Keys.AreThoseOfThePage'
 // A new table needs a section with the two lines of its header and an empty line after them.
 
@@ -24,6 +24,7 @@
 #include "protocols/keys/page_of.h"
 #include "protocols/keys/reading.h"
 #include "protocols/keys/tables.h"
+#include "protocols/kinds/experiment_kind.h"
 #include "tests/protocols/both_checks.h"
 #include "tests/protocols/example.h"
 #include "tests/protocols/protocol_files.h"
@@ -808,6 +809,23 @@ std::string with_rows(const KeyTable& table, const std::set<std::string>& curren
   return page.replace(place.first, place.second, page_rows_of(table));
 }
 
+/// A row for every kind of experiment, with its tests.
+std::string rows_of_tests() {
+  std::string rows{};
+  for (const ExperimentKind* const kind : experiment_kinds()) {
+    rows += "| " + std::string(kind->id) + " | ";
+    for (const KindTest& test : kind->tests) {
+      if (&test != &kind->tests.front()) rows += ", ";
+      rows += '`' + std::string(test.name) + "` (" + std::string(test.meaning);
+      if (!test.estimated_by.empty())
+        rows += "; only with `" + std::string(test.estimated_by) + '`';
+      rows += ')';
+    }
+    rows += " |\n";
+  }
+  return rows;
+}
+
 TEST(Keys, AreThoseOfThePage) {
   std::string page = source_file(kPage);
   std::set<const KeyTable*> all = tables();
@@ -822,6 +840,11 @@ TEST(Keys, AreThoseOfThePage) {
     if (is_stored && !is_there) page = with_rows(*table, current, page);
     EXPECT_TRUE(is_stored || is_there) << rows;
   }
+  constexpr std::string_view kHeadOfTests = "| kind | tests |\n| --- | --- |\n";
+  const std::size_t tests = page.find(kHeadOfTests) + kHeadOfTests.size();
+  const std::size_t length = page.find("\n\n", tests) + 1 - tests;
+  EXPECT_TRUE(is_stored || page.substr(tests, length) == rows_of_tests()) << rows_of_tests();
+  if (is_stored) page.replace(tests, length, rows_of_tests());
   if (is_stored) std::ofstream(std::string(ASPERITY_SOURCE_DIR) + "/" + kPage) << page;
 }
 
