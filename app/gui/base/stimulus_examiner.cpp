@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <QtCore/QPointer>
+
 #include "app/session/rehearsal/rehearsal_memory.h"
 
 namespace asperity {
@@ -42,17 +44,21 @@ void StimulusExaminer::withdraw(const QObject* page) {
   if (current_ && current_->page == page) stop();
 }
 
-void StimulusExaminer::hold() {
-  if (holds_++ > 0) return;
+StimulusExaminer::Hold StimulusExaminer::hold() {
+  if (Hold other = hold_.lock()) return other;
+  Hold made(this, [self = QPointer<StimulusExaminer>(this)](const void*) {
+    if (self) self->end_hold();
+  });
+  hold_ = made;
   if (current_) {
     waiting_.push_front(*current_);
     stop();
   }
   emit held_changed();
+  return made;
 }
 
-void StimulusExaminer::release() {
-  if (--holds_ > 0) return;
+void StimulusExaminer::end_hold() {
   begin_next();
   emit held_changed();
 }

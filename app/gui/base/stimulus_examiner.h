@@ -26,8 +26,8 @@ namespace asperity {
 /// protocols, the editor and the start page share one examination. What was stopped is not kept.
 ///
 /// A page requests while it is shown, withdraws when it is hidden and need not withdraw when it is destroyed. While a
-/// session or a device test runs, the servo loop needs the processor: its owner holds the examinations. What runs then is
-/// stopped, and begun again when they are released. Everything else that a page computes about a protocol follows
+/// session or a device test runs, the servo loop needs the processor: its owner has a hold. What runs then is
+/// stopped, and begun again afterwards. Everything else that a page computes about a protocol follows
 /// `held_changed` in the same way.
 ///
 /// A stop takes effect at the next stimulus. Belongs to the GUI thread. When it is destroyed, it waits for the
@@ -48,10 +48,10 @@ class StimulusExaminer final : public QObject {
                Done done);
   void withdraw(const QObject* page);
 
-  /// Once for each release: a session can begin before a device test that was stopped has ended.
-  void hold();
-  void release();
-  bool is_held() const noexcept { return holds_ > 0; }
+  /// Nothing is examined until every hold is gone: a session can begin before a device test that was stopped has ended.
+  using Hold = std::shared_ptr<const void>;
+  [[nodiscard]] Hold hold();
+  bool is_held() const noexcept { return !hold_.expired(); }
 
   /// In place of `examine_stimuli`, for tests.
   void set_examine(Examine examine) { examine_ = std::move(examine); }
@@ -75,6 +75,7 @@ class StimulusExaminer final : public QObject {
   static Found found_in(const Protocol& protocol, const std::filesystem::path& study,
                         const Known& known, const Examine& examine, const std::stop_token& stop);
   void begin_next();
+  void end_hold();
   void stop();
   void deliver(const Found& found);
 
@@ -83,7 +84,7 @@ class StimulusExaminer final : public QObject {
   Known known_{};
   std::deque<Request> waiting_{};
   std::optional<Request> current_{};  ///< absent while a worker that was stopped ends
-  int holds_ = 0;
+  std::weak_ptr<const void> hold_{};
   BackgroundTask task_{};
 };
 

@@ -90,7 +90,6 @@ DeviceTestPage::DeviceTestPage(OpenStudy& study, MeasureOrder usual, QWidget* pa
 }
 
 DeviceTestPage::~DeviceTestPage() {
-  if (run_.is_running()) study().examiner().release();
   if (!device_.device.empty()) study().leave(kLeftHere, device_);
 }
 
@@ -461,7 +460,7 @@ void DeviceTestPage::begin() {
   stack_->setCurrentIndex(1);
   stop_->setFocus();
   frames_.start();
-  study().examiner().hold();
+  hold_ = study().examiner().hold();
   run_.begin(study().drivers(), driver_options(device_.device), device_.device, order);
 }
 
@@ -520,7 +519,7 @@ void DeviceTestPage::show_measured(const MeasuredDevice& measured) {
 }
 
 void DeviceTestPage::end(State state, const QString& sentence) {
-  study().examiner().release();
+  hold_.reset();
   frames_.stop();
   drop_question();
   stop_->hide();

@@ -116,6 +116,7 @@ class DeviceTestPage final : public StudyPage {
   QPushButton* stop_ = nullptr;
   QTimer frames_{};
   bool stop_wanted_ = false;
+  StimulusExaminer::Hold hold_{};
   DeviceTestRun run_{};  ///< the last: it is stopped and waited for before anything else goes
 };
 

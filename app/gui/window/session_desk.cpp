@@ -176,7 +176,7 @@ void SessionDesk::begin(const SessionOrder& order) {
   if (refuse_another()) return;
   runner_ =
       std::make_unique<SessionRunner>(nullptr, make_sound_, study_->drivers(), study_->models());
-  study_->examiner().hold();  // the servo loop needs the processor
+  hold_ = study_->examiner().hold();  // the servo loop needs the processor
   runner_->start(order);
   window_.set_busy(tr("A session is running. End it in its own window first."));
   // The page before a session has done its part.
@@ -185,7 +185,7 @@ void SessionDesk::begin(const SessionOrder& order) {
   open_session_window();
   // First of all: the session's window may close at once, and then nothing is busy any more.
   const auto is_over = [this] {
-    study_->examiner().release();
+    hold_.reset();
     window_.set_busy(tr("The window of the session that has ended is still open. Close it first."));
   };
   connect(runner_.get(), &SessionRunner::ended, this, is_over);

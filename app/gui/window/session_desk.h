@@ -10,6 +10,7 @@
 #include <QtCore/QString>
 
 #include "app/gui/base/session_wish.h"
+#include "app/gui/base/stimulus_examiner.h"
 #include "app/gui/look/background_task.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/participant/participant_window.h"
@@ -65,6 +66,7 @@ class SessionDesk final : public QObject {
   std::function<void()> finish_later_{};  ///< the session's window is left, its thread not done yet
   BackgroundTask prepare_task_{};
   QPointer<StartPage> start_page_{};
+  StimulusExaminer::Hold hold_{};
   std::unique_ptr<SessionRunner> runner_{};
   QPointer<SessionWindow> session_window_{};
   QPointer<ParticipantWindow> participant_window_{};

@@ -137,9 +137,9 @@ TEST_F(Examiner, StopsAndWaitsWhenItIsDestroyed) {
 TEST_F(Examiner, ExaminesNothingWhileItIsHeldAndAllOfItAfterwards) {
   request(list_, {protocol("1.0.0"), protocol("2.0.0")});
   ASSERT_TRUE(eventually([&] { return gate_->has_begun(1); }));
-  examiner_->hold();  // by a session
-  examiner_->hold();  // and by a device test, which ends first
-  examiner_->release();
+  StimulusExaminer::Hold session = examiner_->hold();
+  StimulusExaminer::Hold device_test = examiner_->hold();  // which ends first
+  device_test.reset();
   EXPECT_TRUE(examiner_->is_held());
   ASSERT_TRUE(eventually([&] { return gate_->has_stopped(1); }));
   gate_->is_open = true;
@@ -147,10 +147,23 @@ TEST_F(Examiner, ExaminesNothingWhileItIsHeldAndAllOfItAfterwards) {
   wait();
   EXPECT_EQ(gate_->begun, 1);
   EXPECT_TRUE(results_.empty());
-  examiner_->release();
+  session.reset();
   ASSERT_TRUE(arrive(3));
   EXPECT_EQ(versions_, (Versions{"1.0.0", "2.0.0", "3.0.0"}));
   EXPECT_EQ(gate_->begun, 4) << "the stopped one was begun again";
+}
+
+TEST_F(Examiner, IsHeldAgainAfterAHoldThatEndedTwice) {
+  StimulusExaminer::Hold device_test = examiner_->hold();
+  device_test.reset();
+  device_test.reset();
+  EXPECT_FALSE(examiner_->is_held());
+  const StimulusExaminer::Hold session = examiner_->hold();
+  EXPECT_TRUE(examiner_->is_held());
+  request(list_, {protocol("1.0.0")});
+  wait();
+  EXPECT_EQ(gate_->begun, 0);
+  examiner_.reset();  // before the hold ends
 }
 
 TEST_F(Examiner, BeginsTheNextOneOnlyWhenAStoppedOneHasEnded) {

@@ -457,7 +457,12 @@ TEST_F(DeviceTests, LeaveZeroForceWhereTheWindowIsClosed) {
   make_page({}, arm());
   click("device_test_begin");
   require([this] { return bench.force_N > 0.0; }, "push of the safety's checks");
+  bool was_open_at_release = true;
+  QObject::connect(&study->examiner(), &StimulusExaminer::held_changed,
+                   [&] { was_open_at_release = bench.is_open; });
   page.reset();
+  EXPECT_FALSE(study->examiner().is_held());
+  EXPECT_FALSE(was_open_at_release) << "the servo loop needs the processor to its end";
   EXPECT_EQ(bench.force_N.load(), 0.0);
   EXPECT_FALSE(bench.is_open);
   EXPECT_FALSE(has_profiles());

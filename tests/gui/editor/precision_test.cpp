@@ -167,11 +167,11 @@ TEST_F(PrecisionOfAProtocol, BeginsAgainWithAnotherTextAndKeepsWhatWasStated) {
 TEST_F(PrecisionOfAProtocol, ComputesNothingDuringASessionOrWhileItIsHidden) {
   show_jnd();
   ASSERT_TRUE(has_studies());
-  study_.examiner().hold();
+  StimulusExaminer::Hold hold = study_.examiner().hold();
   EXPECT_TRUE(state().contains("while a session runs")) << state().toStdString();
   EXPECT_TRUE(is_still());
   const std::int64_t before = view_.studies();
-  study_.examiner().release();
+  hold.reset();
   ASSERT_TRUE(has_studies(before + 1));
   view_.hide();
   EXPECT_TRUE(is_still());

@@ -126,8 +126,7 @@ TEST_F(ProtocolEditor, UnderlinesAndListsWarnings) {
 
 TEST_F(ProtocolEditor, ChecksNoTextWhileASessionRuns) {
   open();
-  StimulusExaminer& examiner = study_->examiner();
-  examiner.hold();
+  StimulusExaminer::Hold hold = study_->examiner().hold();
   go_behind("\"planned\": 2");
   type("x");
   EXPECT_TRUE(label("editor_state").contains("when the session has ended"));
@@ -135,7 +134,7 @@ TEST_F(ProtocolEditor, ChecksNoTextWhileASessionRuns) {
   QTest::qWait(kMoment_ms);
   EXPECT_FALSE(page_->is_checked());
   EXPECT_TRUE(underlined().isEmpty());
-  examiner.release();
+  hold.reset();
   EXPECT_TRUE(label("editor_state").contains("checking"));
   ASSERT_TRUE(checked());
   EXPECT_FALSE(underlined().isEmpty());
