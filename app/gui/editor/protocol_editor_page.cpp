@@ -399,7 +399,7 @@ void ProtocolEditorPage::take_checked(const LiveCheck::Result& result) {
 
 void ProtocolEditorPage::show_checking() {
   state_->set_state(State::unknown, study().examiner().is_held()
-                                        ? tr("The text is checked when the session has ended.")
+                                        ? tr("The text is checked when the device is free again.")
                                         : tr("checking…"));
 }
 
@@ -429,7 +429,7 @@ void ProtocolEditorPage::show_checked() {
                                            : tr("valid, %1 warnings").arg(warnings.size());
     if (examination_->is_under_way()) {
       words = (study().examiner().is_held()
-                   ? tr("%1 (the stimuli are examined when the session has ended)")
+                   ? tr("%1 (the stimuli are examined when the device is free again)")
                    : tr("%1 (the stimuli are being examined…)"))
                   .arg(words);
     }

@@ -310,7 +310,7 @@ void PrecisionView::proceed() {
 
 void PrecisionView::show_state() {
   if (study_.examiner().is_held()) {
-    state_->set_state(State::unknown, tr("No studies are simulated while a session runs."));
+    state_->set_state(State::unknown, tr("No studies are simulated while the device is in use."));
   } else if (!is_read_) {
     state_->set_state(State::unknown, tr("The protocol is being read…"));
   } else if (const QString why = blocker(); !why.isEmpty()) {

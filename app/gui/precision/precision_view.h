@@ -33,8 +33,8 @@ class StudyTable;
 /// The numbers of `asperity power` for one number of participants, with the seed 1 and up to 1000 studies. The figures are those of the
 /// studies so far: the first ones follow after a second, and further studies refine them.
 ///
-/// Studies are simulated only while the view is shown, the text is unchanged, every assumption has a value and no session runs. What
-/// is stated here is kept for each protocol file while the study is open; it is not a part of the protocol.
+/// Studies are simulated only while the view is shown, the text is unchanged, every assumption has a value and the device is not in use.
+/// What is stated here is kept for each protocol file while the study is open; it is not a part of the protocol.
 class PrecisionView final : public QWidget {
   Q_OBJECT
  public:

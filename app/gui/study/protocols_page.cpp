@@ -341,7 +341,7 @@ void ProtocolsPage::show_whether_examined() {
   });
   examining_->setVisible(examined < valid);
   examining_->setText(study().examiner().is_held()
-                          ? tr("The stimuli are examined when the session has ended.")
+                          ? tr("The stimuli are examined when the device is free again.")
                           : tr("Examining stimuli: %1 of %2").arg(examined).arg(valid));
 }
 

@@ -15646,8 +15646,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Für die Präzision diese Werte angeben: %1</translation>
     </message>
     <message>
-        <source>No studies are simulated while a session runs.</source>
-        <translation>Während einer Sitzung werden keine Studien simuliert.</translation>
+        <source>No studies are simulated while the device is in use.</source>
+        <translation>Solange das Gerät benutzt wird, werden keine Studien simuliert.</translation>
     </message>
     <message>
         <source>The protocol is being read…</source>
@@ -15954,8 +15954,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Mit einem anderen Text der Version %1 simulierte Sitzungen: %2. Sie würden mit neuen zusammen ausgewertet; die Version erhöhen, um die Daten getrennt zu halten.</translation>
     </message>
     <message>
-        <source>%1 (the stimuli are examined when the session has ended)</source>
-        <translation>%1 (die Reize werden nach dem Ende der Sitzung untersucht)</translation>
+        <source>%1 (the stimuli are examined when the device is free again)</source>
+        <translation>%1 (die Reize werden untersucht, sobald das Gerät wieder frei ist)</translation>
     </message>
     <message>
         <source>%1 (the stimuli are being examined…)</source>
@@ -15986,8 +15986,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Die Datei wurde außerhalb des Editors geändert, und ihr neuer Text wird angezeigt. Rückgängig stellt den vorherigen Text wieder her.</translation>
     </message>
     <message>
-        <source>The text is checked when the session has ended.</source>
-        <translation>Der Text wird nach dem Ende der Sitzung geprüft.</translation>
+        <source>The text is checked when the device is free again.</source>
+        <translation>Der Text wird geprüft, sobald das Gerät wieder frei ist.</translation>
     </message>
 </context>
 <context>
@@ -16257,8 +16257,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Block %1: %2.</translation>
     </message>
     <message>
-        <source>The stimuli are examined when the session has ended.</source>
-        <translation>Die Reize werden nach dem Ende der Sitzung untersucht.</translation>
+        <source>The stimuli are examined when the device is free again.</source>
+        <translation>Die Reize werden untersucht, sobald das Gerät wieder frei ist.</translation>
     </message>
     <message>
         <source>Examining stimuli: %1 of %2</source>

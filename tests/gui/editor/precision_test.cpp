@@ -164,11 +164,11 @@ TEST_F(PrecisionOfAProtocol, BeginsAgainWithAnotherTextAndKeepsWhatWasStated) {
   EXPECT_TRUE(has_studies());
 }
 
-TEST_F(PrecisionOfAProtocol, ComputesNothingDuringASessionOrWhileItIsHidden) {
+TEST_F(PrecisionOfAProtocol, ComputesNothingWhileTheDeviceIsInUseOrWhileItIsHidden) {
   show_jnd();
   ASSERT_TRUE(has_studies());
   StimulusExaminer::Hold hold = study_.examiner().hold();
-  EXPECT_TRUE(state().contains("while a session runs")) << state().toStdString();
+  EXPECT_TRUE(state().contains("while the device is in use")) << state().toStdString();
   EXPECT_TRUE(is_still());
   const std::int64_t before = view_.studies();
   hold.reset();

@@ -124,12 +124,12 @@ TEST_F(ProtocolEditor, UnderlinesAndListsWarnings) {
       << problems.text_at(0, 1).toStdString();
 }
 
-TEST_F(ProtocolEditor, ChecksNoTextWhileASessionRuns) {
+TEST_F(ProtocolEditor, ChecksNoTextWhileTheDeviceIsInUse) {
   open();
   StimulusExaminer::Hold hold = study_->examiner().hold();
   go_behind("\"planned\": 2");
   type("x");
-  EXPECT_TRUE(label("editor_state").contains("when the session has ended"));
+  EXPECT_TRUE(label("editor_state").contains("when the device is free again"));
   constexpr int kMoment_ms = 50;
   QTest::qWait(kMoment_ms);
   EXPECT_FALSE(page_->is_checked());

@@ -143,7 +143,7 @@ TEST_F(TheSessionDesk, ExaminesNoStimuliWhileASessionRuns) {
   window_.show_page("protocols");
   const auto& note = child<QLabel>(window_, "protocols_examining");
   EXPECT_TRUE(note.isVisible());
-  EXPECT_EQ(note.text(), "The stimuli are examined when the session has ended.");
+  EXPECT_EQ(note.text(), "The stimuli are examined when the device is free again.");
   const int begun = gate->begun;
   ASSERT_TRUE(eventually([&] {
     if (!desk_.is_running()) return true;
