@@ -107,8 +107,7 @@ ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
   examination_ = new LiveExamination(study.examiner(), this);
   connect(check_, &LiveCheck::checked, this, &ProtocolEditorPage::take_checked);
   connect(examination_, &LiveExamination::changed, this, &ProtocolEditorPage::show_checked);
-  connect(check_, &LiveCheck::failed, this,
-          [this](const QString& what) { state_->set_state(State::unknown, what); });
+  connect(check_, &LiveCheck::failed, this, &ProtocolEditorPage::show_not_known);
   connect(edit_, &QPlainTextEdit::textChanged, this, [this] {
     examination_->abandon();
     precision_->hold_for_new_text();
@@ -268,6 +267,10 @@ void ProtocolEditorPage::open(const std::filesystem::path& protocol) {
   file_ = protocol;
   name_->show_text(text(protocol.filename().string()));
   show_empty(false);
+  result_.reset();  // the problems and the plan are those of another file
+  views_->show_problems({}, {});
+  problems_->fill({});
+  plan_side_->setCurrentWidget(why_no_plan_);
   show_content(bytes);
   views_->show_form_if_possible();
   watch_file();
@@ -398,9 +401,14 @@ void ProtocolEditorPage::take_checked(const LiveCheck::Result& result) {
 }
 
 void ProtocolEditorPage::show_checking() {
-  state_->set_state(State::unknown, study().examiner().is_held()
-                                        ? tr("The text is checked when the device is free again.")
-                                        : tr("checking…"));
+  show_not_known(study().examiner().is_held()
+                     ? tr("The text is checked when the device is free again.")
+                     : tr("checking…"));
+}
+
+void ProtocolEditorPage::show_not_known(const QString& why) {
+  state_->set_state(State::unknown, why);
+  if (result_ == nullptr) why_no_plan_->setText(why);
 }
 
 void ProtocolEditorPage::show_checked() {

@@ -54,7 +54,7 @@ class ProtocolEditorPage final : public StudyPage {
 
   /// What would be written.
   std::string content() const;
-  /// Null while nothing was checked.
+  /// Null while no text of the file was checked.
   const LiveCheck::Result& result() const noexcept { return result_; }
   bool is_checked() const { return check_->is_settled(); }
 
@@ -84,6 +84,7 @@ class ProtocolEditorPage final : public StudyPage {
   void show_whether_saved();
   void take_checked(const LiveCheck::Result& result);
   void show_checking();
+  void show_not_known(const QString& why);
   void show_checked();
   void show_plan_or_why_not(const ProtocolCheck& shown);
   void go_to_problem(const QString& key);

@@ -140,6 +140,42 @@ TEST_F(ProtocolEditor, ChecksNoTextWhileTheDeviceIsInUse) {
   EXPECT_FALSE(underlined().isEmpty());
 }
 
+TEST_F(ProtocolEditor, ShowsNothingOfTheFileBeforeWhileTheTextOfAnotherIsNotChecked) {
+  const std::filesystem::path invalid = folder_ / "protocols" / "amplitude_jnd.json";
+  std::string text = library_text("amplitude_jnd");
+  const std::string version = R"("version": ")";
+  write_file(invalid, text.insert(text.find(version) + version.size(), "x"), Overwrite::refuse);
+  open();
+  const auto& side = child<QStackedWidget>(*page_, "editor_plan_side");
+  const auto& problems = child<StudyTable>(*page_, "editor_problems");
+  const auto of_form = [this] {
+    return std::ranges::count_if(page_->findChildren<QLabel*>("form_problem"),
+                                 [](const QLabel* label) { return label->isVisible(); });
+  };
+  const auto expect_nothing = [&] {
+    EXPECT_EQ(side.currentWidget(), page_->findChild<QLabel*>("editor_why_no_plan"));
+    EXPECT_EQ(label("editor_why_no_plan"), "The text is checked when the device is free again.");
+    EXPECT_EQ(problems.shown_rows(), 0);
+    EXPECT_TRUE(underlined().isEmpty());
+    EXPECT_EQ(of_form(), 0);
+    EXPECT_EQ(page_->result(), nullptr);
+  };
+  StimulusExaminer::Hold hold = study_->examiner().hold();
+  EXPECT_EQ(side.currentIndex(), 0) << "the plan";
+  page_->open(invalid);
+  expect_nothing();
+  hold.reset();
+  ASSERT_TRUE(checked());
+  EXPECT_EQ(problems.shown_rows(), 1);
+  EXPECT_EQ(of_form(), 1);
+  hold = study_->examiner().hold();
+  page_->open(file_);
+  expect_nothing();
+  hold.reset();
+  ASSERT_TRUE(checked());
+  EXPECT_EQ(side.currentIndex(), 0);
+}
+
 // The relief of 500 N/m exerts at most 1.5 N, which `check` finds by rendering it.
 TEST_F(ProtocolEditor, ShowsTheWarningsThatNeedTheStimuliOnceTheTextIsStill) {
   open();
