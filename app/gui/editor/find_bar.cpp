@@ -54,7 +54,7 @@ FindBar::FindBar(QPlainTextEdit& text, ProtocolForm& form, QWidget* parent)
   QPushButton* close = make_button(tr("Close"), ButtonRole::link, this);
   layout->addWidget(close);
   // What is typed is found from where the last hit began, so that it grows in place. In the form only its matches are counted:
-  // a field would take the focus.
+  // what was unfolded for a part of a word would stay unfolded.
   connect(words_, &QLineEdit::textChanged, this, [this] {
     if (!is_in_form()) find_from(text_.textCursor().selectionStart(), Direction::forwards);
     refresh();
@@ -82,11 +82,13 @@ void FindBar::begin() {
 
 /// Not to a button that began the search.
 void FindBar::leave() {
-  hide();
   QWidget* const view = is_in_form() ? static_cast<QWidget*>(&form_) : &text_;
   const bool was_in_view =
       was_focus_ != nullptr && was_focus_->isVisible() && view->isAncestorOf(was_focus_);
-  (was_in_view ? was_focus_.data() : view)->setFocus();
+  if (!is_in_form() || !form_.enter_marked()) {
+    (was_in_view ? was_focus_.data() : view)->setFocus();
+  }
+  hide();
 }
 
 void FindBar::keyPressEvent(QKeyEvent* event) {
@@ -127,7 +129,9 @@ void FindBar::find_in_form(Direction direction) {
                           });
   const auto index = static_cast<std::size_t>(from - places.begin());
   found_ = places[(is_forwards ? index : index + places.size() - 1) % places.size()];
-  form_.go_to(found_);
+  // A key that is pressed in the bar must not reach a field.
+  const bool is_focus_here = isAncestorOf(QApplication::focusWidget());
+  form_.go_to(found_, is_focus_here ? ProtocolForm::Lead::mark : ProtocolForm::Lead::focus);
 }
 
 void FindBar::find_from(int position, Direction direction) {

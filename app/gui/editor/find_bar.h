@@ -15,7 +15,8 @@ namespace asperity {
 
 class ProtocolForm;
 
-/// Searches the text or the form, whichever is shown. Hidden until `begin`; Escape hides it and gives the focus back.
+/// Searches the text or the form, whichever is shown. Hidden until `begin`; Escape hides it and gives the focus to the field
+/// that was found in the form, otherwise back.
 class FindBar final : public QWidget {
   Q_OBJECT
  public:
@@ -23,7 +24,7 @@ class FindBar final : public QWidget {
   /// With what is selected in the text, if that is in one line.
   void begin();
   enum class Direction { forwards, backwards };
-  /// Leads to the next match: in the text the focus stays here, in the form the field gets it.
+  /// Leads to the next match. A focus in the bar stays there; in the form the field gets that of another.
   void find(Direction direction);
   /// The view has changed, or what it shows.
   void refresh();

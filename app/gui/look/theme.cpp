@@ -153,6 +153,7 @@ QString style_sheet_of(const Theme& look) {
     QHeaderView::down-arrow { image: url(:/look/down-%mode.svg); }
     QProgressBar { border: none; border-radius: 4px; background: %raised; max-height: 8px; min-height: 8px; }
     QProgressBar::chunk { border-radius: 4px; background: %press; }
+    QWidget[marked="true"] { border: 2px dashed %press; border-radius: 4px; }
     QFrame[role="card"] { background: %panel; border: 1px solid %line; border-radius: 6px; }
     QLabel[role="muted"] { color: %muted; }
     QSplitter::handle { background: %line; }

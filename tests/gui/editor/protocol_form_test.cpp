@@ -63,6 +63,15 @@ class FormOfProtocol : public QuietHome {
   json tree() { return json::parse(text()); }
   void undo() { QTest::keyClick(QApplication::focusWidget(), Qt::Key_Z, Qt::ControlModifier); }
 
+  /// The controls with the frame of what is found.
+  std::vector<QWidget*> marked() {
+    std::vector<QWidget*> all{};
+    for (QWidget* const widget : form().findChildren<QWidget*>()) {
+      if (widget->property("marked").toBool()) all.push_back(widget);
+    }
+    return all;
+  }
+
   /// The part of the form for the value, unfolded; null if there is none.
   FormPart* part(const std::string& pointer) {
     form().go_to(pointer);
@@ -562,6 +571,10 @@ TEST_F(FormOfProtocol, FindsByKeysFromPageToPageAndAround) {
                                         "/blocks/range/listed/2/texture"};
   EXPECT_EQ(form().places_with("metal"), places);
   QTest::keyClick(&words, Qt::Key_Return);
+  QApplication::processEvents();
+  EXPECT_TRUE(words.hasFocus()) << focus_text();
+  ASSERT_EQ(marked().size(), 1U);
+  marked().front()->setFocus();
   for (std::size_t i = 0; i < places.size(); ++i) {
     QApplication::processEvents();
     EXPECT_EQ(form().page().id, form_page_of(places[i]).id);
@@ -589,6 +602,42 @@ TEST_F(FormOfProtocol, FindsByKeysFromPageToPageAndAround) {
   views_.set_view(ProtocolViews::View::text);
   views_.find();
   EXPECT_EQ(words.accessibleName(), "Find in the text");
+}
+
+TEST_F(FormOfProtocol, MarksWhatIsFoundWhileTheSearchHasTheFocus) {
+  const std::string before = library_text("semantic_differential");
+  open(before);
+  control<QLineEdit>("/title").setFocus();
+  views_.find();
+  auto& words = child<QLineEdit>(views_, "find_words");
+  const std::string word = "surface";
+  QTest::keyClicks(&words, QString::fromStdString(word));
+  const std::vector<std::string> places = form().places_with(QString::fromStdString(word));
+  ASSERT_GT(places.size(), 3U);
+  bool has_lines = false;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    QTest::keyClick(&words, i % 2 == 0 ? Qt::Key_Return : Qt::Key_F3);
+    QApplication::processEvents();
+    EXPECT_TRUE(words.hasFocus()) << places[i] << ": " << focus_text();
+    EXPECT_EQ(form().page().id, form_page_of(places[i]).id);
+    ASSERT_EQ(marked().size(), 1U) << places[i];
+    EXPECT_FALSE(marked().front()->visibleRegion().isEmpty()) << places[i];
+    has_lines = has_lines || qobject_cast<QPlainTextEdit*>(marked().front()) != nullptr;
+  }
+  EXPECT_TRUE(has_lines) << "a field in which Enter writes";
+  QTest::keyClick(&words, Qt::Key_S);
+  EXPECT_EQ(text(), before);
+  take_screenshot(views_, "form-found", {900, 700});
+  QWidget* const found = marked().front();
+  QTest::keyClick(&words, Qt::Key_Escape);
+  EXPECT_FALSE(words.isVisible());
+  EXPECT_EQ(QApplication::focusWidget(), found) << focus_text();
+  EXPECT_TRUE(marked().empty()) << "it has the focus";
+  auto& other = control<QLineEdit>("/title");
+  other.setFocus();
+  views_.find();
+  QTest::keyClick(&words, Qt::Key_Escape);
+  EXPECT_EQ(QApplication::focusWidget(), &other) << "nothing was found since";
 }
 
 TEST_F(FormOfProtocol, ShowsListedTrialsAsATable) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <QtCore/QCoreApplication>
 #include <QtCore/QTimer>
 #include <QtGui/QShortcut>
 #include <QtWidgets/QApplication>
@@ -15,6 +16,7 @@
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QScrollArea>
 #include <QtWidgets/QScrollBar>
+#include <QtWidgets/QStyle>
 #include <nlohmann/json.hpp>
 
 #include "app/gui/base/form_words.h"
@@ -97,10 +99,6 @@ ProtocolForm::ProtocolForm(const std::vector<ModelDeclaration>& models, QWidget*
   area_->setFrameShape(QFrame::NoFrame);
   area_->setAccessibleName(tr("Fields"));
   right->addWidget(area_, 1);
-  // Boxes that have got their width change their height, several times where cards are unfolded within cards.
-  connect(area_->verticalScrollBar(), &QScrollBar::rangeChanged, this, [this] {
-    if (found_ != nullptr && found_->hasFocus()) area_->ensureWidgetVisible(found_);
-  });
   help_ = make_text({}, this, true);
   help_->setObjectName("form_help");
   help_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -126,8 +124,11 @@ ProtocolForm::ProtocolForm(const std::vector<ModelDeclaration>& models, QWidget*
     page_ = &form_pages()[static_cast<std::size_t>(row)];
     make_page();
   });
-  connect(qApp, &QApplication::focusChanged, this,
-          [this](QWidget*, QWidget* now) { show_help(now); });
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+    if (content_ == nullptr || now == nullptr || !content_->isAncestorOf(now)) return;
+    mark(nullptr);
+    show_help(now);
+  });
 }
 
 void ProtocolForm::resizeEvent(QResizeEvent* event) {
@@ -408,7 +409,7 @@ void ProtocolForm::show_page(std::string_view id) {
   }
 }
 
-void ProtocolForm::go_to(const std::string& pointer) {
+void ProtocolForm::go_to(const std::string& pointer, Lead lead) {
   if (context_.source == nullptr) return;
   for (nlohmann::json::json_pointer path(pointer); !path.empty(); path.pop_back()) {
     context_.opened.insert(path.to_string());
@@ -419,24 +420,45 @@ void ProtocolForm::go_to(const std::string& pointer) {
   }
   show_page(form_page_of(pointer).id);
   refresh();
-  // After the layout of what was unfolded.
-  QTimer::singleShot(0, content_, [this, pointer] {
+  QTimer::singleShot(0, content_, [this, pointer, lead] {
     FormPart* const part = part_at(pointer);
     if (part == nullptr) return;
-    area_->ensureWidgetVisible(part);
     part->point_to(pointer);
     QWidget* const control = control_at(*part, pointer);
-    if (control == nullptr) return;
-    control->setFocus();
-    area_->ensureWidgetVisible(control);
-    found_ = control;
+    if (lead == Lead::focus && control != nullptr) {
+      control->setFocus();
+    } else if (lead == Lead::mark) {
+      mark(control);
+      show_help(part);
+    }
+    // Boxes that have got their width change their height, several times where cards are unfolded within cards.
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    area_->ensureWidgetVisible(part);
+    if (control != nullptr) area_->ensureWidgetVisible(control);
   });
 }
 
-void ProtocolForm::show_help(QWidget* focused) {
-  if (content_ == nullptr || focused == nullptr || !content_->isAncestorOf(focused)) return;
-  for (QWidget* at = focused; at != nullptr && at != content_; at = at->parentWidget()) {
-    const auto* const part = qobject_cast<FormPart*>(at);
+bool ProtocolForm::enter_marked() {
+  if (marked_ == nullptr || !marked_->isVisible()) return false;
+  QWidget* const control = marked_;
+  control->setFocus();
+  return control->hasFocus();
+}
+
+void ProtocolForm::mark(QWidget* control) {
+  for (QWidget* const widget : {marked_.data(), control}) {
+    if (widget == nullptr) continue;
+    widget->setProperty("marked", widget == control);
+    // As the theme draws it: its rules are chosen when a widget is polished.
+    widget->style()->unpolish(widget);
+    widget->style()->polish(widget);
+  }
+  marked_ = control;
+}
+
+void ProtocolForm::show_help(const QWidget* control) {
+  for (const QWidget* at = control; at != nullptr && at != content_; at = at->parentWidget()) {
+    const auto* const part = qobject_cast<const FormPart*>(at);
     if (part == nullptr || part->meaning().isEmpty()) continue;
     help_->setText(part->meaning());
     return;

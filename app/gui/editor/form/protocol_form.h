@@ -45,8 +45,11 @@ class ProtocolForm final : public QWidget {
   std::vector<std::string> places_with(const QString& words) const;
 
   /// Shows the page with the value, unfolded, and gives its field the focus; without a field the first control that belongs to
-  /// it.
-  void go_to(const std::string& pointer);
+  /// it. With `mark` the focus stays where it is, and the control has a frame until the focus comes to a field.
+  enum class Lead { focus, mark };
+  void go_to(const std::string& pointer, Lead lead = Lead::focus);
+  /// Gives the focus to the control with the frame; false if there is none.
+  bool enter_marked();
   void show_page(std::string_view id);
   const FormPage& page() const noexcept { return *page_; }
 
@@ -66,7 +69,8 @@ class ProtocolForm final : public QWidget {
   void show_unreadable(const QString& why);
   void follow_names(const std::shared_ptr<const FormSource>& before);
   void refresh();
-  void show_help(QWidget* focused);
+  void show_help(const QWidget* control);
+  void mark(QWidget* control);
   void order_for_keyboard();
   /// To the control of this object name or of this part, after it was made again.
   struct Focus {
@@ -91,7 +95,7 @@ class ProtocolForm final : public QWidget {
   QListWidget* pages_ = nullptr;
   QLabel* state_ = nullptr;
   QScrollArea* area_ = nullptr;
-  QPointer<QWidget> found_{};  ///< to which go_to led; visible as long as it has the focus
+  QPointer<QWidget> marked_{};
   QWidget* content_ = nullptr;
   QLabel* help_ = nullptr;
 };
