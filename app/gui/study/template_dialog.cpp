@@ -211,8 +211,19 @@ QWidget* TemplateDialog::make_texts() {
   add(tr("Language of the participants’ texts"), language_);
   fields->setColumnStretch(1, 1);
   texts_->hide();
-  connect(own_title_, &QLineEdit::textEdited, this, &TemplateDialog::show_what_follows);
-  connect(language_, &QComboBox::currentIndexChanged, this, &TemplateDialog::show_texts);
+  connect(own_title_, &QLineEdit::textEdited, this, [this](const QString& written) {
+    own_titles_[chosen()->name] = written;
+    show_what_follows();
+  });
+  connect(language_, &QComboBox::currentIndexChanged, this, [this] {
+    show_texts();
+    // It is another protocol, which can have other problems.
+    if (own_->isChecked() || copied_->isChecked()) {
+      check_chosen();
+    } else {
+      choose_textures();
+    }
+  });
   return texts_;
 }
 
@@ -256,7 +267,6 @@ void TemplateDialog::show_chosen() {
                                 text(overview->name)}
                         .join(" · "));
     offer_languages(*overview);
-    own_title_->setModified(false);
     show_texts();
   }
   if (has_textures) {
@@ -281,15 +291,15 @@ void TemplateDialog::offer_languages(const TemplateOverview& overview) {
   language_->setCurrentIndex(std::max(language_->findData(before), 0));
 }
 
-/// The title, unless another one was written, the description and the screens, in the language of the new protocol.
+/// The title, unless another one was written for this template, the description and the screens, in the language of the new
+/// protocol.
 void TemplateDialog::show_texts() {
   const auto language = static_cast<std::size_t>(language_->currentIndex());
   const Protocol& protocol = chosen()->protocols[language];
   title_->setText(text(protocol.title));
-  if (!own_title_->isModified()) {
-    own_title_->setText(text(protocol.title));
-    own_title_->setCursorPosition(0);  // so that its beginning is shown
-  }
+  const auto written = own_titles_.find(chosen()->name);
+  own_title_->setText(written == own_titles_.end() ? text(protocol.title) : written->second);
+  own_title_->setCursorPosition(0);  // so that its beginning is shown
   description_->setText(text(protocol.description));
   show_screens(protocol);
 }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -78,7 +79,8 @@ class TemplateDialog final : public QDialog {
   QLabel* title_ = nullptr;
   QLabel* facts_ = nullptr;
   QWidget* texts_ = nullptr;
-  QLineEdit* own_title_ = nullptr;  ///< that of the new protocol
+  QLineEdit* own_title_ = nullptr;               ///< that of the new protocol
+  std::map<std::string, QString> own_titles_{};  ///< those that were written, by template
   ChoiceBox* language_ = nullptr;
   QLabel* description_ = nullptr;
   ScreenPreview* screen_ = nullptr;

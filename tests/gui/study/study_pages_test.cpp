@@ -77,6 +77,10 @@ TEST_F(StudyPages, ReportTheProblemsOfATemplateWithTheChosenTextures) {
   templates.select("roughness_force");
   EXPECT_TRUE(shows(kValid)) << state().toStdString();
   EXPECT_TRUE(own.isChecked());
+  child<QComboBox>(dialog, "template_language").setCurrentText("Deutsch");
+  EXPECT_FALSE(create.isEnabled()) << "that was about another language";
+  EXPECT_TRUE(shows(kValid)) << state().toStdString();
+  EXPECT_TRUE(own.isChecked());
   tick_only(dialog, {"brick"});
   EXPECT_TRUE(shows(kProblem)) << state().toStdString();
   EXPECT_TRUE(create.isEnabled());
@@ -130,6 +134,12 @@ TEST_F(StudyPages, PutATemplateIntoTheStudyUnderAFreeName) {
   QTest::keyClicks(&title, " ");
   EXPECT_EQ(child<QLabel>(dialog, "template_what_follows").text(), "Write a title.");
   QTest::keyClicks(&title, "Meine Texturen");
+  templates.select("roughness_force");
+  EXPECT_NE(title.text(), " Meine Texturen");
+  templates.select("chapter_selection");
+  EXPECT_EQ(title.text(), " Meine Texturen") << "that of this template";
+  ASSERT_TRUE(
+      eventually([&] { return child<QPushButton>(dialog, "template_create").isEnabled(); }));
   language.setCurrentText("English");
   language.setCurrentText("Deutsch");
   ASSERT_TRUE(
