@@ -4,8 +4,10 @@
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QStringList>
+#include <nlohmann/json.hpp>
 
 #include "app/gui/look/words.h"
+#include "protocols/file/diagnostic.h"
 #include "protocols/form/form_entries.h"
 #include "protocols/form/form_pages.h"
 
@@ -33,6 +35,12 @@ QString path_in_form(const nlohmann::json& protocol, const std::string& pointer)
 QString place_in_form(const nlohmann::json& protocol, const std::string& pointer) {
   if (pointer.empty()) return {};
   return text_of_keys(form_page_of(pointer).label) + kOfPath + path_in_form(protocol, pointer);
+}
+
+QString remark_in_form(const std::string& protocol, const Diagnostic& remark) {
+  const QString place =
+      place_in_form(nlohmann::json::parse(protocol, nullptr, false), remark.pointer);
+  return place.isEmpty() ? text(remark.message) : place + ": " + text(remark.message);
 }
 
 }  // namespace asperity

@@ -14,7 +14,6 @@
 #include <QtWidgets/QRadioButton>
 #include <QtWidgets/QScrollArea>
 #include <QtWidgets/QVBoxLayout>
-#include <nlohmann/json.hpp>
 
 #include "app/gui/base/form_words.h"
 #include "app/gui/base/question_form.h"
@@ -44,15 +43,6 @@ QString trials_of(const TemplateOverview& overview) {
 QString minutes_of(const TemplateOverview& overview) {
   constexpr double kSecondsPerMinute = 60.0;
   return QString::number(qRound(overview.cost.total_s / kSecondsPerMinute));
-}
-
-/// The first problem and its place in the form; empty if there is none.
-QString first_problem(const TemplateChoice& choice, const ProtocolCheck& check) {
-  if (check.diagnostics.empty()) return {};
-  const Diagnostic& first = check.diagnostics.front();
-  const QString place =
-      place_in_form(nlohmann::json::parse(text_from_template(choice)), first.pointer);
-  return place.isEmpty() ? text(first.message) : place + ": " + text(first.message);
 }
 
 }  // namespace
@@ -357,7 +347,10 @@ void TemplateDialog::check(const std::vector<TemplateTextures>& possible) {
           all.push_back({.choice = choice});
           try {
             all.back().check = check_of_template(study, choice, models, kept.get());
-            all.back().problem = first_problem(choice, all.back().check);
+            const std::vector<Diagnostic>& problems = all.back().check.diagnostics;
+            if (!problems.empty()) {
+              all.back().problem = remark_in_form(text_from_template(choice), problems.front());
+            }
           } catch (const std::exception& error) {
             all.back().refusal = message_of(error);
           }

@@ -10,8 +10,10 @@
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QGridLayout>
+#include <nlohmann/json.hpp>
 
 #include "app/gui/base/command_lines.h"
+#include "app/gui/base/form_words.h"
 #include "app/gui/base/open_study.h"
 #include "app/gui/base/settings.h"
 #include "app/gui/base/study_table.h"
@@ -257,28 +259,32 @@ void UseRenderingDialog::take(const std::shared_ptr<const Result>& result) {
     for (const Phrase& sentence : *sentences) remarks << "▲ " + words_of(sentence);
   }
   for (const Diagnostic& warning : use.warnings) {
-    remarks << "▲ " + text(warning.pointer) + ": " + text(warning.message);
+    remarks << "▲ " + remark_in_form(use.after, warning);
   }
   remarks_->setText(remarks.join('\n'));
   remarks_->setVisible(!remarks.isEmpty());
   std::vector<StudyTable::Row> rows{};
   const QString none = tr("none");
+  const std::string& text_before = result->choice.protocol;
+  const auto before = nlohmann::json::parse(text_before, nullptr, false);
+  const auto after = nlohmann::json::parse(use.after, nullptr, false);
   for (const ChangedValue& change : use.changes) {
-    rows.push_back({text(change.pointer),
-                    {text_cell(text(change.pointer)),
-                     text_cell(change.before.empty() ? none : text(change.before)),
-                     text_cell(change.after.empty() ? none : text(change.after))}});
+    rows.push_back(
+        {text(change.pointer),
+         {text_cell(place_in_form(change.after.empty() ? before : after, change.pointer)),
+          text_cell(change.before.empty() ? none : text(change.before)),
+          text_cell(change.after.empty() ? none : text(change.after))}});
   }
   changes_->fill(rows);
   if (!use.problems_before.empty()) {
-    state_->set_state(State::stop, tr("The protocol has problems. Fix them in the editor first: %1")
-                                       .arg(text(use.problems_before.front().message)));
+    state_->set_state(State::stop,
+                      tr("The protocol has problems. Fix them in the editor first: %1")
+                          .arg(remark_in_form(text_before, use.problems_before.front())));
   } else if (!use.remarks.problems.empty()) {
     state_->set_state(State::stop, tr("This rendering cannot be used here."));
   } else if (!use.problems.empty()) {
-    state_->set_state(
-        State::stop,
-        tr("The protocol would not be valid: %1").arg(text(use.problems.front().message)));
+    state_->set_state(State::stop, tr("The protocol would not be valid: %1")
+                                       .arg(remark_in_form(use.after, use.problems.front())));
   } else if (use.changes.empty()) {
     state_->set_state(State::look, tr("The surface already has these values."));
   } else {

@@ -166,9 +166,11 @@ TEST_F(RenderingsTest, AreUsedInAProtocolAsOneStepOfTheEditor) {
     rows << changes.text_at(row, 0) + ": " + changes.text_at(row, 1) + " > " +
                 changes.text_at(row, 2);
   }
-  EXPECT_TRUE(rows.contains("/stimuli/rendered/model: height_map > lateral_gradient"))
+  EXPECT_TRUE(
+      rows.contains("Surfaces › Stimuli › rendered › Force model: height_map > lateral_gradient"))
       << rows.join('\n').toStdString();
-  EXPECT_TRUE(rows.contains("/stimuli/rendered/x-rendering: none > brick_lateral_gradient"));
+  EXPECT_TRUE(
+      rows.contains("Surfaces › Stimuli › rendered › x-rendering: none > brick_lateral_gradient"));
   EXPECT_EQ(nameless_controls(use), QStringList{});
   EXPECT_EQ(steps_against_reading(use), QStringList{});
   take_screenshots(use, "use-rendering");
@@ -233,7 +235,7 @@ TEST_F(RenderingsTest, StateTheWarningsThatTheirUseCauses) {
     return state(use) == "▲ The changed protocol is valid, with warnings.";
   })) << state(use).toStdString();
   const QString remarks = child<QLabel>(use, "use_remarks").text();
-  EXPECT_TRUE(remarks.contains("▲ /blocks/ratings: every trial presents the same surface"))
+  EXPECT_TRUE(remarks.contains("▲ Task › Blocks › ratings: every trial presents the same surface"))
       << remarks.toStdString();
   EXPECT_FALSE(remarks.contains("break")) << "a warning that the protocol had before";
   EXPECT_TRUE(child<QPushButton>(use, "use_change").isEnabled());
