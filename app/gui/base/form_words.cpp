@@ -37,9 +37,8 @@ QString place_in_form(const nlohmann::json& protocol, const std::string& pointer
   return text_of_keys(form_page_of(pointer).label) + kOfPath + path_in_form(protocol, pointer);
 }
 
-QString remark_in_form(const std::string& protocol, const Diagnostic& remark) {
-  const QString place =
-      place_in_form(nlohmann::json::parse(protocol, nullptr, false), remark.pointer);
+QString remark_in_form(const nlohmann::json& protocol, const Diagnostic& remark) {
+  const QString place = place_in_form(protocol, remark.pointer);
   return place.isEmpty() ? text(remark.message) : place + ": " + text(remark.message);
 }
 

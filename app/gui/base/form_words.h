@@ -19,7 +19,7 @@ QString text_of_keys(std::string_view english);
 QString path_in_form(const nlohmann::json& protocol, const std::string& pointer);
 /// The same after the page of the form, and empty for the whole protocol. Any thread.
 QString place_in_form(const nlohmann::json& protocol, const std::string& pointer);
-/// A problem or a warning of the text after its place in the form; without a place alone. Any thread.
-QString remark_in_form(const std::string& protocol, const Diagnostic& remark);
+/// A problem or a warning of the protocol after its place in the form; without a place alone. Any thread.
+QString remark_in_form(const nlohmann::json& protocol, const Diagnostic& remark);
 
 }  // namespace asperity

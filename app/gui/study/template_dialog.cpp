@@ -349,7 +349,9 @@ void TemplateDialog::check(const std::vector<TemplateTextures>& possible) {
             all.back().check = check_of_template(study, choice, models, kept.get());
             const std::vector<Diagnostic>& problems = all.back().check.diagnostics;
             if (!problems.empty()) {
-              all.back().problem = remark_in_form(text_from_template(choice), problems.front());
+              all.back().problem =
+                  remark_in_form(nlohmann::json::parse(text_from_template(choice), nullptr, false),
+                                 problems.front());
             }
           } catch (const std::exception& error) {
             all.back().refusal = message_of(error);

@@ -254,20 +254,19 @@ void UseRenderingDialog::show_changes() {
 
 void UseRenderingDialog::take(const std::shared_ptr<const Result>& result) {
   const RenderingUse& use = result->use;
+  const auto before = nlohmann::json::parse(result->choice.protocol, nullptr, false);
+  const auto after = nlohmann::json::parse(use.after, nullptr, false);
   QStringList remarks{};
   for (const auto* const sentences : {&use.remarks.problems, &use.remarks.warnings}) {
     for (const Phrase& sentence : *sentences) remarks << "▲ " + words_of(sentence);
   }
   for (const Diagnostic& warning : use.warnings) {
-    remarks << "▲ " + remark_in_form(use.after, warning);
+    remarks << "▲ " + remark_in_form(after, warning);
   }
   remarks_->setText(remarks.join('\n'));
   remarks_->setVisible(!remarks.isEmpty());
   std::vector<StudyTable::Row> rows{};
   const QString none = tr("none");
-  const std::string& text_before = result->choice.protocol;
-  const auto before = nlohmann::json::parse(text_before, nullptr, false);
-  const auto after = nlohmann::json::parse(use.after, nullptr, false);
   for (const ChangedValue& change : use.changes) {
     rows.push_back(
         {text(change.pointer),
@@ -277,14 +276,14 @@ void UseRenderingDialog::take(const std::shared_ptr<const Result>& result) {
   }
   changes_->fill(rows);
   if (!use.problems_before.empty()) {
-    state_->set_state(State::stop,
-                      tr("The protocol has problems. Fix them in the editor first: %1")
-                          .arg(remark_in_form(text_before, use.problems_before.front())));
+    state_->set_state(State::stop, tr("The protocol has problems. Fix them in the editor first: %1")
+                                       .arg(remark_in_form(before, use.problems_before.front())));
   } else if (!use.remarks.problems.empty()) {
     state_->set_state(State::stop, tr("This rendering cannot be used here."));
   } else if (!use.problems.empty()) {
-    state_->set_state(State::stop, tr("The protocol would not be valid: %1")
-                                       .arg(remark_in_form(use.after, use.problems.front())));
+    state_->set_state(
+        State::stop,
+        tr("The protocol would not be valid: %1").arg(remark_in_form(after, use.problems.front())));
   } else if (use.changes.empty()) {
     state_->set_state(State::look, tr("The surface already has these values."));
   } else {
