@@ -17,6 +17,7 @@
 #include "app/words/coded_phrases.h"
 #include "app/words/reason.h"
 #include "protocols/plan/course.h"
+#include "protocols/plan/groups.h"
 #include "protocols/texts/protocol_texts.h"
 
 namespace asperity {
@@ -154,7 +155,7 @@ void Conductor::note_guidance() {
 void Conductor::note_texts() {
   std::vector<TextPlace> places = texts_with_placeholders(protocol_);
   std::erase_if(places, [group = allocation_of(session_.row).group](const TextPlace& each) {
-    return !each.groups.empty() && std::ranges::find(each.groups, group) == each.groups.end();
+    return !is_for_group(each.groups, group);
   });
   values_ = states_session(places)
                 ? values_of_session(protocol_, example_plan(protocol_, allocation_of(session_.row)))

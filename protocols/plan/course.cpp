@@ -148,13 +148,6 @@ const DesignTrial* type_of_anchor(const Block& block) {
   return types.empty() ? nullptr : &types.front();
 }
 
-/// `group`: the level of the factor of the groups, alone; empty without groups.
-bool is_read_in(const Protocol::Screen& screen, const FactorLevels& group) {
-  return screen.groups.empty() || std::ranges::any_of(group, [&screen](const auto& factor) {
-           return std::ranges::find(screen.groups, text_of(factor.second)) != screen.groups.end();
-         });
-}
-
 /// The rows of the squares of all iterated factors.
 std::size_t order_rows(const Protocol& protocol) {
   std::size_t rows = 1;
@@ -197,11 +190,12 @@ Course::Course(const Protocol& protocol, const Allocation& allocation, const Rul
 
 void Course::expand_flow(const Allocation& allocation) {
   const FactorLevels group = group_factor(*protocol_, allocation.group);
+  const std::string name = group.empty() ? std::string() : text_of(group.begin()->second);
   for (const Protocol::Step& step : protocol_->flow) {
     if (const auto* const run = std::get_if<Run>(&step)) {
       expand(*run, group, allocation);
     } else if (const auto* const screen = std::get_if<Protocol::Screen>(&step)) {
-      if (is_read_in(*screen, group)) units_.emplace_back(PlanStep(*screen));
+      if (is_for_group(screen->groups, name)) units_.emplace_back(PlanStep(*screen));
     } else if (const auto* const check = std::get_if<Protocol::Check>(&step)) {
       units_.emplace_back(PlanStep(*check));
     } else if (const auto* const pause = std::get_if<Protocol::Break>(&step)) {

@@ -2,6 +2,7 @@
 
 #include "protocols/plan/groups.h"
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 
@@ -18,6 +19,10 @@ std::vector<std::string> groups_of(const Protocol& protocol) {
     groups.push_back(text_of(level));
   }
   return groups;
+}
+
+bool is_for_group(const std::vector<std::string>& groups, std::string_view group) {
+  return groups.empty() || std::ranges::find(groups, group) != groups.end();
 }
 
 FactorLevels group_factor(const Protocol& protocol, const std::string& group) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "protocols/design/protocol.h"
@@ -16,6 +17,10 @@ namespace asperity {
 
 /// The groups of a protocol, as the text of their levels, in the declared order; empty without groups.
 std::vector<std::string> groups_of(const Protocol& protocol);
+
+/// Whether a text for these groups is for the participants of the group: one for no group in particular is for all. Without
+/// groups in the protocol the group is empty.
+bool is_for_group(const std::vector<std::string>& groups, std::string_view group);
 
 /// The factor level that every trial of a participant of this group has. An empty text stands for the first group.
 ///

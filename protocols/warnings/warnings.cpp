@@ -188,9 +188,7 @@ class Warnings final {
   bool has_screen(const std::string& group) const {
     return std::ranges::any_of(protocol_.flow, [&group](const Protocol::Step& step) {
       const auto* const screen = std::get_if<Protocol::Screen>(&step);
-      return screen != nullptr &&
-             (screen->groups.empty() ||
-              std::ranges::find(screen->groups, group) != screen->groups.end());
+      return screen != nullptr && is_for_group(screen->groups, group);
     });
   }
 
