@@ -203,7 +203,6 @@ struct Protocol {
   std::string description{};
   std::vector<std::string> authors{};
   std::string license{};
-  std::string instructions{};
   std::string consent_version{};
   std::string consent_statement{};
   int planned_participants = 0;

@@ -37,7 +37,7 @@ struct StoredProtocol {
 /// Accepts any text; of one that is not JSON, all parts are absent.
 StoredProtocol stored_protocol(const std::string& source);
 
-/// The canonical text of a protocol without its language and texts: those for participants (instructions, consent,
+/// The canonical text of a protocol without its language and texts: those for participants (consent,
 /// screens, breaks, wording of questions and options) and those that describe the protocol (title, description,
 /// meanings, notes). Protocols with equal results ask the same questions in the same plan. For a text that is not JSON,
 /// the text itself.

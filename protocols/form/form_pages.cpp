@@ -50,7 +50,7 @@ constexpr std::array<PagePart, 5> kOrder{
     {{"flow"}, {"blocks", kTrialsOfBlock}, {"counterbalance"}, {"groups"}, {"resume"}}};
 constexpr std::array<PagePart, 4> kParticipant{
     {{"participants"}, {"consent"}, {"questions"}, {"environment"}}};
-constexpr std::array<PagePart, 2> kTexts{{{"language"}, {"instructions"}}};
+constexpr std::array<PagePart, 1> kTexts{{{"language"}}};
 constexpr std::array<PagePart, 3> kDevice{{{"device"}, {"instability"}, {"recording"}}};
 constexpr std::array<PagePart, 1> kObserver{{{"observer"}}};
 constexpr std::array<PagePart, 1> kAnalysis{{{"analysis"}}};

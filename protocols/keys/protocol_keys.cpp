@@ -73,10 +73,6 @@ constexpr auto kProtocolKeys = keys_of(
                                                {.longest = 64}),
     member_key<&Protocol::license>("license", "Licence",
                                    "Licence of this protocol, such as CC-BY-4.0.", TextShape{}),
-    member_key<&Protocol::instructions>(
-        "instructions", "Instructions",
-        "The instructions, for readers of the file; participants read the screens of `flow`.",
-        kDescription),
     inner_key("participants", "Participants", kParticipantsTable),
     required_key(inner_key("consent", "Consent", kConsentTable)),
     when(member_key<&Protocol::realism_standard>(
@@ -120,7 +116,15 @@ constexpr auto kProtocolKeys = keys_of(
 constexpr KeyTableOf<std::string> kAuthorTable =
     table_of("An author of this protocol.", kAuthorKeys, "author");
 
-constexpr KeyTableOf<Protocol> kProtocolTable = table_of(
-    "A haptic texture experiment: its stimuli, their order, and its questions.", kProtocolKeys);
+// Until 0.3.0 a protocol could state instructions that were shown to nobody.
+constexpr std::array<ForeignKey, 1> kForeign{
+    {{"instructions",
+      "participants read the screens of the flow: write the instructions there, as {\"screen\": …} "
+      "before the first block, and remove this key"}}};
+
+constexpr KeyTableOf<Protocol> kProtocolTable = with_foreign_keys(
+    table_of("A haptic texture experiment: its stimuli, their order, and its questions.",
+             kProtocolKeys),
+    kForeign);
 
 }  // namespace asperity

@@ -149,7 +149,11 @@ class Walk final {
       const ProtocolKey* const key = table.find(name);
       if (key == nullptr) {
         if (table.is_open) continue;
-        report(at, unknown_key(name, names_of(table)), true);
+        const auto foreign = std::ranges::find(table.foreign, name, &ForeignKey::name);
+        report(at,
+               foreign == table.foreign.end() ? unknown_key(name, names_of(table))
+                                              : std::string(foreign->problem),
+               true);
         has_other_mistake = true;
       } else if (auto valid = part(member, key->shape, key->meaning, at)) {
         made[name] = std::move(*valid);

@@ -108,12 +108,19 @@ std::string full_meaning_of(const ProtocolKey& key);
 /// binding, an object, or that of the value. Null if the value has none of their types.
 const ValueShape* shape_of(const ValueShape& shape, const nlohmann::json& value);
 
+/// A key that a table does not have, although writers of protocols expect it.
+struct ForeignKey {
+  std::string_view name{};
+  std::string_view problem{};  ///< what to write instead
+};
+
 /// The keys of an object, in the order in which files and forms have them.
 ///
 /// Every object also permits comments: "$comment" and keys that begin with "x-".
 struct KeyTable {
   std::string_view meaning{};  ///< of the object; ends with a full stop
   std::span<const ProtocolKey> keys{};
+  std::span<const ForeignKey> foreign{};
   /// Keys of which an object has exactly one, such as the kinds of a step of the flow; empty: no such choice.
   std::span<const std::string_view> deciding{};
   bool is_open = false;      ///< other keys are permitted and not interpreted

@@ -434,6 +434,12 @@ consteval KeyTableOf<Owner> decided_by(KeyTableOf<Owner> table,
   table.deciding = keys;
   return table;
 }
+template <class Owner, std::size_t N>
+consteval KeyTableOf<Owner> with_foreign_keys(KeyTableOf<Owner> table,
+                                              const std::array<ForeignKey, N>& keys) {
+  table.foreign = keys;
+  return table;
+}
 template <class Owner>
 consteval KeyTableOf<Owner> not_empty(KeyTableOf<Owner> table) {
   table.may_be_empty = false;

@@ -46,7 +46,7 @@ class Warnings final {
       warn_of_strokes(exploration, pointer);
     }
     warn_of_words();
-    warn_of_instructions();
+    warn_of_groups_without_screen();
     warn_of_comparison();
     for (const auto& [name, block] : protocol_.blocks) {
       warn_of_trained_levels(block);
@@ -171,7 +171,6 @@ class Warnings final {
         word.clear();
       }
     };
-    look(protocol_.instructions, "/instructions");
     for (std::size_t i = 0; i < protocol_.flow.size(); ++i) {
       if (const auto* screen = std::get_if<Protocol::Screen>(&protocol_.flow[i])) {
         look(screen->text, pointer_to("/flow", i) + "/screen");
@@ -184,7 +183,7 @@ class Warnings final {
     }
   }
 
-  /// Whether the participants of a group, or without groups all, read a screen.
+  /// Whether the participants of a group read a screen.
   bool has_screen(const std::string& group) const {
     return std::ranges::any_of(protocol_.flow, [&group](const Protocol::Step& step) {
       const auto* const screen = std::get_if<Protocol::Screen>(&step);
@@ -192,17 +191,16 @@ class Warnings final {
     });
   }
 
-  /// Warns where participants are shown no text: `instructions` alone are not displayed.
-  void warn_of_instructions() {
-    if (protocol_.instructions.empty()) return;
-    std::vector<std::string> groups = groups_of(protocol_);
-    if (groups.empty()) groups.emplace_back();
-    for (const std::string& group : groups) {
-      if (has_screen(group)) continue;
-      warn("/instructions",
-           "participants" + (group.empty() ? "" : " of the group " + in_quotes(group)) +
-               " read only the screens of the flow, and there is none for them: add "
-               "{\"screen\": …} with these instructions before the first block");
+  /// Warns of groups that read nothing while others read a screen.
+  void warn_of_groups_without_screen() {
+    const std::vector<std::string> groups = groups_of(protocol_);
+    std::vector<std::string> without{};
+    std::ranges::copy_if(groups, std::back_inserter(without),
+                         [this](const std::string& group) { return !has_screen(group); });
+    if (without.size() == groups.size()) return;
+    for (const std::string& group : without) {
+      warn("/flow", "participants of the group " + in_quotes(group) +
+                        " read no screen, while those of another group do: add a screen for them");
     }
   }
 

@@ -44,7 +44,7 @@ using testing::Pair;
 const json kEverything = json::parse(R"({
   "$schema": "protocol-1.schema.json", "format": "asperity.protocol/1", "kind": "rating",
   "design": "improved", "name": "every_key", "version": "1.2.3", "title": "Every key",
-  "language": "de-CH", "description": "For tests.", "license": "CC0", "instructions": "Feel.",
+  "language": "de-CH", "description": "For tests.", "license": "CC0",
   "authors": [{"name": "A. Author", "orcid": "0000-0002-1825-0097", "affiliation": "Here"}],
   "realism_standard": "memory",
   "questions": {
@@ -445,7 +445,6 @@ TEST(Keys, OfTheHeadGoToTheirMembers) {
   EXPECT_EQ(protocol.language, "de-CH");
   EXPECT_EQ(protocol.description, "For tests.");
   EXPECT_EQ(protocol.license, "CC0");
-  EXPECT_EQ(protocol.instructions, "Feel.");
   EXPECT_THAT(protocol.authors, ElementsAre("A. Author"));
   EXPECT_EQ(protocol.realism_standard, RealismStandard::memory);
 }

@@ -194,6 +194,8 @@ const Fault kForm[] = {
      "/blocks/main/repetitons", R"(did you mean "repetitions"?)"},
     {"unknown_key", R"("version": "1.0.0",)", R"("version": "1.0.0", "zebra": 1,)", R"("zebra")",
      "/zebra", "there is no key"},
+    {"instructions", R"("version": "1.0.0",)", R"("version": "1.0.0", "instructions": "Feel.",)",
+     R"("instructions")", "/instructions", "participants read the screens of the flow: write"},
     {"unknown_kind", R"("kind": "selection")", R"("kind": "ranking")", R"("ranking")", "/kind",
      R"("ranking" is not permitted here: write "selection", "matching")"},
     {"near_choice", R"("order": "shuffle")", R"("order": "shufle")", R"("shufle")",
@@ -870,7 +872,7 @@ TEST(Warnings, AreAboutWhatIsValidAndMayNotBeMeant) {
       {R"("target": 2, "maximum": 2.6)", R"("target": 4.5, "maximum": 4.8)",
        "/explorations/firm/normal_force_N/target", "set 4 N or less"},
       {R"(back and forth, from left to right. Two bars)", R"(back and forth. Two low tones)",
-       "/instructions", "mentions \"tones\""},
+       "/flow/4/screen", "mentions \"tones\""},
   };
   for (const auto& each : kCases) {
     const std::vector<Diagnostic> warnings = warnings_with(each.from, each.to);

@@ -207,9 +207,9 @@ TEST(StoredProtocol, WithoutTextsIsTheSameInEveryLanguageAndInNothingElse) {
 }
 
 TEST(StoredProtocol, IsOneInSeveralLanguagesAndTwoInOne) {
-  const std::string english = R"({"language": "en", "instructions": "Choose."})";
-  const std::string german = R"({"language": "de", "instructions": "Wählen."})";
-  const std::string reworded = R"({"instructions": "Choose the rougher one."})";
+  const std::string english = R"({"language": "en", "title": "Choose."})";
+  const std::string german = R"({"language": "de", "title": "Wählen."})";
+  const std::string reworded = R"({"title": "Choose the rougher one."})";
   EXPECT_EQ(count_protocols({english, german}), 1U);
   EXPECT_EQ(count_protocols({english, reworded}), 2U) << "participants read something else";
   EXPECT_EQ(count_protocols({english, german, reworded}), 2U);

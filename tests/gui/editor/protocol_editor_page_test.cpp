@@ -271,7 +271,7 @@ TEST_F(ProtocolEditor, UnderlinesWhatIsTypedWrongInItsPlace) {
   EXPECT_TRUE(label("editor_state").contains("1 problem"));
   const auto& problems = child<StudyTable>(*page_, "editor_problems");
   ASSERT_EQ(problems.shown_rows(), 1);
-  EXPECT_EQ(problems.text_at(0, 0), "21");
+  EXPECT_EQ(problems.text_at(0, 0), "20");
   EXPECT_EQ(problems.text_at(0, 2), "Participant › Environment › Vision");
   const int place = edit().underlined()[0].cursor.selectionStart();
   EXPECT_EQ(edit().problems_at(place), problems.text_at(0, 1));
@@ -529,7 +529,7 @@ TEST_F(ProtocolEditor, SaysWhyThereIsNoPlan) {
   EXPECT_EQ(side.currentWidget(), page_->findChild<QLabel*>("editor_why_no_plan"));
   EXPECT_EQ(label("editor_why_no_plan"),
             "The plan appears here once the text is valid. At present it has 1 problem; the first "
-            "is on line 22.");
+            "is on line 21.");
 }
 
 TEST_F(ProtocolEditor, SaysWhatTheKeyUnderTheCursorMeans) {

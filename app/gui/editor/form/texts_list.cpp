@@ -19,7 +19,7 @@ TextsList::TextsList(FormContext& context, QWidget* parent) : FormPart(context, 
 void TextsList::refresh() {
   std::vector<TranslatableText> texts = translatable_texts(source().document().root());
   std::erase_if(texts, [](const TranslatableText& text) {
-    return text.shape.translated != Translated::always || text.pointer == "/instructions";
+    return text.shape.translated != Translated::always;
   });
   std::vector<std::string> pointers{};
   for (const TranslatableText& text : texts) pointers.push_back(text.pointer);
