@@ -53,23 +53,22 @@ TextChange renamed_use(const JsonDocument& protocol, const NameUse& use, std::st
       json_string(use.is_in_formula ? renamed_formula(text, use.name, after) : std::string(after))};
 }
 
-}  // namespace
-
-TextChanges rename(const JsonDocument& protocol, const std::string& registry, std::string_view name,
-                   std::string_view after) {
-  if (name == after) return {};
-  ProtocolNames names = names_in(protocol.root());
+/// The changes of the name in these registries.
+TextChanges renamed_in(const JsonDocument& protocol, ProtocolNames names,
+                       const std::set<std::string>& registries, std::string_view name,
+                       std::string_view after) {
   // An error is reported at a declaration if there is one.
   std::stable_partition(names.uses.begin(), names.uses.end(),
                         [](const NameUse& use) { return use.is_declared; });
-  const std::set<std::string> registries = registries_of(names, registry, name);
   std::set<std::string> undeclared = registries;
   std::optional<std::string> declaration{};  // the place of the first one
   std::optional<std::string> taken{};        // the first place with the new name
   TextChanges changes{};
   for (const NameUse& use : names.uses) {
     if (!registries.contains(use.registry)) continue;
-    if (use.name == after && !taken) taken = use.pointer;
+    // A reference to a level that does not exist was meant as this one.
+    const bool is_meant = is_of_levels(use.registry) && !use.is_declared;
+    if (use.name == after && !is_meant && !taken) taken = use.pointer;
     if (use.name != name) continue;
     if (use.is_declared) undeclared.erase(use.registry);
     if (use.is_declared && !declaration) declaration = use.pointer;
@@ -95,6 +94,33 @@ TextChanges rename(const JsonDocument& protocol, const std::string& registry, st
     return one.offset < other.offset;
   });
   return changes;
+}
+
+}  // namespace
+
+TextChanges rename(const JsonDocument& protocol, const std::string& registry, std::string_view name,
+                   std::string_view after) {
+  if (name == after) return {};
+  const ProtocolNames names = names_in(protocol.root());
+  return renamed_in(protocol, names, registries_of(names, registry, name), name, after);
+}
+
+TextChanges rename_or_replace(const JsonDocument& protocol, const std::string& registry,
+                              std::string_view name, std::string_view after) {
+  if (name == after) return {};
+  const ProtocolNames names = names_in(protocol.root());
+  const auto declares = [&names](const std::string& where, std::string_view one) {
+    return std::ranges::any_of(names.uses, [&](const NameUse& use) {
+      return use.is_declared && use.registry == where && use.name == one;
+    });
+  };
+  const bool is_another = std::ranges::any_of(names.links, [&](const auto& link) {
+    const auto& [levels, other] = link;
+    return levels == registry && (declares(other, after) || !declares(other, name));
+  });
+  return renamed_in(protocol, names,
+                    is_another ? std::set{registry} : registries_of(names, registry, name), name,
+                    after);
 }
 
 }  // namespace asperity

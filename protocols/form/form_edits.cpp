@@ -197,7 +197,8 @@ FormEdit with_name(const JsonDocument& protocol, const std::string& pointer, Nam
   const bool is_key = named == Named::by_key;
   const std::string renamed = is_key ? pointer_to(parent_of(pointer), after) : pointer;
   if (const auto declared = declaration_at(protocol, pointer, is_key)) {
-    return {changed(protocol.text(), rename(protocol, declared->registry, declared->name, after)),
+    return {changed(protocol.text(),
+                    rename_or_replace(protocol, declared->registry, declared->name, after)),
             renamed};
   }
   if (!is_key) return with_value(protocol, pointer, json_string(after));
@@ -205,6 +206,16 @@ FormEdit with_name(const JsonDocument& protocol, const std::string& pointer, Nam
   if (key_of(pointer) == after) return {std::string(protocol.text()), pointer};
   const std::string copied = changed(protocol.text(), duplicate_entry(protocol, pointer, after));
   return {changed(copied, remove_entry(JsonDocument(copied, kEdited), pointer)), renamed};
+}
+
+FormEdit with_factor_of_groups(const JsonDocument& protocol) {
+  const std::string name =
+      free_name(declared_names(names_in(protocol.root()), kFactorNames), "group");
+  FormEdit edit =
+      with_value(protocol, pointer_to("/factors", name), R"({"levels": ["group_1", "group_2"]})");
+  edit.text =
+      with_value(JsonDocument(edit.text, kEdited), "/groups/factor", json_string(name)).text;
+  return edit;
 }
 
 }  // namespace asperity

@@ -41,10 +41,13 @@ FormEdit with_copy(const JsonDocument& protocol, const std::string& pointer);
 /// With the entry at another position among its siblings.
 FormEdit with_moved(const JsonDocument& protocol, const std::string& pointer, std::size_t index);
 
-/// With another key of the member of a map, or another name that is the value, and with all references to it. A value that declares
-/// nothing, or that is absent, is set.
+/// With another key of the member of a map, or another name that is the value, and with all references to it (rename_or_replace).
+/// A value that declares nothing, or that is absent, is set.
 enum class Named { by_key, by_value };
 FormEdit with_name(const JsonDocument& protocol, const std::string& pointer, Named named,
                    std::string_view after);
+
+/// With a new factor of two levels as the factor of the groups of participants. The place is that of the factor.
+FormEdit with_factor_of_groups(const JsonDocument& protocol);
 
 }  // namespace asperity

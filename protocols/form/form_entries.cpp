@@ -37,6 +37,11 @@ std::string with_unit(const NumberShape& shape, const json& value, const std::st
   return unit.empty() ? number : number + ' ' + std::string(unit);
 }
 
+bool is_paragraph(const ValueShape& shape) {
+  const auto* const text = std::get_if<TextShape>(&shape);
+  return text != nullptr && text->is_long;
+}
+
 std::string joined_text(std::string text, const std::string& more) {
   return text.empty() ? more : std::move(text) + " · " + more;
 }
@@ -140,11 +145,15 @@ std::string summary_of(const ValueShape& shape, const json& value, const std::st
     ++parts;
   };
   if (const auto* const object = std::get_if<ObjectShape>(found)) {
-    for (const ProtocolKey& key : object->table->keys) {
-      const bool is_name = std::find(kNamesOfEntries.begin(), kNamesOfEntries.end(), key.name) !=
-                           kNamesOfEntries.end();
-      if (value.contains(key.name) && !is_name)
-        add(key.shape, value.at(key.name), pointer_to(pointer, key.name));
+    // Of a screen its groups are read first, which a paragraph before them would push out of sight.
+    const bool has_kinds = !object->table->deciding.empty();
+    for (const bool is_last : {false, true}) {
+      for (const ProtocolKey& key : object->table->keys) {
+        const bool is_name = std::ranges::find(kNamesOfEntries, key.name) != kNamesOfEntries.end();
+        if (value.contains(key.name) && !is_name &&
+            (has_kinds && is_paragraph(key.shape)) == is_last)
+          add(key.shape, value.at(key.name), pointer_to(pointer, key.name));
+      }
     }
   } else if (const auto* const list = std::get_if<ListShape>(found)) {
     for (std::size_t i = 0; i < value.size(); ++i) {

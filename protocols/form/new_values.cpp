@@ -89,7 +89,7 @@ struct NewValue {
     return std::visit(*this, shape.forms.front());
   }
 
-  /// The first name of the registry; of a declaration, a name that is free. The factor of the groups is one that neither
+  /// The first name of the registry, of the groups the one with the fewest texts; of a declaration, a name that is free. The factor of the groups is one that neither
   /// blocks nor the flow set; if there is none, its name is empty.
   ordered_json named(const NameShape& shape) const {
     std::vector<std::string> known = declared_names(names, shape.registry);
@@ -97,8 +97,16 @@ struct NewValue {
       std::erase_if(known, [this](const std::string& factor) { return is_set(factor); });
       return known.empty() ? std::string() : known.front();
     }
+    if (shape.registry == kGroupNames && !known.empty()) return least_used(known);
     if (!shape.is_declared && !known.empty()) return known.front();
     return free_name(known, "new");
+  }
+  std::string least_used(const std::vector<std::string>& groups) const {
+    return *std::ranges::min_element(groups, {}, [this](const std::string& group) {
+      return std::ranges::count_if(names.uses, [&](const NameUse& use) {
+        return use.registry == names.groups && use.name == group;
+      });
+    });
   }
   bool is_set(const std::string& factor) const {
     return std::ranges::any_of(names.uses, [&factor](const NameUse& use) {

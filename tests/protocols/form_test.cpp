@@ -146,6 +146,9 @@ TEST(FormEntries, AreSummarisedInTheOrderOfTheirTable) {
   EXPECT_EQ(summary_at(kExplorationTable, json::parse(R"({"speed_m_per_s": {"target": 0.08}})"),
                        "/explorations/slow"),
             "80 mm/s");
+  EXPECT_EQ(summary_at(kStepTable, json::parse(R"({"screen": "Look.", "groups": ["visual"]})"),
+                       "/flow/1"),
+            "visual · Look.");
   const std::string summary =
       summary_at(kListedQuestionTable, {{"prompt", std::string(300, 'x') + "ä"}}, "/q");
   EXPECT_EQ(summary, std::string(120, 'x') + "…");
@@ -228,6 +231,15 @@ TEST(FormEdits, AddTheFirstReferenceThatIsMissing) {
             json::parse(R"(["sex", "age"])"));
 }
 
+TEST(FormEdits, AddAFactorOfGroups) {
+  const std::string text = R"({"factors": {"group": {"levels": [1]}}, "groups": {"factor": ""}})";
+  const FormEdit edit = with_factor_of_groups(JsonDocument(text, ""));
+  EXPECT_EQ(edit.pointer, "/factors/group_2");
+  EXPECT_EQ(json::parse(edit.text), json::parse(R"({
+    "factors": {"group": {"levels": [1]}, "group_2": {"levels": ["group_1", "group_2"]}},
+    "groups": {"factor": "group_2"}})"));
+}
+
 TEST(FormEdits, RemoveSeveralEntriesAtOnce) {
   const std::string text = R"({"flow": [{"a": 1}, {"b": 2}, {"c": 3}], "x": 1})";
   const std::array<std::string, 3> pointers{"/flow/0", "/x", "/flow/2"};
@@ -265,6 +277,14 @@ TEST(NewValues, HaveAFactorOfGroupsThatNoBlockSets) {
   protocol["factors"]["instruction"] = {{"levels", {"brief", "detailed"}}};
   EXPECT_EQ(json::parse(new_value(groups.shape, names_in(protocol)).dump()),
             (json{{"factor", "instruction"}}));
+}
+
+TEST(NewValues, HaveTheGroupWithTheFewestTexts) {
+  const json protocol =
+      json::parse(R"({"factors": {"f": {"levels": ["a", "b"]}}, "groups": {"factor": "f"},
+    "flow": [{"screen": "1", "groups": ["a"]}, {"screen": "2"}]})");
+  const ProtocolKey& groups = *kStepTable.find("groups");
+  EXPECT_EQ(new_value(groups.shape, names_in(protocol)), json::parse(R"(["b"])"));
 }
 
 TEST(NewValues, AreNamedWithoutClashes) {

@@ -20,6 +20,7 @@
 #include "protocols/keys/tables.h"
 #include "tests/protocols/protocol_files.h"
 #include "tests/support/refusal.h"
+#include "tests/support/replaced.h"
 
 namespace asperity {
 namespace {
@@ -126,8 +127,8 @@ constexpr const char* kReferences = R"json({
   "analysis": {"target": "it", "constructs": {"c": {"scales": ["rough", "sure"], "reverse_keyed": ["sure"]}}}
 })json";
 
-/// The lines of kReferences that the renaming changes, as they are after it.
-std::string changed_lines(const Thing& thing, std::string_view after) {
+/// The lines of kReferences that the text has changed, as they are in it.
+std::string lines_that_differ(const std::string& written) {
   const auto lines_of = [](const std::string& text) {
     std::vector<std::string> lines{};
     for (std::size_t at = 0; at < text.size();) {
@@ -138,13 +139,16 @@ std::string changed_lines(const Thing& thing, std::string_view after) {
     return lines;
   };
   const std::vector<std::string> before = lines_of(kReferences);
-  const std::vector<std::string> now = lines_of(renamed(kReferences, thing, after));
+  const std::vector<std::string> now = lines_of(written);
   EXPECT_EQ(before.size(), now.size());
   std::string found{};
   for (std::size_t i = 0; i < std::min(before.size(), now.size()); ++i) {
     if (now[i] != before[i]) found += now[i].substr(now[i].find_first_not_of(' ')) + '\n';
   }
   return found;
+}
+std::string changed_lines(const Thing& thing, std::string_view after) {
+  return lines_that_differ(renamed(kReferences, thing, after));
 }
 
 TEST(RenamingOf, ATextureChangesTheLevelsAndTheBodyThatAreThisTexture) {
@@ -239,6 +243,31 @@ TEST(RenamingOf, WhatIsTakenOrNotDeclaredIsRefused) {
       refusal({"factors", "way"}, "w"),
       "a.json:1:1: error: the protocol does not declare \"way\" in factors, so that it cannot "
       "be renamed");
+}
+
+TEST(ReplacingOf, ALevelLeavesWhatItIs) {
+  const auto changed_by = [](const std::string& registry, const char* name, const char* after) {
+    const JsonDocument protocol(kReferences, "a.json");
+    return lines_that_differ(
+        changed(kReferences, rename_or_replace(protocol, registry, name, after)));
+  };
+  EXPECT_EQ(changed_by(levels_of("picture"), "texture_a", "b"),
+            R"json("picture": {"levels": ["b"]},
+)json");
+  EXPECT_EQ(changed_by(levels_of("model"), "sinusoid", "height_map"),
+            R"json("model": {"levels": ["height_map"]},
+)json");
+  EXPECT_EQ(changed_by(levels_of("surface"), "texture_a", "cork"),
+            changed_lines({levels_of("surface"), "texture_a"}, "cork"))
+      << "a name that nothing has is a new name of the texture";
+}
+
+// The reference was written before the level.
+TEST(RenamingOf, ALevelToTheNameOfAReferenceWithoutOneIsPossible) {
+  const std::string text =
+      R"({"factors": {"f": {"levels": ["visual"]}}, "groups": {"factor": "f"}, "flow": [{"screen": "s", "groups": ["sight"]}]})";
+  const TextChanges changes = rename(JsonDocument(text, ""), levels_of("f"), "visual", "sight");
+  EXPECT_EQ(changed(text, changes), replaced(text, "visual", "sight"));
 }
 
 TEST(ProtocolNames, AreThoseThatTheTablesDeclareAndReferTo) {

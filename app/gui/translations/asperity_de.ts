@@ -9008,14 +9008,6 @@
         <translation>Lizenz dieses Protokolls, zum Beispiel CC-BY-4.0.</translation>
     </message>
     <message>
-        <source>Instructions</source>
-        <translation>Instruktionen</translation>
-    </message>
-    <message>
-        <source>The instructions, for readers of the file; participants read the screens of `flow`.</source>
-        <translation>Die Instruktionen für alle, die die Datei lesen; Versuchspersonen lesen die Texte (screen) von `flow`.</translation>
-    </message>
-    <message>
         <source>Participants</source>
         <translation>Versuchspersonen</translation>
     </message>
@@ -12977,6 +12969,10 @@
     <message>
         <source>– not stated –</source>
         <translation>– nicht angegeben –</translation>
+    </message>
+    <message>
+        <source>New factor…</source>
+        <translation>Neuer Faktor …</translation>
     </message>
 </context>
 <context>

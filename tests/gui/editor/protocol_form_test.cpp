@@ -11,6 +11,7 @@
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
+#include <QtWidgets/QCompleter>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QListWidget>
@@ -384,6 +385,93 @@ TEST_F(FormOfProtocol, RenamesATextureWithItsReferences) {
   QTest::keyClick(&line, Qt::Key_Return);
   EXPECT_EQ(text().find("\"cones_05\""), std::string::npos);
   EXPECT_EQ(tree()["factors"]["texture"]["levels"][4], "fine_cones");
+}
+
+/// Two groups, of which one reads a text of its own.
+std::string with_groups() {
+  json file = json::parse(library_text("amplitude_jnd"));
+  file["factors"]["training"] = {{"levels", {"haptic", "visual"}}};
+  file["groups"] = {{"factor", "training"}};
+  file["flow"][0]["groups"] = {"haptic"};
+  return file.dump(1);
+}
+
+TEST_F(FormOfProtocol, RenamesALevelWithItsReferences) {
+  open(with_groups());
+  type_into("/factors/training/levels/0", "by hand");
+  EXPECT_EQ(tree()["factors"]["training"]["levels"][0], "haptic") << "not complete";
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  EXPECT_EQ(tree()["factors"]["training"]["levels"][0], "by hand");
+  EXPECT_EQ(tree()["flow"][0]["groups"][0], "by hand");
+}
+
+TEST_F(FormOfProtocol, TakesATextureForALevelFromThoseThatContainWhatIsTyped) {
+  open(library_text("semantic_differential"));
+  const json before = tree();
+  type_into("/factors/texture/levels/0", "CONES");
+  auto& line = control<QLineEdit>("/factors/texture/levels/0");
+  const QAbstractItemModel& offered = *line.completer()->completionModel();
+  int cones = 0;
+  for (const auto& [name, texture] : before["textures"].items())
+    cones += name.find("cones") != std::string::npos ? 1 : 0;
+  EXPECT_EQ(offered.rowCount(), cones);
+  ASSERT_GT(cones, 0);
+  const QString chosen = offered.index(0, 0).data().toString();
+  emit line.completer()->activated(chosen);
+  QApplication::processEvents();
+  EXPECT_EQ(tree()["factors"]["texture"]["levels"][0], before["factors"]["texture"]["levels"][0])
+      << "another level has this name";
+  type_into("/factors/texture/levels/0", "plaster");
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  EXPECT_TRUE(tree()["textures"].contains("plaster"));
+}
+
+TEST_F(FormOfProtocol, MakesALevelANumberAndTheReverse) {
+  open(with_groups());
+  type_into("/factors/training/levels/0", "3");
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  EXPECT_EQ(tree()["factors"]["training"]["levels"], json::parse(R"([3, "visual"])"));
+  type_into("/factors/training/levels/0", "t");
+  QApplication::processEvents();  // the field is made again
+  QTest::keyClicks(QApplication::focusWidget(), "ouch");
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  EXPECT_EQ(tree()["factors"]["training"]["levels"], json::parse(R"(["touch", "visual"])"));
+}
+
+TEST_F(FormOfProtocol, ShowsAndAddsTheGroupsOfAScreen) {
+  open(with_groups());
+  form().show_page("order");
+  QApplication::processEvents();
+  EXPECT_TRUE(child<QFrame>(form(), "card:/flow/0").findChildren<QLabel*>().size() > 0);
+  std::string words{};
+  for (const QLabel* const label : child<QFrame>(form(), "card:/flow/0").findChildren<QLabel*>()) {
+    words += label->text().toStdString() + "|";
+  }
+  EXPECT_NE(words.find("haptic · "), std::string::npos) << words;
+  std::size_t screen = 1;
+  while (!tree()["flow"][screen].contains("screen")) ++screen;
+  const std::string step = "/flow/" + std::to_string(screen);
+  ASSERT_NE(part(step + "/screen"), nullptr);
+  click("add:" + step + "/groups");  // not folded: a screen has few settings
+  EXPECT_EQ(tree()["flow"][screen]["groups"], json::parse(R"(["visual"])"));
+  choose(step + "/groups/0", "haptic");
+  EXPECT_EQ(tree()["flow"][screen]["groups"], json::parse(R"(["haptic"])"));
+}
+
+TEST_F(FormOfProtocol, MakesAFactorForGroups) {
+  open(library_text("amplitude_jnd"));
+  form().show_page("order");
+  QApplication::processEvents();
+  click("add:/groups");
+  auto& box = control<QComboBox>("/groups/factor");
+  EXPECT_EQ(box.itemText(box.count() - 1), "New factor…");
+  emit box.activated(box.count() - 1);
+  QApplication::processEvents();
+  EXPECT_EQ(tree()["groups"]["factor"], "group");
+  EXPECT_EQ(tree()["factors"]["group"]["levels"], json::parse(R"(["group_1", "group_2"])"));
+  EXPECT_EQ(form().page().id, "surfaces");
+  EXPECT_EQ(QApplication::focusWidget(), part("/factors/group/levels/0")->focusProxy())
+      << focus_text();
 }
 
 TEST_F(FormOfProtocol, KeepsAnEntryOpenWhenItIsRenamed) {

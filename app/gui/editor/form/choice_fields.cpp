@@ -98,10 +98,21 @@ void ChoiceField::refresh() {
     current = choices.insert(choices.end(), {name, text(name)});
   }
   const auto index = current == choices.end() ? 0 : current - choices.begin();
+  if (make_) choices.push_back({{}, offered_});
   set_items(*box_, choices, static_cast<int>(index));
 }
 
+void ChoiceField::offer(const QString& text, std::function<void()> make) {
+  offered_ = text;
+  make_ = std::move(make);
+}
+
 void ChoiceField::take(int index) {
+  if (make_ && index + 1 == box_->count()) {
+    refresh();                                 // the item is no value
+    const std::function<void()> make = make_;  // which can make this field again
+    return make();
+  }
   const std::string chosen = box_->itemData(index).toString().toStdString();
   if (chosen.empty()) {
     remove(pointer());

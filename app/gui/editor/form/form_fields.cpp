@@ -2,8 +2,10 @@
 
 #include "app/gui/editor/form/form_fields.h"
 
+#include <algorithm>
 #include <variant>
 
+#include <QtCore/QCoreApplication>
 #include <nlohmann/json.hpp>
 
 #include "app/gui/base/form_words.h"
@@ -23,6 +25,26 @@ bool is_level(const FormsShape& shape) {
     if (!is_text && !std::holds_alternative<NumberShape>(form)) return false;
   }
   return true;
+}
+
+/// The user names its levels next.
+void make_factor_of_groups(FormContext& context) {
+  std::string factor{};
+  context.edit(
+      [&factor](const JsonDocument& document) {
+        FormEdit edit = with_factor_of_groups(document);
+        factor = edit.pointer;
+        return edit;
+      },
+      {});
+  if (context.source->find(factor) != nullptr) context.go_to(factor + "/levels/0");
+}
+
+bool is_declared_level(const FormsShape& shape) {
+  return std::ranges::any_of(shape.forms, [](const ValueShape& form) {
+    const auto* const text = std::get_if<TextShape>(&form);
+    return text != nullptr && text->name.is_declared;
+  });
 }
 
 class FieldMaker final {
@@ -51,20 +73,23 @@ class FieldMaker final {
   }
   FormPart* operator()(const TextShape& shape) const {
     if (shape.name.is_declared && !shape.is_formula) {
-      return new DeclaredNameField(context_, Named::by_value, of_, pointer_, parent_);
+      return new DeclaredNameField(context_, Named::by_value, TextField::Values::texts, of_,
+                                   pointer_, parent_);
     }
+    if (shape.name.registry == kGroupNames) return (*this)(shape.name);
     if (shape.is_long) return new ParagraphField(context_, of_, pointer_, parent_);
     return new TextField(context_, shape.is_formula ? NameShape{} : shape.name,
                          TextField::Values::texts, of_, pointer_, parent_);
   }
   FormPart* operator()(const NameShape& shape) const {
     if (shape.is_declared) {
-      return new DeclaredNameField(context_, Named::by_value, of_, pointer_, parent_);
+      return new DeclaredNameField(context_, Named::by_value, TextField::Values::texts, of_,
+                                   pointer_, parent_);
     }
     if (shape.registry.empty()) {
       return new TextField(context_, {}, TextField::Values::texts, of_, pointer_, parent_);
     }
-    return new ChoiceField(
+    auto* field = new ChoiceField(
         context_,
         [&context = context_, shape, pointer = pointer_] {
           std::vector<ChoiceField::Choice> choices{};
@@ -74,6 +99,11 @@ class FieldMaker final {
           return choices;
         },
         of_, pointer_, parent_);
+    if (shape.levels == kGroupNames) {
+      field->offer(QCoreApplication::translate("asperity::ChoiceField", "New factor…"),
+                   [&context = context_] { make_factor_of_groups(context); });
+    }
+    return field;
   }
   FormPart* operator()(const ListShape& shape) const {
     const auto& number = std::get<NumberShape>(*shape.entry);
@@ -86,6 +116,10 @@ class FieldMaker final {
   FormPart* operator()(const FormsShape& shape) const {
     if (!is_level(shape))
       return std::visit(*this, *shape_of(shape, *context_.source->find(pointer_)));
+    if (is_declared_level(shape) && context_.source->find(pointer_)->is_string()) {
+      return new DeclaredNameField(context_, Named::by_value, TextField::Values::levels, of_,
+                                   pointer_, parent_);
+    }
     const Parameter* const parameter = context_.source->parameter_at(pointer_);
     if (parameter == nullptr) {
       return new TextField(context_, {}, TextField::Values::levels, of_, pointer_, parent_);
@@ -151,7 +185,8 @@ FormPart* make_field(FormContext& context, const ValueShape& shape, const FieldO
 }
 
 FormPart* make_key_field(FormContext& context, const std::string& pointer, QWidget* parent) {
-  return new DeclaredNameField(context, Named::by_key, {}, pointer, parent);
+  return new DeclaredNameField(context, Named::by_key, TextField::Values::texts, {}, pointer,
+                               parent);
 }
 
 }  // namespace asperity

@@ -36,6 +36,8 @@ struct FormContext {
   /// Edits the text. Edits in succession with the same `step` that is not empty are one step of the undo.
   std::function<void(const Edit& edit, const std::string& step)> edit{};
   std::function<void(const std::string& pointer)> show_in_text{};
+  /// Shows the page with the value, whose field gets the focus.
+  std::function<void(const std::string& pointer)> go_to{};
   /// Shows all parts again, of which some are unfolded.
   std::function<void()> refresh{};
   /// Of the check, by pointer.

@@ -86,12 +86,23 @@ QStringList FormSource::names_for(const NameShape& shape, const std::string& poi
   std::string registry(shape.registry);
   if (registry == kLevelNames) {
     for (const NameUse& use : names_.uses) {
-      if (use.pointer == pointer) registry = use.registry;
+      if (use.pointer != pointer) continue;
+      if (use.is_declared) return names_of_level(use.registry);
+      registry = use.registry;
     }
   }
   for (const std::string& name : declared_names(names_, registry)) add_new(names, name);
   for (const NameUse& use : names_.uses) {  // roles and levels are named where they are used
     if (use.registry == registry) add_new(names, use.name);
+  }
+  return names;
+}
+
+QStringList FormSource::names_of_level(const std::string& levels) const {
+  QStringList names{};
+  for (const auto& [linked, registry] : names_.links) {
+    if (linked != levels) continue;
+    for (const std::string& name : declared_names(names_, registry)) add_new(names, name);
   }
   return names;
 }

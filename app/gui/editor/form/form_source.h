@@ -32,7 +32,7 @@ class FormSource final {
   std::string_view characters(const std::string& pointer) const;
   int line_of(const std::string& pointer) const;
 
-  /// The names that a reference can have here.
+  /// The names that a reference can have here; of a level those of what it can be, such as textures.
   QStringList names_for(const NameShape& shape, const std::string& pointer) const;
   /// The parameter of a force model whose value is at `pointer`; null elsewhere and for unknown names.
   const Parameter* parameter_at(const std::string& pointer) const;
@@ -40,6 +40,8 @@ class FormSource final {
   std::vector<const Parameter*> parameters_of(const std::string& stimulus) const;
 
  private:
+  QStringList names_of_level(const std::string& levels) const;
+
   std::string text_{};
   JsonDocument document_;
   ProtocolNames names_{};

@@ -32,6 +32,8 @@ constexpr int kLabelColumn = 0;
 constexpr int kFieldColumn = 1;
 constexpr int kStateColumn = 2;
 constexpr int kColumns = 3;
+/// Settings without a value that are shown: a button that unfolds them would take as much room.
+constexpr int kFewSettings = 2;
 
 const nlohmann::json kNoObject = nlohmann::json::object();
 
@@ -87,14 +89,20 @@ bool ObjectRows::is_stated(const FormEntry& entry) const {
   });
 }
 
-bool ObjectRows::is_unfolded() const { return context().opened.contains(pointer() + "/"); }
+bool ObjectRows::is_unfolded(const std::vector<FormEntry>& entries) const {
+  if (context().opened.contains(pointer() + "/")) return true;
+  const auto unset =
+      std::ranges::count_if(entries, [this](const FormEntry& entry) { return !is_stated(entry); });
+  return unset <= kFewSettings;
+}
 
 std::string ObjectRows::structure(const std::vector<FormEntry>& entries) const {
-  std::string structure = is_unfolded() ? "+" : "-";
+  const bool is_open = is_unfolded(entries);
+  std::string structure = is_open ? "+" : "-";
   for (const FormEntry& entry : entries) {
     const nlohmann::json* const present = source().find(entry.pointer);
     const bool is_field = has_field(entry.key->shape, present);
-    const bool is_shown = is_stated(entry) || is_unfolded();
+    const bool is_shown = is_stated(entry) || is_open;
     structure += std::string(entry.key->name) + (is_shown ? "+" : "-") + (is_field ? "f" : "s");
     if (!is_field) structure += present == nullptr ? "0" : present->type_name();
   }
@@ -122,10 +130,11 @@ void ObjectRows::make_rows(const std::vector<FormEntry>& entries) {
   context().has_new_parts = true;
   clear_layout(*grid_);
   rows_.clear();
-  std::size_t folded = 0;
+  const bool is_open = is_unfolded(entries);
+  std::size_t unset = 0;
   for (const FormEntry& entry : entries) {
-    if (!is_stated(entry)) ++folded;
-    if (!is_stated(entry) && !is_unfolded()) continue;
+    if (!is_stated(entry)) ++unset;
+    if (!is_stated(entry) && !is_open) continue;
     if (has_field(entry.key->shape, source().find(entry.pointer))) {
       add_field(entry);
     } else if (entry.is_present) {
@@ -134,7 +143,7 @@ void ObjectRows::make_rows(const std::vector<FormEntry>& entries) {
       add_key_button(entry);
     }
   }
-  if (folded > 0) add_fold(folded);
+  if (unset > kFewSettings) add_fold(unset, is_open);
   add_unknown_keys();
 }
 
@@ -209,8 +218,7 @@ void ObjectRows::add_key_button(const FormEntry& entry) {
   });
 }
 
-void ObjectRows::add_fold(std::size_t count) {
-  const bool is_open = is_unfolded();
+void ObjectRows::add_fold(std::size_t count, bool is_open) {
   QPushButton* fold =
       make_button(is_open ? tr("Hide unset settings") : tr("Further settings (%1)").arg(count),
                   ButtonRole::link, this);

@@ -38,7 +38,7 @@ class ObjectRows final : public FormPart {
 
   std::vector<FormEntry> entries() const;
   const PagePart* part_of(std::string_view key) const;
-  bool is_unfolded() const;
+  bool is_unfolded(const std::vector<FormEntry>& entries) const;
   bool is_stated(const FormEntry& entry) const;
   /// What the rows follow from: a change makes them again.
   std::string structure(const std::vector<FormEntry>& entries) const;
@@ -46,7 +46,7 @@ class ObjectRows final : public FormPart {
   void add_field(const FormEntry& entry);
   void add_section(const FormEntry& entry);
   void add_key_button(const FormEntry& entry);
-  void add_fold(std::size_t count);
+  void add_fold(std::size_t count, bool is_open);
   void add_unknown_keys();
   void show_state(const Row& row) const;
 

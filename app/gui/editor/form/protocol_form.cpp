@@ -109,6 +109,7 @@ ProtocolForm::ProtocolForm(const std::vector<ModelDeclaration>& models, QWidget*
     edit(change, step);
   };
   context_.refresh = [this] { refresh(); };
+  context_.go_to = [this](const std::string& pointer) { go_to(pointer); };
   context_.show_in_text = [this](const std::string& pointer) { emit text_wanted(pointer); };
   // One shortcut for all lists: a list can be in an entry of another.
   for (const EntryAction action : {EntryAction::move_up, EntryAction::move_down,

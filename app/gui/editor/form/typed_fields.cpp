@@ -52,6 +52,48 @@ class WithoutUndo final : public Field {
   }
 };
 
+/// Offers a line names: those that contain what is typed, and all with the key of the arrow down.
+class OfferedNames final : public QObject {
+ public:
+  /// `names` are asked for when something is about to be typed; `taken` is called when the line has the chosen one.
+  OfferedNames(QLineEdit& line, std::function<QStringList()> names, std::function<void()> taken)
+      : QObject(&line), names_(std::move(names)) {
+    completer_ = new QCompleter(&list_, this);
+    completer_->setFilterMode(Qt::MatchContains);
+    completer_->setCaseSensitivity(Qt::CaseInsensitive);
+    line.setCompleter(completer_);
+    line.installEventFilter(this);
+    connect(completer_, qOverload<const QString&>(&QCompleter::activated), &line,
+            [&line, taken = std::move(taken)](const QString& chosen) {
+              line.setText(chosen);
+              line.setModified(true);
+              taken();
+            });
+  }
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::FocusIn) list_.setStringList(names_());
+    const bool is_key = event->type() == QEvent::KeyPress;
+    if (is_key && static_cast<const QKeyEvent&>(*event).key() == Qt::Key_Down) {
+      completer_->setCompletionPrefix({});
+      completer_->complete();
+      return true;
+    }
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  std::function<QStringList()> names_{};
+  QStringListModel list_{};
+  QCompleter* completer_ = nullptr;
+};
+
+/// A level that is written as a number is one; where the present one is a text of digits, the new one is a text as well.
+std::optional<std::string> level_typed(const QString& typed, const nlohmann::json* present) {
+  const bool is_text = present != nullptr && present->is_string() &&
+                       shifted_decimal(present->get<std::string>(), 0).has_value();
+  return is_text ? std::nullopt : shifted_decimal(decimal_of(typed), 0);
+}
+
 }  // namespace
 
 LineField::LineField(FormContext& context, const FieldOf& of, const std::string& pointer,
@@ -74,8 +116,6 @@ void LineField::set_unit(const QString& unit) {
   unit_->setText(unit);
   unit_->setVisible(!unit.isEmpty());
 }
-
-void LineField::take_typed() { take(line_->text()); }
 
 void LineField::complain(const QString& sentence) {
   if (complaint_ == nullptr) {
@@ -154,25 +194,13 @@ QString NumbersField::complaint() const {
 
 TextField::TextField(FormContext& context, const NameShape& offered, Values values,
                      const FieldOf& of, const std::string& pointer, QWidget* parent)
-    : LineField(context, of, pointer, parent), offered_(offered), values_(values) {
-  if (offered_.registry.empty() && values_ == Values::levels) offered_ = {kLevelNames};
-  if (offered_.registry.empty()) return;
-  names_ = new QStringListModel(this);
-  auto* completer = new QCompleter(names_, this);
-  completer->setCompletionMode(QCompleter::UnfilteredPopupCompletion);
-  completer->setCaseSensitivity(Qt::CaseInsensitive);
-  line().setCompleter(completer);
-  line().installEventFilter(this);
-  connect(completer, qOverload<const QString&>(&QCompleter::activated), this,
-          [this] { take_typed(); });
-}
-
-// The names are those of when something is about to be typed.
-bool TextField::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::FocusIn) {
-    names_->setStringList(source().names_for(offered_, pointer()));
-  }
-  return LineField::eventFilter(watched, event);
+    : LineField(context, of, pointer, parent), values_(values) {
+  const NameShape shape =
+      offered.registry.empty() && values == Values::levels ? NameShape{kLevelNames} : offered;
+  if (shape.registry.empty()) return;
+  new OfferedNames(
+      line(), [this, shape] { return source().names_for(shape, this->pointer()); },
+      [this] { emit line().textEdited(line().text()); });
 }
 
 QString TextField::shown(std::string_view characters) const {
@@ -183,12 +211,7 @@ QString TextField::shown(std::string_view characters) const {
 
 std::optional<std::string> TextField::json_of(const QString& typed) const {
   if (values_ == Values::levels) {
-    const nlohmann::json* const present = value();
-    const bool is_text = present != nullptr && present->is_string() &&
-                         shifted_decimal(present->get<std::string>(), 0).has_value();
-    if (const auto level = shifted_decimal(decimal_of(typed), 0); level && !is_text) {
-      return level;
-    }
+    if (const auto level = level_typed(typed, value())) return level;
   }
   return json_string(typed.toStdString());
 }
@@ -244,9 +267,9 @@ void ParagraphField::fit() {
   box_->setFixedHeight(lines * QFontMetrics(box_->font()).lineSpacing() + frame + kGrid);
 }
 
-DeclaredNameField::DeclaredNameField(FormContext& context, Named named, const FieldOf& of,
-                                     const std::string& pointer, QWidget* parent)
-    : FormPart(context, pointer, parent), named_(named), of_(of) {
+DeclaredNameField::DeclaredNameField(FormContext& context, Named named, TextField::Values values,
+                                     const FieldOf& of, const std::string& pointer, QWidget* parent)
+    : FormPart(context, pointer, parent), named_(named), values_(values), of_(of) {
   // The value of a member has the pointer as its object name.
   if (named == Named::by_key) setObjectName("name:" + text(pointer));
   auto* layout = new QHBoxLayout(this);
@@ -254,6 +277,11 @@ DeclaredNameField::DeclaredNameField(FormContext& context, Named named, const Fi
   line_ = new WithoutUndo<QLineEdit>(this);
   layout->addWidget(line_);
   setFocusProxy(line_);
+  if (values == TextField::Values::levels) {
+    new OfferedNames(
+        *line_, [this] { return source().names_for({kLevelNames}, this->pointer()); },
+        [this] { take(); });
+  }
   connect(line_, &QLineEdit::textEdited, this,
           [this] { this->context().write_pending = [this] { take(); }; });
   connect(line_, &QLineEdit::editingFinished, this, &DeclaredNameField::take);
@@ -269,6 +297,15 @@ QString DeclaredNameField::name() const {
   return present != nullptr && present->is_string() ? text(present->get<std::string>()) : QString();
 }
 
+FormEdit DeclaredNameField::renamed(const JsonDocument& document, const QString& typed) const {
+  if (values_ == TextField::Values::levels) {
+    if (const auto level = level_typed(typed, value())) {
+      return with_value(document, pointer(), *level);
+    }
+  }
+  return with_name(document, pointer(), named_, typed.toStdString());
+}
+
 void DeclaredNameField::take() {
   if (!line_->isModified() || context().is_refreshing) return;
   const QString typed = line_->text().trimmed();
@@ -280,8 +317,7 @@ void DeclaredNameField::take() {
   const QPointer<DeclaredNameField> still_there(this);
   context().edit(
       [&](const JsonDocument& document) {
-        return is_removed ? without(document, std::array{pointer()})
-                          : with_name(document, pointer(), named_, typed.toStdString());
+        return is_removed ? without(document, std::array{pointer()}) : renamed(document, typed);
       },
       {});
   if (still_there) refresh();  // a name that is refused is not in the text

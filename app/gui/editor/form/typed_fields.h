@@ -10,7 +10,6 @@
 class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
-class QStringListModel;
 
 namespace asperity {
 
@@ -23,7 +22,6 @@ class LineField : public FormPart {
   void refresh() override;
 
  protected:
-  void take_typed();
   /// How a value is shown: characters of the file, empty if there is none.
   virtual QString shown(std::string_view characters) const = 0;
   /// The value as JSON; nullopt for what is none.
@@ -67,16 +65,13 @@ class TextField final : public LineField {
   enum class Values { texts, levels };
   TextField(FormContext& context, const NameShape& offered, Values values, const FieldOf& of,
             const std::string& pointer, QWidget* parent);
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   QString shown(std::string_view characters) const override;
   std::optional<std::string> json_of(const QString& typed) const override;
   QString complaint() const override { return {}; }
 
-  NameShape offered_{};
   Values values_ = Values::texts;
-  QStringListModel* names_ = nullptr;  ///< which the line offers; null: none
 };
 
 /// A text of several lines, in a box that grows with it.
@@ -98,21 +93,24 @@ class ParagraphField final : public FormPart {
   QPlainTextEdit* box_ = nullptr;
 };
 
-/// A name that is declared here: a new one is written to all places that refer to it, when it is complete.
+/// A name that is declared here: a new one is written to all places that refer to it, when it is complete. A level can
+/// become a number, and a level that is a texture another texture.
 class DeclaredNameField final : public FormPart {
   Q_OBJECT
  public:
   /// Of the value at `pointer`, or of the key of the member.
-  DeclaredNameField(FormContext& context, Named named, const FieldOf& of,
+  DeclaredNameField(FormContext& context, Named named, TextField::Values values, const FieldOf& of,
                     const std::string& pointer, QWidget* parent);
   ~DeclaredNameField() override;
   void refresh() override;
 
  private:
   QString name() const;
+  FormEdit renamed(const JsonDocument& document, const QString& typed) const;
   void take();
 
   Named named_ = Named::by_value;
+  TextField::Values values_ = TextField::Values::texts;
   FieldOf of_{};
   QLineEdit* line_ = nullptr;
 };
