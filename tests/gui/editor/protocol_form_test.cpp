@@ -431,9 +431,8 @@ TEST_F(FormOfProtocol, MakesALevelANumberAndTheReverse) {
   type_into("/factors/training/levels/0", "3");
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
   EXPECT_EQ(tree()["factors"]["training"]["levels"], json::parse(R"([3, "visual"])"));
-  type_into("/factors/training/levels/0", "t");
-  QApplication::processEvents();  // the field is made again
-  QTest::keyClicks(QApplication::focusWidget(), "ouch");
+  EXPECT_EQ(control<QLineEdit>("/factors/training/levels/0").text(), "3");
+  type_into("/factors/training/levels/0", "touch");
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
   EXPECT_EQ(tree()["factors"]["training"]["levels"], json::parse(R"(["touch", "visual"])"));
 }

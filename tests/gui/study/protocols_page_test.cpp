@@ -136,7 +136,7 @@ TEST_F(StudyPages, ShowTheWarningsThatNeedTheStimuli) {
       << column(table, 5).join(", ").toStdString();
   table.select(QString::fromStdString(file.string()));
   const QString description = child<QLabel>(window_, "protocol_description").text();
-  EXPECT_TRUE(description.startsWith("▲ Line 77: the stimulus")) << description.toStdString();
+  EXPECT_TRUE(description.startsWith("▲ Line 76: the stimulus")) << description.toStdString();
   EXPECT_TRUE(description.contains("exerts at most 1.50 N")) << description.toStdString();
   EXPECT_TRUE(child<QPushButton>(window_, "protocol_start").isEnabled());
 }

@@ -116,7 +116,7 @@ class FieldMaker final {
   FormPart* operator()(const FormsShape& shape) const {
     if (!is_level(shape))
       return std::visit(*this, *shape_of(shape, *context_.source->find(pointer_)));
-    if (is_declared_level(shape) && context_.source->find(pointer_)->is_string()) {
+    if (is_declared_level(shape)) {
       return new DeclaredNameField(context_, Named::by_value, TextField::Values::levels, of_,
                                    pointer_, parent_);
     }

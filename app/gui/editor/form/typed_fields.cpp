@@ -294,7 +294,9 @@ DeclaredNameField::~DeclaredNameField() {
 QString DeclaredNameField::name() const {
   if (named_ == Named::by_key) return text(nlohmann::json::json_pointer(pointer()).back());
   const nlohmann::json* const present = value();
-  return present != nullptr && present->is_string() ? text(present->get<std::string>()) : QString();
+  if (present == nullptr) return {};
+  if (present->is_number()) return shown_decimal(source().characters(pointer()));
+  return present->is_string() ? text(present->get<std::string>()) : QString();
 }
 
 FormEdit DeclaredNameField::renamed(const JsonDocument& document, const QString& typed) const {
