@@ -184,12 +184,15 @@ std::string text_from_template(const TemplateChoice& choice) {
                                 choice.name);
 }
 
-ProtocolCheck check_of_template(const std::filesystem::path& study, const TemplateChoice& choice,
-                                const ModelRegistry& models, KeptHeightFields* kept) {
+CheckedTemplate check_of_template(const std::filesystem::path& study, const TemplateChoice& choice,
+                                  const ModelRegistry& models, KeptHeightFields* kept) {
   // The files of the demonstration are not written yet.
   const bool has_files = choice.textures.from != TemplateTextures::From::demonstration;
-  return check_protocol_text(text_from_template(choice), choice.name, models,
-                             has_files ? std::optional(study) : std::nullopt, std::nullopt, kept);
+  CheckedTemplate checked{.text = text_from_template(choice)};
+  checked.check =
+      check_protocol_text(checked.text, choice.name, models,
+                          has_files ? std::optional(study) : std::nullopt, std::nullopt, kept);
+  return checked;
 }
 
 void write_library_protocol(const std::filesystem::path& study, const LibraryProtocol& protocol) {

@@ -50,9 +50,15 @@ std::filesystem::path protocol_from_template(const std::filesystem::path& study,
 /// Errors: as `protocol_from_template`, for the name and for own textures.
 std::string text_from_template(const TemplateChoice& choice);
 
-/// The check of this text, before anything is written. `kept`: as for `check_protocol_text`. Errors: as `text_from_template`.
-ProtocolCheck check_of_template(const std::filesystem::path& study, const TemplateChoice& choice,
-                                const ModelRegistry& models, KeptHeightFields* kept = nullptr);
+/// The text of a new protocol, and its check.
+struct CheckedTemplate {
+  std::string text{};
+  ProtocolCheck check{};
+};
+
+/// This text with its check, before anything is written. `kept`: as for `check_protocol_text`. Errors: as `text_from_template`.
+CheckedTemplate check_of_template(const std::filesystem::path& study, const TemplateChoice& choice,
+                                  const ModelRegistry& models, KeptHeightFields* kept = nullptr);
 
 /// The protocol's text with its texts in the language, if the library has it, and otherwise unchanged.
 std::string text_in_language(const LibraryProtocol& protocol, const std::string& language);

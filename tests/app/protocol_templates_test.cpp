@@ -232,7 +232,7 @@ TEST_F(ProtocolFromTemplate, IsCheckedBeforeItIsWritten) {
   for (const char* const name : {"a", "b", "c"}) add_relief(name);
   const std::vector<OwnTexture> own = named(reliefs_of_study(study_), {"a", "b", "c"});
   const auto check = [&](const TemplateChoice& choice) {
-    return check_of_template(study_, choice, models_);
+    return check_of_template(study_, choice, models_).check;
   };
   // One of the models of the map renders recordings, which reliefs of the study do not have.
   const TemplateChoice of_study = with(own, "map_of_renderings");

@@ -126,6 +126,7 @@ QWidget* TemplateDialog::make_detail(const std::filesystem::path& study) {
   title_->setObjectName("template_title");
   title_->setWordWrap(true);
   facts_ = make_text({}, detail, true);
+  facts_->setObjectName("template_facts");
   layout->addWidget(title_);
   layout->addWidget(facts_);
   layout->addWidget(make_texts());
@@ -251,11 +252,6 @@ void TemplateDialog::show_chosen() {
   surfaces_->setVisible(has_textures);
   texts_->setVisible(overview != nullptr);
   if (overview != nullptr) {
-    const QString trials = tr("%n trial(s)", nullptr, overview->cost.trials);
-    facts_->setText(QStringList{text_of_kind(overview->protocols.front().kind), trials,
-                                tr("about %1").arg(text_of_duration(overview->cost.total_s)),
-                                text(overview->name)}
-                        .join(" · "));
     offer_languages(*overview);
     show_texts();
   }
@@ -268,6 +264,18 @@ void TemplateDialog::show_chosen() {
                             : tr("These textures are photographs that are not part of Asperity."));
   }
   choose_textures();
+}
+
+/// `cost`: of the protocol that would be created; null while that is not known.
+void TemplateDialog::show_facts(const PlanCost* cost) {
+  const TemplateOverview& overview = *chosen();
+  QStringList facts{text_of_kind(overview.protocols.front().kind)};
+  if (cost != nullptr) {
+    facts << tr("%n trial(s)", nullptr, cost->trials)
+          << tr("about %1").arg(text_of_duration(cost->total_s));
+  }
+  facts << text(overview.name);
+  facts_->setText(facts.join(" · "));
 }
 
 /// The one that was chosen with another template stays.
@@ -335,6 +343,7 @@ void TemplateDialog::check(const std::vector<TemplateTextures>& possible) {
   is_checking_ = !possible.empty();
   state_->setVisible(!possible.empty());
   show_what_follows();
+  if (chosen() != nullptr) show_facts(possible.empty() ? &chosen()->cost : nullptr);
   if (possible.empty()) return;
   state_->set_state(State::unknown, tr("Checking…"));
   std::vector<TemplateChoice> choices{};
@@ -346,12 +355,12 @@ void TemplateDialog::check(const std::vector<TemplateTextures>& possible) {
         for (const TemplateChoice& choice : choices) {
           all.push_back({.choice = choice});
           try {
-            all.back().check = check_of_template(study, choice, models, kept.get());
-            const std::vector<Diagnostic>& problems = all.back().check.diagnostics;
-            if (!problems.empty()) {
-              all.back().problem =
-                  remark_in_form(nlohmann::json::parse(text_from_template(choice), nullptr, false),
-                                 problems.front());
+            const CheckedTemplate made = check_of_template(study, choice, models, kept.get());
+            all.back().check = made.check;
+            if (const std::vector<Diagnostic>& problems = made.check.diagnostics;
+                !problems.empty()) {
+              all.back().problem = remark_in_form(nlohmann::json::parse(made.text, nullptr, false),
+                                                  problems.front());
             }
           } catch (const std::exception& error) {
             all.back().refusal = message_of(error);
@@ -380,6 +389,7 @@ void TemplateDialog::take(const Checked& checked) {
     const QSignalBlocker quiet_copied(copied_);
     button->setChecked(true);
   }
+  show_facts(checked.check.protocol ? &checked.check.cost : nullptr);
   is_checking_ = false;
   is_refused_ = !checked.refusal.empty();
   const std::vector<Diagnostic>& problems = checked.check.diagnostics;

@@ -61,6 +61,7 @@ class TemplateDialog final : public QDialog {
   void show_chosen();
   void offer_languages(const TemplateOverview& overview);
   void show_texts();
+  void show_facts(const PlanCost* cost);
   void show_screens(const Protocol& protocol);
   void choose_textures();
   void check_chosen();

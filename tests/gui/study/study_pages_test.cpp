@@ -81,9 +81,15 @@ TEST_F(StudyPages, ReportTheProblemsOfATemplateWithTheChosenTextures) {
   EXPECT_FALSE(create.isEnabled()) << "that was about another language";
   EXPECT_TRUE(shows(kValid)) << state().toStdString();
   EXPECT_TRUE(own.isChecked());
+  const auto facts = [&] { return child<QLabel>(dialog, "template_facts").text(); };
+  EXPECT_TRUE(facts().contains(" · 45 trials · about 14 min · ")) << facts().toStdString();
   tick_only(dialog, {"brick"});
+  EXPECT_FALSE(facts().contains("trials")) << "those of another choice: " << facts().toStdString();
   EXPECT_TRUE(shows(kProblem)) << state().toStdString();
   EXPECT_TRUE(create.isEnabled());
+  tick_only(dialog, {"brick", "metal"});
+  EXPECT_TRUE(shows(kValid)) << state().toStdString();
+  EXPECT_TRUE(facts().contains(" · 25 trials · about 12 min · ")) << facts().toStdString();
 
   // Closing does not wait for the check that runs.
   const QPointer<QDialog> closed(&dialog);
