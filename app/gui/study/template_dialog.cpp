@@ -71,7 +71,7 @@ TemplateDialog::TemplateDialog(const std::filesystem::path& study, const ModelRe
   using Align = StudyTable::Align;
   table_ = new StudyTable({{tr("Experiment"), 0, Align::text},
                            {tr("Method"), 152, Align::text},
-                           {tr("Trials"), 64, Align::number},
+                           {tr("Trials"), 80, Align::number},
                            {tr("Minutes"), 72, Align::number}},
                           this);
   table_->setObjectName("template_table");
@@ -115,6 +115,7 @@ TemplateDialog::TemplateDialog(const std::filesystem::path& study, const ModelRe
 /// Everything about the chosen template in one scroll area: what has to be chosen first, then what can be read.
 QWidget* TemplateDialog::make_detail(const std::filesystem::path& study) {
   auto* scroll = new QScrollArea(this);
+  scroll->setObjectName("template_details");
   scroll->setAccessibleName(tr("Description"));
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);

@@ -18429,7 +18429,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Textures of this study, in this order:</source>
-        <translation>Texturen dieser Studie, in dieser Reihenfolge:</translation>
+        <translation>Texturen der Studie, in dieser Reihenfolge:</translation>
     </message>
     <message>
         <source>Textures of this study</source>

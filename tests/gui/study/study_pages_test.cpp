@@ -12,8 +12,11 @@
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QRadioButton>
+#include <QtWidgets/QScrollArea>
+#include <QtWidgets/QScrollBar>
 
 #include "app/gui/base/open_study.h"
+#include "app/gui/base/settings.h"
 #include "app/gui/base/study_table.h"
 #include "app/gui/data/attempt_page.h"
 #include "app/gui/look/controls.h"
@@ -160,6 +163,30 @@ TEST_F(StudyPages, PutATemplateIntoTheStudyUnderAFreeName) {
       << "also in another language";
   EXPECT_EQ(column(table, 5).filter("valid").size(), 4);
   EXPECT_TRUE(column(table, 1).contains("chapter_selection_2"));
+}
+
+/// In German, whose words are longer, the details are not wider than the smallest window leaves them.
+TEST_F(StudyPages, ShowATemplateInASmallWindow) {
+  apply_language("de");
+  open_demo();
+  table_of("protocols", "protocols_table", 3);
+  child<QPushButton>(window_, "protocols_new").click();
+  auto& dialog = child<QDialog>(window_, "template_dialog");
+  dialog.resize(910, 512);
+  auto& templates = child<StudyTable>(dialog, "template_table");
+  ASSERT_TRUE(eventually([&] { return templates.shown_rows() == 25; }));
+  const auto& details = child<QScrollArea>(dialog, "template_details");
+  for (int row = 0; row < templates.shown_rows(); ++row) {
+    templates.selectRow(row);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(details.horizontalScrollBar()->maximum(), 0)
+        << templates.selected_key().toStdString();
+  }
+  templates.select("chapter_selection");
+  EXPECT_TRUE(
+      eventually([&] { return child<QPushButton>(dialog, "template_create").isEnabled(); }));
+  take_screenshot(dialog, "german-template-dialog-small", {910, 512});
+  apply_language("en");
 }
 
 TEST_F(PagesToRead, CountInTheNavigation) {
