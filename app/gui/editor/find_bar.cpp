@@ -131,7 +131,8 @@ void FindBar::find_in_form(Direction direction) {
   found_ = places[(is_forwards ? index : index + places.size() - 1) % places.size()];
   // A key that is pressed in the bar must not reach a field.
   const bool is_focus_here = isAncestorOf(QApplication::focusWidget());
-  form_.go_to(found_, is_focus_here ? ProtocolForm::Lead::mark : ProtocolForm::Lead::focus);
+  form_.go_to(found_, is_focus_here ? ProtocolForm::Lead::mark : ProtocolForm::Lead::focus,
+              words_->text());
 }
 
 void FindBar::find_from(int position, Direction direction) {

@@ -668,7 +668,7 @@ TEST_F(FormOfProtocol, FindsByKeysFromPageToPageAndAround) {
     EXPECT_TRUE(form().isAncestorOf(QApplication::focusWidget())) << focus_text();
     EXPECT_EQ(count.text(), QString("%1 of 5").arg(i + 1));
     if (const auto* const line = qobject_cast<QLineEdit*>(QApplication::focusWidget())) {
-      EXPECT_TRUE(line->text().contains("metal"));
+      EXPECT_EQ(line->selectedText(), "metal") << line->text().toStdString();
     }
     if (const auto* const table = qobject_cast<QTableWidget*>(QApplication::focusWidget())) {
       EXPECT_EQ(table->currentItem()->text(), "metal");
@@ -709,8 +709,18 @@ TEST_F(FormOfProtocol, MarksWhatIsFoundWhileTheSearchHasTheFocus) {
     EXPECT_EQ(form().page().id, form_page_of(places[i]).id);
     ASSERT_EQ(marked().size(), 1U) << places[i];
     EXPECT_FALSE(marked().front()->visibleRegion().isEmpty()) << places[i];
-    has_lines = has_lines || qobject_cast<QPlainTextEdit*>(marked().front()) != nullptr;
+    const auto* const box = qobject_cast<QPlainTextEdit*>(marked().front());
+    if (box == nullptr || !box->toPlainText().contains("surface", Qt::CaseInsensitive)) continue;
+    has_lines = true;
+    EXPECT_EQ(box->textCursor().selectedText().toLower(), "surface");
+    views_.show_problems({}, {});
+    EXPECT_TRUE(box->textCursor().hasSelection()) << "as long as it has the frame";
   }
+  int selected = 0;
+  for (const auto* const box : form().findChildren<QPlainTextEdit*>()) {
+    selected += box->textCursor().hasSelection() ? 1 : 0;
+  }
+  EXPECT_LE(selected, 1) << "that of the last place";
   EXPECT_TRUE(has_lines) << "a field in which Enter writes";
   QTest::keyClick(&words, Qt::Key_S);
   EXPECT_EQ(text(), before);

@@ -14,6 +14,7 @@
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QListWidget>
+#include <QtWidgets/QPlainTextEdit>
 #include <QtWidgets/QScrollArea>
 #include <QtWidgets/QScrollBar>
 #include <QtWidgets/QStyle>
@@ -65,6 +66,28 @@ QWidget* control_of(const FormPart& part) {
     if (part.isAncestorOf(next) && takes_focus(*next)) return next;
   }
   return nullptr;
+}
+
+/// Selects the first of these words in a field of text; without words, or where the text has none of them, nothing.
+void select_words(QWidget& control, const QString& words) {
+  const auto place_in = [&words](const QString& text) {
+    return words.isEmpty() ? -1 : static_cast<int>(text.indexOf(words, 0, Qt::CaseInsensitive));
+  };
+  const auto length = static_cast<int>(words.size());
+  if (auto* const line = qobject_cast<QLineEdit*>(&control)) {
+    const int place = place_in(line->text());
+    if (place < 0) return line->deselect();
+    line->setSelection(place, length);
+  } else if (auto* const box = qobject_cast<QPlainTextEdit*>(&control)) {
+    const int place = place_in(box->toPlainText());
+    QTextCursor cursor = box->textCursor();
+    cursor.clearSelection();
+    if (place >= 0) {
+      cursor.setPosition(place);
+      cursor.setPosition(place + length, QTextCursor::KeepAnchor);
+    }
+    box->setTextCursor(cursor);
+  }
 }
 
 }  // namespace
@@ -128,6 +151,7 @@ ProtocolForm::ProtocolForm(const std::vector<ModelDeclaration>& models, QWidget*
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
     if (content_ == nullptr || now == nullptr || !content_->isAncestorOf(now)) return;
     mark(nullptr);
+    if (now != found_) select_found(nullptr, {});
     show_help(now);
   });
 }
@@ -410,7 +434,7 @@ void ProtocolForm::show_page(std::string_view id) {
   }
 }
 
-void ProtocolForm::go_to(const std::string& pointer, Lead lead) {
+void ProtocolForm::go_to(const std::string& pointer, Lead lead, const QString& words) {
   if (context_.source == nullptr) return;
   for (nlohmann::json::json_pointer path(pointer); !path.empty(); path.pop_back()) {
     context_.opened.insert(path.to_string());
@@ -421,7 +445,7 @@ void ProtocolForm::go_to(const std::string& pointer, Lead lead) {
   }
   show_page(form_page_of(pointer).id);
   refresh();
-  QTimer::singleShot(0, content_, [this, pointer, lead] {
+  QTimer::singleShot(0, content_, [this, pointer, lead, words] {
     FormPart* const part = part_at(pointer);
     if (part == nullptr) return;
     part->point_to(pointer);
@@ -432,6 +456,7 @@ void ProtocolForm::go_to(const std::string& pointer, Lead lead) {
       mark(control);
       show_help(part);
     }
+    select_found(control, words);
     // Boxes that have got their width change their height, several times where cards are unfolded within cards.
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     area_->ensureWidgetVisible(part);
@@ -455,6 +480,14 @@ void ProtocolForm::mark(QWidget* control) {
     widget->style()->polish(widget);
   }
   marked_ = control;
+}
+
+/// In one field at a time.
+void ProtocolForm::select_found(QWidget* control, const QString& words) {
+  if (found_ != nullptr) select_words(*found_, {});
+  const bool is_name = control != nullptr && control->focusProxy() != nullptr;  // of an entry
+  found_ = words.isEmpty() ? nullptr : is_name ? control->focusProxy() : control;
+  if (found_ != nullptr) select_words(*found_, words);
 }
 
 void ProtocolForm::show_help(const QWidget* control) {

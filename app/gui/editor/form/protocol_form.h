@@ -45,9 +45,10 @@ class ProtocolForm final : public QWidget {
   std::vector<std::string> places_with(const QString& words) const;
 
   /// Shows the page with the value, unfolded, and gives its field the focus; without a field the first control that belongs to
-  /// it. With `mark` the focus stays where it is, and the control has a frame until the focus comes to a field.
+  /// it. With `mark` the focus stays where it is, and the control has a frame until the focus comes to a field. Selects the first
+  /// of `words` in a field of text.
   enum class Lead { focus, mark };
-  void go_to(const std::string& pointer, Lead lead = Lead::focus);
+  void go_to(const std::string& pointer, Lead lead = Lead::focus, const QString& words = {});
   /// Gives the focus to the control with the frame; false if there is none.
   bool enter_marked();
   void show_page(std::string_view id);
@@ -71,6 +72,7 @@ class ProtocolForm final : public QWidget {
   void refresh();
   void show_help(const QWidget* control);
   void mark(QWidget* control);
+  void select_found(QWidget* control, const QString& words);
   void order_for_keyboard();
   /// To the control of this object name or of this part, after it was made again.
   struct Focus {
@@ -96,6 +98,7 @@ class ProtocolForm final : public QWidget {
   QLabel* state_ = nullptr;
   QScrollArea* area_ = nullptr;
   QPointer<QWidget> marked_{};
+  QPointer<QWidget> found_{};  ///< in which words are selected
   QWidget* content_ = nullptr;
   QLabel* help_ = nullptr;
 };

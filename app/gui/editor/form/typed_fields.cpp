@@ -150,7 +150,8 @@ void LineField::refresh() {
   if (present != nullptr && typed && nlohmann::json::parse(*typed) == *present) return;
   const QString text = present == nullptr ? QString() : shown(characters);
   if (line_->text() != text) line_->setText(text);
-  if (!line_->hasFocus()) line_->setCursorPosition(0);
+  // Not where the search has selected words.
+  if (!line_->hasFocus() && !line_->hasSelectedText()) line_->setCursorPosition(0);
   complain({});
 }
 
