@@ -101,11 +101,29 @@ void set_role(QPushButton& button, ButtonRole role) {
 
 void ChoiceBox::initStyleOption(QStyleOptionComboBox* option) const {
   QComboBox::initStyleOption(option);
+  option->currentText =
+      option->fontMetrics.elidedText(option->currentText, Qt::ElideMiddle, room_in(*option));
+}
+
+/// For the text.
+int ChoiceBox::room_in(const QStyleOptionComboBox& option) const {
   constexpr int kTextMargin = 4;  // both sides
-  const QRect room =
-      style()->subControlRect(QStyle::CC_ComboBox, option, QStyle::SC_ComboBoxEditField, this);
-  option->currentText = option->fontMetrics.elidedText(option->currentText, Qt::ElideMiddle,
-                                                       room.width() - kTextMargin);
+  const QRect field =
+      style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this);
+  return field.width() - kTextMargin;
+}
+
+/// Qt's size leaves the padding of the style sheet out.
+QSize ChoiceBox::with_room(QSize size) const {
+  if (sizeAdjustPolicy() != AdjustToContents) return size;
+  QStyleOptionComboBox option{};
+  QComboBox::initStyleOption(&option);
+  option.rect.setSize(size);
+  int longest = 0;
+  for (int i = 0; i < count(); ++i) {
+    longest = std::max(longest, option.fontMetrics.horizontalAdvance(itemText(i)));
+  }
+  return {size.width() + std::max(0, longest - room_in(option)), size.height()};
 }
 
 void ChoiceBox::showPopup() {

@@ -33,15 +33,21 @@ QPushButton* make_button(const QString& verb, ButtonRole role, QWidget* parent);
 void set_role(QPushButton& button, ButtonRole role);
 
 /// A list to choose from. Where the box has no room for what is chosen, its middle is left out: both
-/// ends stay. The list is as wide as its longest text.
+/// ends stay. The list is as wide as its longest text; with QComboBox::AdjustToContents the box has room for it as well.
 class ChoiceBox final : public QComboBox {
   Q_OBJECT
  public:
   using QComboBox::QComboBox;
   void showPopup() override;
+  QSize sizeHint() const override { return with_room(QComboBox::sizeHint()); }
+  QSize minimumSizeHint() const override { return with_room(QComboBox::minimumSizeHint()); }
 
  protected:
   void initStyleOption(QStyleOptionComboBox* option) const override;
+
+ private:
+  QSize with_room(QSize size) const;
+  int room_in(const QStyleOptionComboBox& option) const;
 };
 
 QLabel* make_title(const QString& text, QWidget* parent);    ///< of a page

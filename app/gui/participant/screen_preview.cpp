@@ -11,6 +11,7 @@
 
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
+#include "app/gui/look/words.h"
 #include "app/gui/participant/participant_view.h"
 #include "protocols/answers/question.h"
 
@@ -64,6 +65,12 @@ class ScreensOfStep final {
   const Protocol& protocol_;
   const Plan& plan_;
 };
+
+/// Of the participant; empty without groups. All trials of a plan have the level of its group.
+QString group_of(const Protocol& protocol, const Plan& plan) {
+  if (!protocol.groups || plan.trials.empty()) return {};
+  return text(text_of(plan.trials.front().factors.at(protocol.groups->factor)));
+}
 
 }  // namespace
 
@@ -157,6 +164,9 @@ void ScreenPreview::show_screen() {
   back_->setEnabled(step_ > 0 || screen_ > 0);
   next_->setEnabled(static_cast<int>(step_) + 1 < steps || !is_last);
   QString words = tr("Step %1 of %2").arg(step_ + 1).arg(steps);
+  if (const QString group = group_of(*protocol_, *plan_); !group.isEmpty()) {
+    words = tr("%1, group %2").arg(words, group);
+  }
   if (screens_.empty()) {
     words = tr("%1: the participant sees nothing new").arg(words);
   } else if (screens_.size() > 1) {

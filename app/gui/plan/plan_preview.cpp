@@ -18,6 +18,7 @@
 #include "app/gui/base/study_table.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
+#include "app/gui/look/wrapping_row.h"
 #include "app/gui/plan/plan_bars.h"
 #include "protocols/plan/course.h"
 #include "protocols/plan/groups.h"
@@ -28,6 +29,8 @@
 namespace asperity {
 
 namespace {
+
+constexpr int kMostGroupWidth = 280;
 
 /// One step in a line of the table.
 struct Line {
@@ -202,22 +205,23 @@ PlanPreview::PlanPreview(Shape shape, QWidget* parent) : QWidget(parent) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(kGrid);
-  auto* choice = new QHBoxLayout();
-  choice->setSpacing(kGrid);
-  layout->addLayout(choice);
+  auto* head = new QHBoxLayout();
+  head->setSpacing(2 * kGrid);
+  layout->addLayout(head);
+  auto* choice = new WrappingRow(nullptr, kGrid);
   add_choice(*choice);
   words_ = make_text({}, this, true);
   words_->setObjectName("plan_words");
   if (shape == Shape::wide) {
-    choice->addSpacing(kGrid);
-    choice->addWidget(words_, 1);
+    head->addLayout(choice);
+    head->addWidget(words_, 1);
   } else {
-    choice->addStretch(1);
+    head->addLayout(choice, 1);
     layout->addWidget(words_);
   }
   QPushButton* another = make_button(tr("Another order"), ButtonRole::link, this);
   another->setObjectName("plan_another");
-  choice->addWidget(another);
+  head->addWidget(another, 0, Qt::AlignTop);
   connect(another, &QPushButton::clicked, this, [this] { seed_->setValue(seed_->value() + 1); });
   using Align = StudyTable::Align;
   if (shape == Shape::wide) {
@@ -270,7 +274,7 @@ PlanPreview::PlanPreview(Shape shape, QWidget* parent) : QWidget(parent) {
   table_->horizontalHeader()->setSortIndicatorShown(false);  // the order of the session is plain
 }
 
-void PlanPreview::add_choice(QHBoxLayout& row) {
+void PlanPreview::add_choice(QLayout& row) {
   const auto add = [&](const QString& name, const char* object, int least, int most) {
     auto* spin = new QSpinBox(this);
     spin->setObjectName(object);
@@ -288,11 +292,11 @@ void PlanPreview::add_choice(QHBoxLayout& row) {
   row_ = add(tr("Row"), "plan_row", 1, 1);
   row_->setToolTip(
       tr("Counterbalancing row: each new participant is assigned the least used one."));
-  rows_ = make_text({}, this, true);
-  rows_->setWordWrap(false);
-  row.addWidget(rows_);
   group_ = new ChoiceBox(this);
   group_->setObjectName("plan_group");
+  // The names of groups are those of another protocol after a while.
+  group_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  group_->setMaximumWidth(kMostGroupWidth);
   group_->setAccessibleName(tr("Group"));
   group_->setToolTip(tr("Group of the participant"));
   group_->hide();
@@ -314,8 +318,7 @@ void PlanPreview::show_protocol(const Protocol& protocol) {
     row_->setMaximum(rows);
   }
   row_->setVisible(rows > 1);  // else nothing is counterbalanced
-  rows_->setVisible(rows > 1);
-  rows_->setText(tr("of %1").arg(rows));
+  row_->setSuffix(' ' + tr("of %1").arg(rows));
   const std::vector<std::string> groups = groups_of(protocol);
   {
     const QSignalBlocker quiet(group_);

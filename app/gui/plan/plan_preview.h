@@ -10,8 +10,8 @@
 #include "protocols/plan/plan.h"
 
 class QComboBox;
-class QHBoxLayout;
 class QLabel;
+class QLayout;
 class QSpinBox;
 
 namespace asperity {
@@ -40,7 +40,7 @@ class PlanPreview final : public QWidget {
                   const std::shared_ptr<const asperity::Plan>& plan, int step);
 
  private:
-  void add_choice(QHBoxLayout& row);
+  void add_choice(QLayout& row);
   void make_plan_anew();
   void show_plan();
   void show_step(int step);
@@ -51,7 +51,6 @@ class PlanPreview final : public QWidget {
   std::shared_ptr<const Plan> plan_{};
   QSpinBox* seed_ = nullptr;
   QSpinBox* row_ = nullptr;
-  QLabel* rows_ = nullptr;
   QComboBox* group_ = nullptr;
   QLabel* words_ = nullptr;
   PlanBars* bars_ = nullptr;  ///< null in the wide shape, of which the list has the height

@@ -16822,6 +16822,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>%1, screen %2 of %3</source>
         <translation>%1, Bild %2 von %3</translation>
     </message>
+    <message>
+        <source>%1, group %2</source>
+        <translation>%1, Gruppe %2</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SessionControls</name>

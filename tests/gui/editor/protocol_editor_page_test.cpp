@@ -16,6 +16,8 @@
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QSpinBox>
 #include <QtWidgets/QStackedWidget>
+#include <QtWidgets/QStyle>
+#include <QtWidgets/QStyleOption>
 
 #include "app/gui/base/settings.h"
 #include "app/gui/base/study_table.h"
@@ -459,6 +461,26 @@ TEST_F(ProtocolEditor, LaysOutThePlanOfTheChosenGroup) {
   EXPECT_TRUE(eventually([&] { return label("plan_detail").contains("dawn"); }));
   group.setCurrentIndex(1);
   EXPECT_TRUE(eventually([&] { return label("plan_detail").contains("dusk"); }));
+  click("editor_show_screen");
+  EXPECT_TRUE(eventually([&] { return label("screen_words").contains(", group dusk"); }))
+      << label("screen_words").toStdString();
+
+  click("editor_show_plan");
+  page_->resize(1040, 512);
+  edit().replace_text(text.replace("dawn", "with a long practice"));
+  ASSERT_TRUE(checked());
+  group.setCurrentIndex(0);
+  const auto is_whole = [&group] {
+    QStyleOptionComboBox option{};
+    option.initFrom(&group);
+    const QRect room = group.style()->subControlRect(QStyle::CC_ComboBox, &option,
+                                                     QStyle::SC_ComboBoxEditField, &group);
+    return room.width() > group.fontMetrics().horizontalAdvance("with a long practice");
+  };
+  EXPECT_TRUE(eventually(is_whole)) << "the name is cut at " << group.width();
+  const auto& side = child<QStackedWidget>(*page_, "editor_plan_side");
+  EXPECT_TRUE(side.rect().contains(QRect(group.mapTo(&side, QPoint()), group.size())));
+  take_screenshot(*page_, "editor-plan-group", {1040, 512});
 }
 
 TEST_F(ProtocolEditor, LaysOutTheChosenRowOfTheCounterbalancing) {
