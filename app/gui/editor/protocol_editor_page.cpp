@@ -270,6 +270,8 @@ void ProtocolEditorPage::open(const std::filesystem::path& protocol) {
   result_.reset();  // the problems and the plan are those of another file
   views_->show_problems({}, {});
   problems_->fill({});
+  plan_->forget();
+  screen_->forget();
   plan_side_->setCurrentWidget(why_no_plan_);
   show_content(bytes);
   views_->show_form_if_possible();

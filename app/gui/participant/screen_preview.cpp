@@ -132,6 +132,17 @@ void ScreenPreview::show_step(std::shared_ptr<const Protocol> protocol,
   if (isVisible()) show_wanted();
 }
 
+void ScreenPreview::forget() {
+  delete std::exchange(view_, nullptr);
+  protocol_ = nullptr;
+  plan_ = nullptr;
+  viewed_ = nullptr;
+  screen_ = 0;
+  words_->setText(tr("The plan is being made…"));
+  back_->setEnabled(false);
+  next_->setEnabled(false);
+}
+
 void ScreenPreview::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   if (!is_shown_ && plan_ != nullptr) show_wanted();

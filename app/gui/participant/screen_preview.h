@@ -30,6 +30,8 @@ class ScreenPreview final : public QWidget {
   /// Shows the screens of a step, once it is visible. The texts of the steps are as participants read them.
   void show_step(std::shared_ptr<const Protocol> protocol, std::shared_ptr<const Plan> plan,
                  std::size_t step);
+  /// Nothing of the plan before stays until a step is shown.
+  void forget();
 
  signals:
   /// ← or → beyond the screens of the step.

@@ -331,6 +331,14 @@ void PlanPreview::show_protocol(const Protocol& protocol) {
   make_plan_anew();
 }
 
+void PlanPreview::forget() {
+  protocol_ = nullptr;
+  words_->setText(tr("The plan is being made…"));
+  table_->fill({});
+  if (bars_ != nullptr) bars_->show_parts({}, {});
+  if (detail_ != nullptr) detail_->clear();
+}
+
 void PlanPreview::make_plan_anew() {
   if (protocol_ == nullptr) return;
   work_.ask(

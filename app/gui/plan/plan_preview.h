@@ -29,6 +29,8 @@ class PlanPreview final : public QWidget {
 
   /// A protocol without problems.
   void show_protocol(const Protocol& protocol);
+  /// The next protocol is another one, and nothing of the plan before stays until its plan has been made.
+  void forget();
   /// Of the seed, row and group that are set.
   Allocation allocation() const;
   /// Selects a step of a plan in the tall shape.

@@ -15489,6 +15489,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>anchor at the end</source>
         <translation>Anker am Ende</translation>
     </message>
+    <message>
+        <source>The plan is being made…</source>
+        <translation>Der Plan wird erstellt…</translation>
+    </message>
 </context>
 <context>
     <name>asperity::PlanTable</name>
@@ -16825,6 +16829,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>%1, group %2</source>
         <translation>%1, Gruppe %2</translation>
+    </message>
+    <message>
+        <source>The plan is being made…</source>
+        <translation>Der Plan wird erstellt…</translation>
     </message>
 </context>
 <context>

@@ -161,9 +161,15 @@ TEST_F(ProtocolEditor, ShowsNothingOfTheFileBeforeWhileTheTextOfAnotherIsNotChec
     EXPECT_TRUE(underlined().isEmpty());
     EXPECT_EQ(of_form(), 0);
     EXPECT_EQ(page_->result(), nullptr);
+    EXPECT_EQ(child<StudyTable>(*page_, "plan_table").shown_rows(), 0);
+    for (const char* const words : {"plan_words", "screen_words"}) {
+      EXPECT_EQ(label(words), "The plan is being made…");
+    }
+    EXPECT_TRUE(label("plan_detail").isEmpty());
   };
   StimulusExaminer::Hold hold = study_->examiner().hold();
   EXPECT_EQ(side.currentIndex(), 0) << "the plan";
+  EXPECT_TRUE(eventually([&] { return !label("plan_detail").isEmpty(); }));
   page_->open(invalid);
   expect_nothing();
   hold.reset();
