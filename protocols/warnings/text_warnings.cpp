@@ -16,6 +16,8 @@
 #include "protocols/design/block_factors.h"
 #include "protocols/design/wording.h"
 #include "protocols/file/json_document.h"
+#include "protocols/plan/course.h"
+#include "protocols/plan/groups.h"
 #include "protocols/texts/protocol_texts.h"
 #include "protocols/texts/stated_numbers.h"
 
@@ -196,8 +198,23 @@ class TextWarnings final {
     };
     session_["trials"].insert(of("trials") + of("practice_trials"));
     if (!values.contains("breaks")) session_.erase("breaks");
-    largest_min_ = of("minutes");
-    estimate_min_ = static_cast<int>(std::lround(cost_of(protocol_, example_).total_s / 60.0));
+  }
+
+  struct Minutes {
+    int estimate = 0;
+    int largest = 0;
+  };
+  Minutes minutes_of(const Plan& plan) const {
+    return {.estimate = static_cast<int>(std::lround(cost_of(protocol_, plan).total_s / 60.0)),
+            .largest = values_of_session(protocol_, plan).at("minutes").number};
+  }
+  /// Of a participant who reads the text: plans of groups differ in the screens that are read.
+  Minutes minutes_at(const TextPlace& place) const {
+    const bool is_for_first =
+        place.groups.empty() || is_for_group(place.groups, groups_of(protocol_).front());
+    return minutes_of(is_for_first
+                          ? example_
+                          : example_plan(protocol_, {.seed = 1, .group = place.groups.front()}));
   }
 
   /// The trials and surfaces of one run of a block, and its breaks.
@@ -227,11 +244,13 @@ class TextWarnings final {
   }
 
   /// Also where the design has none of them, which compare_parts names.
-  bool is_of_design(const Numbers& numbers, const StatedNumber& stated) const {
+  bool is_of_design(const Numbers& numbers, const StatedNumber& stated,
+                    const TextPlace& place) const {
     if (stated.name == "minutes") {
       if (phrase_in(stated.sentence, kSessions).empty()) return true;  // of a part, or of a stroke
       if (!phrase_in(stated.sentence, kRests).empty()) return true;
-      return 3 * stated.number >= 2 * estimate_min_ && 3 * stated.number <= 4 * largest_min_;
+      const Minutes minutes = minutes_at(place);
+      return 3 * stated.number >= 2 * minutes.estimate && 3 * stated.number <= 4 * minutes.largest;
     }
     // "Two surfaces are the same": not how many there are.
     if (stated.name == "surfaces" && stated.begins_clause) return true;
@@ -253,7 +272,7 @@ class TextWarnings final {
       add_values(numbers, values);
     }
     for (const StatedNumber& stated : numbers_stated_in(place.text, protocol_.language)) {
-      if (is_of_design(numbers, stated)) continue;
+      if (is_of_design(numbers, stated, place)) continue;
       warn(place, "the text states " + in_quotes(stated.words) + ", but " +
                       design_states(numbers, stated, place));
     }
@@ -265,7 +284,7 @@ class TextWarnings final {
     const std::string name(stated.name);
     const std::string noun = name == "practice_trials" ? "trials of practice" : name;
     if (name == "minutes") {
-      return "a session takes about " + std::to_string(estimate_min_) +
+      return "a session takes about " + std::to_string(minutes_at(place).estimate) +
              " minutes by estimate; correct the text" +
              (place.is_of_session ? ", or write {minutes}" : "");
     }
@@ -305,8 +324,6 @@ class TextWarnings final {
   /// No trial compares surfaces: their number in a text can then be that of a run or of the study.
   bool has_single_surfaces_ = false;
   Numbers session_{};
-  int estimate_min_ = 0;
-  int largest_min_ = 0;
   std::vector<Diagnostic> found_{};
 };
 

@@ -20,7 +20,8 @@ bool has_pictures(const Protocol& protocol);
 /// part or in the session. Minutes of the session may differ from the
 /// estimate by a third, and trials by a tenth after "about".
 ///
-/// `example` is a plan of a valid protocol; `file_name` is the file in the diagnostics.
+/// `example` is a plan of a valid protocol, for its first group; minutes in a screen of other groups are compared with a plan of
+/// these. `file_name` is the file in the diagnostics.
 std::vector<Diagnostic> warnings_about_texts(const Protocol& protocol, const std::string& file_name,
                                              const Plan& example);
 

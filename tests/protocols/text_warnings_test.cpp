@@ -208,6 +208,26 @@ TEST(TextWarnings, ReadAPageOfABlockForThisBlockAlone) {
   EXPECT_THAT(found.front(), testing::StartsWith("/blocks/ratings/page_prompt: "));
 }
 
+TEST(TextWarnings, CompareMinutesWithTheSessionOfTheGroupThatReadsThem) {
+  const auto warnings_for = [](const std::string& group) {
+    json root = json::parse(library_text("semantic_differential", "en"));
+    root["factors"]["light"]["levels"] = {"dawn", "dusk"};
+    root["groups"]["factor"] = "light";
+    json flow = json::array();
+    for (int i = 0; i < 3; ++i) {  // an hour of reading, at three words a second
+      std::string words{};
+      for (int word = 0; word < 3600; ++word) words += "a ";
+      flow.push_back({{"screen", words}, {"groups", {"dusk"}}});
+    }
+    flow.push_back({{"screen", "The session takes 80 minutes."}, {"groups", {group}}});
+    for (const json& step : root.at("flow")) flow.push_back(step);
+    root["flow"] = flow;
+    return warnings_of(root.dump());
+  };
+  EXPECT_THAT(warnings_for("dusk"), IsEmpty());
+  EXPECT_THAT(warnings_for("dawn"), testing::ElementsAre(HasSubstr("80 minutes")));
+}
+
 TEST(TextWarnings, AreMadeForNoOtherLanguage) {
   json root = json::parse(with_sentence("amplitude_jnd", "en", "You will feel three surfaces."));
   root["language"] = "fr";
