@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@
 #include "app/cli/output/terminal.h"
 #include "app/findings/outcome/display_number.h"
 #include "app/study_files/height_field_files.h"
+#include "app/words/text_parts.h"
 #include "results_schema/files/atomic_file.h"
 #include "results_schema/hashes/sha256.h"
 #include "stimuli/measured/measured_surface.h"
@@ -199,7 +201,9 @@ void texture_of_photograph(TextureOptions& options, std::span<const std::byte> b
   std::cout << height_field_line(options.out, texture.field);
   // The advice is about brightness as height, and a method that uses the light answers the question about it.
   if (!texture_method(recipe.method).uses_light) {
-    std::cout << advice(evidence) << '\n' << recommendation_text(evidence, recipe) << '\n';
+    for (const std::string& text : {advice(evidence), recommendation_text(evidence, recipe)}) {
+      std::cout << wrapped_text(text, kTerminalColumns) << '\n';
+    }
   }
   if (const auto contradiction = contradiction_of_sign(evidence, recipe)) {
     say("asperity: warning: " + name + ": " + contradiction_text(*contradiction, evidence));
@@ -224,25 +228,25 @@ void texture_of_surface(const TextureOptions& options, std::span<const std::byte
                      sha256,
                      ""},
                     options.overwrite());
-  std::cout << height_field_line(options.out, relief.field) << name_of(surface.format);
-  if (!surface.channel.empty()) std::cout << ", channel " << surface.channel;
-  std::cout << ": " << relief.missing << " of " << relief.points << " points missing and filled ("
-            << fixed(
-                   100.0 * static_cast<double>(relief.missing) / static_cast<double>(relief.points),
-                   2)
-            << " %); ";
+  std::ostringstream facts{};
+  facts << name_of(surface.format);
+  if (!surface.channel.empty()) facts << ", channel " << surface.channel;
+  facts << ": " << relief.missing << " of " << relief.points << " points missing and filled ("
+        << fixed(100.0 * static_cast<double>(relief.missing) / static_cast<double>(relief.points),
+                 2)
+        << " %); ";
   if (options.form == SurfaceForm::plane) {
-    std::cout << "plane subtracted, slope " << display_signed(relief.slope_x * 1e3, 2)
-              << " µm/mm along x and " << display_signed(relief.slope_y * 1e3, 2)
-              << " µm/mm along y";
+    facts << "plane subtracted, slope " << display_signed(relief.slope_x * 1e3, 2)
+          << " µm/mm along x and " << display_signed(relief.slope_y * 1e3, 2) << " µm/mm along y";
   } else {
-    std::cout << "mean subtracted";
+    facts << "mean subtracted";
   }
   if (relief.is_resampled) {
-    std::cout << "; resampled from distances of " << fixed(surface.pitch_x_m * 1e6, 3)
-              << " µm along x and " << fixed(surface.pitch_y_m * 1e6, 3) << " µm along y";
+    facts << "; resampled from distances of " << fixed(surface.pitch_x_m * 1e6, 3)
+          << " µm along x and " << fixed(surface.pitch_y_m * 1e6, 3) << " µm along y";
   }
-  std::cout << '\n';
+  std::cout << height_field_line(options.out, relief.field)
+            << wrapped_text(facts.str(), kTerminalColumns) << '\n';
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ TEST(MeasuredTexture, StoresTheMissingPointsAndThePlaneWithTheHeights) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("12 × 9 samples, pitch 40.0 µm"));
   EXPECT_THAT(outcome.out, HasSubstr("GWY, channel 0 (Topography): 3 of 108 points missing and "
-                                     "filled (2.78 %); plane subtracted, slope "));
+                                     "filled (2.78 %); plane subtracted, slope"));
   const auto sidecar = nlohmann::json::parse(text_of(made.string() + ".json"));
   EXPECT_DOUBLE_EQ(sidecar.at("pitch_m").get<double>(), 40e-6);
   const auto& provenance = sidecar.at("provenance");

@@ -1,5 +1,8 @@
 // asperity texture with a photograph and with the maps of a material scan: methods, recommendation, warnings.
 
+#include <sstream>
+#include <string>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -32,6 +35,11 @@ TEST(PhotographTexture, IsMadeByTheMethodThatItRecommends) {
   ASSERT_EQ(asked.status, 0) << asked.err;
   EXPECT_THAT(asked.out, testing::AllOf(HasSubstr("Did the light come from one lamp at the side?"),
                                         HasSubstr("--method pentland --light-azimuth-deg A")));
+  std::istringstream lines(asked.out);
+  std::string line{};
+  std::getline(lines, line);  // of the file, which has a long path here
+  while (std::getline(lines, line))
+    EXPECT_LE(line.size(), 104U) << line;  // 100 and signs of several bytes
   // A method that uses the light answers the question.
   arguments.insert(arguments.end(), {"--method", "pentland", "--light-azimuth-deg", "0"});
   const Outcome outcome = asperity(arguments);

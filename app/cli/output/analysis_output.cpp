@@ -18,11 +18,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kLineWidth = 100;
-
 /// Lines no longer than a terminal is wide; `prefix` before the first, as much room before others.
 std::string paragraph(const std::string& prefix, const std::string& text) {
-  return wrapped_text(text, kLineWidth, prefix) + '\n';
+  return wrapped_text(text, kTerminalColumns, prefix) + '\n';
 }
 
 /// The table as a terminal prints it: quantities at the right, words at the left.

@@ -35,8 +35,7 @@ Table assumption_table(const std::vector<Assumption>& assumptions) {
   return table;
 }
 
-constexpr std::size_t kColumns = 100;  // of a terminal
-constexpr int kDigits = 3;             // significant ones, on a terminal
+constexpr int kDigits = 3;  // significant ones, on a terminal
 
 std::string rounded_number(double number) { return number_text(with_digits(number, kDigits)); }
 
@@ -55,9 +54,9 @@ void print_assumptions(const std::vector<Assumption>& assumptions) {
     const std::string value = one.value ? rounded_number(*one.value) + unit : "n/a";
     std::cout << wrapped_text(one.name + " = " + value + "; source: " + one.source +
                                   (is_from_pilot(one) ? " (pilot)" : ""),
-                              kColumns)
+                              kTerminalColumns)
               << '\n'
-              << wrapped_text(one.meaning, kColumns, "    ") << '\n';
+              << wrapped_text(one.meaning, kTerminalColumns, "    ") << '\n';
   }
 }
 
@@ -120,14 +119,14 @@ void print_curves(const PowerReport& report) {
   const PowerCurve* previous = nullptr;
   for (const PowerCurve& curve : report.power.curves) {
     if (previous == nullptr || previous->effect != curve.effect) {
-      std::cout << '\n' << wrapped_text("Effect: " + curve.effect, kColumns) << '\n';
+      std::cout << '\n' << wrapped_text("Effect: " + curve.effect, kTerminalColumns) << '\n';
     }
     previous = &curve;
     std::cout << '\n'
-              << wrapped_text(heading_of(curve), kColumns) << '\n'
+              << wrapped_text(heading_of(curve), kTerminalColumns) << '\n'
               << aligned(shown_power(curve));
     if (const std::string reasons = reasons_text(curve); !reasons.empty()) {
-      std::cout << wrapped_text(reasons, kColumns) << '\n';
+      std::cout << wrapped_text(reasons, kTerminalColumns) << '\n';
     }
     std::cout << aligned(shown_sample(curve, report.rules));
   }
@@ -191,7 +190,7 @@ void print_power(const PowerReport& report) {
                        std::to_string(report.order.seed) +
                        ". The power is an estimate; its intervals are 95 % Monte-Carlo CIs "
                        "(Clopper–Pearson).",
-                   kColumns)
+                   kTerminalColumns)
             << '\n';
   print_curves(report);
   for (const Statement& statement : statements_of(report)) {
@@ -199,9 +198,9 @@ void print_power(const PowerReport& report) {
     std::cout << '\n'
               << wrapped_text("Statement for an ethics form or a preregistration, of the effect " +
                                   statement.effect + ':',
-                              kColumns)
+                              kTerminalColumns)
               << '\n'
-              << wrapped_text(statement.text, kColumns) << '\n';
+              << wrapped_text(statement.text, kTerminalColumns) << '\n';
   }
 }
 

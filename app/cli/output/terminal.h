@@ -18,6 +18,9 @@
 
 namespace asperity {
 
+/// The longest line of a sentence on a terminal.
+inline constexpr std::size_t kTerminalColumns = 100;
+
 /// A bar on a terminal, plain lines otherwise; on standard error.
 ///
 /// Threads: any.
