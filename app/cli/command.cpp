@@ -2,12 +2,16 @@
 
 #include "app/cli/command.h"
 
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <sstream>
 #include <streambuf>
 #include <string>
+#include <unistd.h>
 #include <utility>
+
+#include <poll.h>
 
 #include "app/cli/output/terminal.h"
 #include "app/plugins/plugin_process.h"
@@ -21,6 +25,15 @@ namespace {
 constexpr int kNotAcceptable = 1;
 constexpr const char* kUnwritten =
     "standard output cannot be written to (it was closed, or its disk is full)";
+
+/// What a shell states of a program that SIGPIPE has ended.
+constexpr int kUnread = 128 + SIGPIPE;
+
+/// Whether it is a pipe whose reader has closed it, as `head` does once it has enough.
+bool is_unread(int descriptor) {
+  pollfd pipe{.fd = descriptor, .events = POLLOUT, .revents = 0};
+  return ::poll(&pipe, 1, 0) == 1 && (pipe.revents & POLLERR) != 0;
+}
 
 /// While it lives, what is written to standard output is kept, to be written at its end.
 class HeldOutput final {
@@ -50,6 +63,7 @@ int status_of(const Job& job) {
   try {
     const int status = job();
     if (std::cout.flush()) return status;
+    if (is_unread(STDOUT_FILENO)) return kUnread;
     say(std::string("asperity: the output is incomplete: ") + kUnwritten +
         "; repeat the command with its output in another file");
     return kNotAcceptable;

@@ -17,7 +17,8 @@ namespace asperity {
 /// What the parsed command line asks for. Returns the exit status; throws what it cannot do.
 using Job = std::function<int()>;
 
-/// Does the job. What it throws is stated on standard error; the status is 1 then, or 2 for WrongUsage.
+/// Does the job. What it throws is stated on standard error; the status is 1 then, or 2 for WrongUsage. Where the reader of
+/// standard output has closed it, the status is that of a program that SIGPIPE has ended.
 int status_of(const Job& job);
 
 /// The job of a command that changes a study or makes a file: repeated for what it printed, it would change the study again, or

@@ -26,12 +26,25 @@ void nobody_reads(int file) {
   ::dup2(ends[1], file);
 }
 
-TEST(OutputThatNobodyReads, IsAnErrorAndDoesNotEndTheProgram) {
-  const Outcome unread =
-      run({.arguments = {"models"}, .in_child = [] { nobody_reads(STDOUT_FILENO); }});
-  EXPECT_EQ(unread.signal, std::nullopt);
-  EXPECT_EQ(unread.status, 1);
-  EXPECT_THAT(unread.err, HasSubstr("the output is incomplete"));
+/// Of a program that SIGPIPE has ended, as a shell states it.
+constexpr int kUnread = 141;
+
+TEST(OutputThatNobodyReads, EndsACommandSilently) {
+  for (const char* const what : {"models", "--help"}) {
+    const Outcome unread =
+        run({.arguments = {what}, .in_child = [] { nobody_reads(STDOUT_FILENO); }});
+    EXPECT_EQ(unread.status, kUnread) << what;
+    EXPECT_EQ(unread.err, "") << what;
+  }
+}
+
+TEST(OutputThatCannotBeWritten, IsAnError) {
+  const Outcome full = run({.arguments = {"models"}, .in_child = [] {
+                              ::dup2(::open("/dev/full", O_WRONLY), STDOUT_FILENO);
+                            }});
+  EXPECT_EQ(full.signal, std::nullopt);
+  EXPECT_EQ(full.status, 1);
+  EXPECT_THAT(full.err, HasSubstr("the output is incomplete"));
 }
 
 // What has changed a study is not repeated for what it printed.
@@ -53,11 +66,6 @@ TEST(OutputThatNobodyReads, OfACommandWithALastingEffectIsOnStandardError) {
       unread({"withdraw", small.study(), "virtual0001", "--delete", "--confirm", "virtual0001"});
   EXPECT_EQ(withdrawn.status, 1);
   EXPECT_THAT(withdrawn.err, HasSubstr((small.place() / "out").string())) << "the list of outputs";
-}
-
-TEST(OutputThatNobodyReads, OfTheHelpIsAnError) {
-  EXPECT_EQ(run({.arguments = {"--help"}, .in_child = [] { nobody_reads(STDOUT_FILENO); }}).status,
-            1);
 }
 
 // As of `2>&1 | head`, once head has seen enough.
