@@ -191,8 +191,13 @@ void add_run(CLI::App& program, Job& job) {
         tell_what_a_terminal_lacks(protocol);
         if (protocol.shows_pictures_in_grey) person->show_in_grey();
       };
+      // Acknowledgements are for the experimenter, and a terminal is the participant's screen.
+      const bool is_on_screen = person && isatty(STDERR_FILENO) == 1;
+      const auto acknowledge = [is_on_screen](const AttemptDone& done) {
+        if (!is_on_screen) say_done(done);
+      };
       const SessionEnd end =
-          run_session(inputs, models, person ? &*person : nullptr, interrupt.token(), say_done,
+          run_session(inputs, models, person ? &*person : nullptr, interrupt.token(), acknowledge,
                       {.requests = &requests,
                        .experimenter_is_there = person.has_value(),
                        .tell = [](const std::string& line) { say("asperity: " + line); }});

@@ -1,6 +1,7 @@
 // run with a person at a terminal.
 
 #include <csignal>
+#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -88,6 +89,20 @@ TEST(Terminal, TakesAPersonThroughASession) {
   EXPECT_EQ(responses.column("answer")[0], presentations.column("item")[0]);
   EXPECT_EQ(responses.column("answer")[1], presentations.column("item")[2]);
   EXPECT_EQ(asperity({"verify", small.study()}).status, 0);
+}
+
+TEST(Terminal, ShowsAParticipantNothingOfWhatIsForTheExperimenter) {
+  const SmallStudy small(1);
+  Invocation invocation = run_at_terminal(small, small.recognition());
+  invocation.in_child = [] { ::dup2(STDOUT_FILENO, STDERR_FILENO); };
+  Program program(invocation);
+  answer_everything(program, "1", 1000);
+  const Outcome outcome = program.finish();
+  EXPECT_EQ(outcome.status, 0) << outcome.out;
+  EXPECT_NE(outcome.out.find("session complete"), std::string::npos);
+  for (const char* const line : {"done anna", "acknowledged"}) {
+    EXPECT_EQ(outcome.out.find(line), std::string::npos) << outcome.out;
+  }
 }
 
 // A virtual hand holds the simulated device: no answer given meanwhile is study data.
