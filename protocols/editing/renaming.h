@@ -19,8 +19,8 @@ namespace asperity {
 TextChanges rename(const JsonDocument& protocol, const std::string& registry, std::string_view name,
                    std::string_view after);
 
-/// The same, except that a level can become another one of what levels are: with the name of another texture it is that texture,
-/// and no texture changes; likewise a level that is a force model, which the protocol does not declare.
+/// The same, except that a level with the name of another texture becomes that texture, and no texture is renamed. The same
+/// applies to other things that levels are, such as force models.
 TextChanges rename_or_replace(const JsonDocument& protocol, const std::string& registry,
                               std::string_view name, std::string_view after);
 

@@ -145,7 +145,7 @@ std::string summary_of(const ValueShape& shape, const json& value, const std::st
     ++parts;
   };
   if (const auto* const object = std::get_if<ObjectShape>(found)) {
-    // Of a screen its groups are read first, which a paragraph before them would push out of sight.
+    // The groups of a screen come first; a long text would push them out of sight.
     const bool has_kinds = !object->table->deciding.empty();
     for (const bool is_last : {false, true}) {
       for (const ProtocolKey& key : object->table->keys) {

@@ -89,8 +89,8 @@ struct NewValue {
     return std::visit(*this, shape.forms.front());
   }
 
-  /// The first name of the registry, of the groups the one with the fewest texts; of a declaration, a name that is free. The factor of the groups is one that neither
-  /// blocks nor the flow set; if there is none, its name is empty.
+  /// The first name of the registry, of the groups the one with the fewest texts; of a declaration, a name that is free. The
+  /// factor of the groups is one that neither blocks nor the flow set; if there is none, its name is empty.
   ordered_json named(const NameShape& shape) const {
     std::vector<std::string> known = declared_names(names, shape.registry);
     if (shape.levels == kGroupNames) {

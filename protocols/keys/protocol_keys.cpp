@@ -116,15 +116,15 @@ constexpr auto kProtocolKeys = keys_of(
 constexpr KeyTableOf<std::string> kAuthorTable =
     table_of("An author of this protocol.", kAuthorKeys, "author");
 
-// Until 0.3.0 a protocol could state instructions that were shown to nobody.
-constexpr std::array<ForeignKey, 1> kForeign{
+// Until 0.3.0 a protocol could state instructions that participants did not read.
+constexpr std::array<RemovedKey, 1> kRemoved{
     {{"instructions",
       "participants read the screens of the flow: write the instructions there, as {\"screen\": …} "
       "before the first block, and remove this key"}}};
 
-constexpr KeyTableOf<Protocol> kProtocolTable = with_foreign_keys(
+constexpr KeyTableOf<Protocol> kProtocolTable = with_removed_keys(
     table_of("A haptic texture experiment: its stimuli, their order, and its questions.",
              kProtocolKeys),
-    kForeign);
+    kRemoved);
 
 }  // namespace asperity

@@ -149,10 +149,10 @@ class Walk final {
       const ProtocolKey* const key = table.find(name);
       if (key == nullptr) {
         if (table.is_open) continue;
-        const auto foreign = std::ranges::find(table.foreign, name, &ForeignKey::name);
+        const auto removed = std::ranges::find(table.removed, name, &RemovedKey::name);
         report(at,
-               foreign == table.foreign.end() ? unknown_key(name, names_of(table))
-                                              : std::string(foreign->problem),
+               removed == table.removed.end() ? unknown_key(name, names_of(table))
+                                              : std::string(removed->problem),
                true);
         has_other_mistake = true;
       } else if (auto valid = part(member, key->shape, key->meaning, at)) {

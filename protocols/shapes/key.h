@@ -108,8 +108,8 @@ std::string full_meaning_of(const ProtocolKey& key);
 /// binding, an object, or that of the value. Null if the value has none of their types.
 const ValueShape* shape_of(const ValueShape& shape, const nlohmann::json& value);
 
-/// A key that a table does not have, although writers of protocols expect it.
-struct ForeignKey {
+/// A key that a table had in an earlier version.
+struct RemovedKey {
   std::string_view name{};
   std::string_view problem{};  ///< what to write instead
 };
@@ -120,7 +120,7 @@ struct ForeignKey {
 struct KeyTable {
   std::string_view meaning{};  ///< of the object; ends with a full stop
   std::span<const ProtocolKey> keys{};
-  std::span<const ForeignKey> foreign{};
+  std::span<const RemovedKey> removed{};
   /// Keys of which an object has exactly one, such as the kinds of a step of the flow; empty: no such choice.
   std::span<const std::string_view> deciding{};
   bool is_open = false;      ///< other keys are permitted and not interpreted

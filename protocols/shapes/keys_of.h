@@ -435,9 +435,9 @@ consteval KeyTableOf<Owner> decided_by(KeyTableOf<Owner> table,
   return table;
 }
 template <class Owner, std::size_t N>
-consteval KeyTableOf<Owner> with_foreign_keys(KeyTableOf<Owner> table,
-                                              const std::array<ForeignKey, N>& keys) {
-  table.foreign = keys;
+consteval KeyTableOf<Owner> with_removed_keys(KeyTableOf<Owner> table,
+                                              const std::array<RemovedKey, N>& keys) {
+  table.removed = keys;
   return table;
 }
 template <class Owner>

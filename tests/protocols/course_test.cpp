@@ -609,7 +609,7 @@ TEST(Groups, AreWarnedOfWhereTheyAloneReadNoScreen) {
   file["flow"] = {{{"run", "tracks"}}, {{"run", "after"}}};
   file["factors"]["training"] = {{"levels", {"haptic", "visual"}}};
   file["groups"] = {{"factor", "training"}};
-  EXPECT_TRUE(training_warnings_of(file).empty()) << "nobody reads a screen";
+  EXPECT_TRUE(training_warnings_of(file).empty()) << "no group reads a screen";
   file["flow"].push_back(json{{"screen", "Stroke."}, {"groups", {"haptic"}}});
   EXPECT_THAT(training_warnings_of(file),
               ElementsAre(HasSubstr("/flow: participants of the group \"visual\" read no screen")));

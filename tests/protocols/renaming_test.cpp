@@ -268,6 +268,13 @@ TEST(RenamingOf, ALevelToTheNameOfAReferenceWithoutOneIsPossible) {
       R"({"factors": {"f": {"levels": ["visual"]}}, "groups": {"factor": "f"}, "flow": [{"screen": "s", "groups": ["sight"]}]})";
   const TextChanges changes = rename(JsonDocument(text, ""), levels_of("f"), "visual", "sight");
   EXPECT_EQ(changed(text, changes), replaced(text, "visual", "sight"));
+  const std::string with_keys =
+      R"({"factors": {"f": {"levels": ["visual"], "hed": {"visual": "See", "sight": "Look"}}}})";
+  EXPECT_NE(refusal_of([&] {
+              rename(JsonDocument(with_keys, ""), levels_of("f"), "visual", "sight");
+            }).find("choose another name"),
+            std::string::npos)
+      << "the key would be there twice";
 }
 
 TEST(ProtocolNames, AreThoseThatTheTablesDeclareAndReferTo) {

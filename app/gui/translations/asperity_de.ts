@@ -12972,7 +12972,7 @@
     </message>
     <message>
         <source>New factor…</source>
-        <translation>Neuer Faktor …</translation>
+        <translation>Neuer Faktor…</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@
 #include <string>
 
 #include <QtTest/QTest>
+#include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
@@ -405,36 +406,69 @@ TEST_F(FormOfProtocol, RenamesALevelWithItsReferences) {
   EXPECT_EQ(tree()["flow"][0]["groups"][0], "by hand");
 }
 
-TEST_F(FormOfProtocol, TakesATextureForALevelFromThoseThatContainWhatIsTyped) {
-  open(library_text("semantic_differential"));
-  const json before = tree();
-  type_into("/factors/texture/levels/0", "CONES");
-  auto& line = control<QLineEdit>("/factors/texture/levels/0");
-  const QAbstractItemModel& offered = *line.completer()->completionModel();
-  int cones = 0;
-  for (const auto& [name, texture] : before["textures"].items())
-    cones += name.find("cones") != std::string::npos ? 1 : 0;
-  EXPECT_EQ(offered.rowCount(), cones);
-  ASSERT_GT(cones, 0);
-  const QString chosen = offered.index(0, 0).data().toString();
-  emit line.completer()->activated(chosen);
-  QApplication::processEvents();
-  EXPECT_EQ(tree()["factors"]["texture"]["levels"][0], before["factors"]["texture"]["levels"][0])
-      << "another level has this name";
-  type_into("/factors/texture/levels/0", "plaster");
-  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
-  EXPECT_TRUE(tree()["textures"].contains("plaster"));
+/// Without the level of one texture.
+std::string with_unused_texture() {
+  json file = json::parse(library_text("semantic_differential"));
+  auto& levels = file["factors"]["texture"]["levels"];
+  levels.erase(std::find(levels.begin(), levels.end(), "cones_05"));
+  return file.dump(1);
 }
 
-TEST_F(FormOfProtocol, MakesALevelANumberAndTheReverse) {
+TEST_F(FormOfProtocol, TakesATextureForALevelFromThoseThatContainWhatIsTyped) {
+  open(with_unused_texture());
+  const json before = tree();
+  const std::string level = "/factors/texture/levels/0";
+  type_into(level, "CONES_");
+  auto& line = control<QLineEdit>(level);
+  const QAbstractItemModel& offered = *line.completer()->completionModel();
+  const auto row_of = [&offered](const QString& name) {
+    return offered.match(offered.index(0, 0), Qt::DisplayRole, name, 1, Qt::MatchExactly);
+  };
+  EXPECT_TRUE(row_of("metal").empty());
+  ASSERT_FALSE(row_of("cones_05").empty());
+  emit line.completer()->activated(QString("cones_05"));
+  QApplication::processEvents();
+  EXPECT_EQ(tree()["factors"]["texture"]["levels"][0], "cones_05");
+  EXPECT_EQ(tree()["textures"], before["textures"]);
+  emit line.completer()->activated(QString("cones_35"));  // another level has this name
+  QApplication::processEvents();
+  EXPECT_EQ(line.text(), "cones_05");
+  undo();
+  EXPECT_EQ(tree(), before);
+}
+
+// The line shows the name, so it is that of the level from then on.
+TEST_F(FormOfProtocol, WritesAHighlightedNameWhenItIsLeft) {
+  open(with_unused_texture());
+  type_into("/factors/texture/levels/0", "05");
+  auto& line = control<QLineEdit>("/factors/texture/levels/0");
+  QTest::keyClick(&line, Qt::Key_Down);
+  QTest::keyClick(line.completer()->popup(), Qt::Key_Down);
+  while (line.text() != "cones_05" && line.completer()->popup()->currentIndex().isValid()) {
+    QTest::keyClick(line.completer()->popup(), Qt::Key_Down);
+  }
+  EXPECT_EQ(line.text(), "cones_05");
+  QTest::keyClick(line.completer()->popup(), Qt::Key_Escape);
+  QApplication::processEvents();
+  QTest::keyClick(&line, Qt::Key_Tab);
+  EXPECT_EQ(tree()["factors"]["texture"]["levels"][0], "cones_05");
+}
+
+TEST_F(FormOfProtocol, MakesALevelANumberWhereNothingRefersToIt) {
   open(with_groups());
-  type_into("/factors/training/levels/0", "3");
+  type_into("/factors/training/levels/1", "3");
+  const QWidget* const field = QApplication::focusWidget();
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
-  EXPECT_EQ(tree()["factors"]["training"]["levels"], json::parse(R"([3, "visual"])"));
-  EXPECT_EQ(control<QLineEdit>("/factors/training/levels/0").text(), "3");
-  type_into("/factors/training/levels/0", "touch");
+  EXPECT_EQ(tree()["factors"]["training"]["levels"], json::parse(R"(["haptic", 3])"));
+  EXPECT_EQ(QApplication::focusWidget(), field) << "made again";
+  EXPECT_EQ(control<QLineEdit>("/factors/training/levels/1").text(), "3");
+  EXPECT_GE(control<QComboBox>("/flow/0/groups/0").findData("3"), 0);
+  type_into("/factors/training/levels/1", "touch");
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
-  EXPECT_EQ(tree()["factors"]["training"]["levels"], json::parse(R"(["touch", "visual"])"));
+  type_into("/factors/training/levels/0", "1");
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  EXPECT_EQ(tree()["factors"]["training"]["levels"], json::parse(R"(["1", "touch"])"));
+  EXPECT_EQ(tree()["flow"][0]["groups"], json::parse(R"(["1"])"));
 }
 
 TEST_F(FormOfProtocol, ShowsAndAddsTheGroupsOfAScreen) {
@@ -462,9 +496,11 @@ TEST_F(FormOfProtocol, MakesAFactorForGroups) {
   form().show_page("order");
   QApplication::processEvents();
   click("add:/groups");
-  auto& box = control<QComboBox>("/groups/factor");
-  EXPECT_EQ(box.itemText(box.count() - 1), "New factor…");
-  emit box.activated(box.count() - 1);
+  for (QPushButton* const button : part("/groups/factor")->findChildren<QPushButton*>()) {
+    EXPECT_EQ(button->text(), "New factor…");
+    QTest::keyClick(button, Qt::Key_Space);
+  }
+  QApplication::processEvents();
   QApplication::processEvents();
   EXPECT_EQ(tree()["groups"]["factor"], "group");
   EXPECT_EQ(tree()["factors"]["group"]["levels"], json::parse(R"(["group_1", "group_2"])"));

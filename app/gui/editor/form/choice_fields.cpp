@@ -8,6 +8,7 @@
 #include <QtCore/QSignalBlocker>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QPushButton>
 #include <nlohmann/json.hpp>
 
 #include "app/gui/base/question_form.h"
@@ -98,21 +99,17 @@ void ChoiceField::refresh() {
     current = choices.insert(choices.end(), {name, text(name)});
   }
   const auto index = current == choices.end() ? 0 : current - choices.begin();
-  if (make_) choices.push_back({{}, offered_});
   set_items(*box_, choices, static_cast<int>(index));
 }
 
 void ChoiceField::offer(const QString& text, std::function<void()> make) {
-  offered_ = text;
-  make_ = std::move(make);
+  QPushButton* button = make_button(text, ButtonRole::link, this);
+  layout()->addWidget(button);
+  // Queued: what is made can be on another page, which deletes this field.
+  connect(button, &QPushButton::clicked, window(), std::move(make), Qt::QueuedConnection);
 }
 
 void ChoiceField::take(int index) {
-  if (make_ && index + 1 == box_->count()) {
-    refresh();                                 // the item is no value
-    const std::function<void()> make = make_;  // which can make this field again
-    return make();
-  }
   const std::string chosen = box_->itemData(index).toString().toStdString();
   if (chosen.empty()) {
     remove(pointer());

@@ -40,15 +40,13 @@ class ChoiceField final : public FormPart {
   ChoiceField(FormContext& context, Choices choices, const FieldOf& of, const std::string& pointer,
               QWidget* parent);
   void refresh() override;
-  /// Adds a last item that makes what can be chosen.
+  /// Adds a button that makes what can be chosen.
   void offer(const QString& text, std::function<void()> make);
 
  private:
   void take(int index);
 
   Choices choices_{};
-  QString offered_{};
-  std::function<void()> make_{};
   FieldOf of_{};
   ChoiceBox* box_ = nullptr;
 };

@@ -37,7 +37,7 @@ void make_factor_of_groups(FormContext& context) {
         return edit;
       },
       {});
-  if (context.source->find(factor) != nullptr) context.go_to(factor + "/levels/0");
+  if (!factor.empty()) context.go_to(factor + "/levels/0");
 }
 
 bool is_declared_level(const FormsShape& shape) {

@@ -34,6 +34,8 @@ class FormSource final {
 
   /// The names that a reference can have here; of a level those of what it can be, such as textures.
   QStringList names_for(const NameShape& shape, const std::string& pointer) const;
+  /// The number of other places with the name that is declared by the value.
+  std::size_t references_to(const std::string& pointer) const;
   /// The parameter of a force model whose value is at `pointer`; null elsewhere and for unknown names.
   const Parameter* parameter_at(const std::string& pointer) const;
   /// The parameters of the force models that the stimulus with these parameters can have.
@@ -41,6 +43,7 @@ class FormSource final {
 
  private:
   QStringList names_of_level(const std::string& levels) const;
+  void add_numbers_of_groups(QStringList& names) const;
 
   std::string text_{};
   JsonDocument document_;

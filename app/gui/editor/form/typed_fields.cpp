@@ -52,23 +52,26 @@ class WithoutUndo final : public Field {
   }
 };
 
-/// Offers a line names: those that contain what is typed, and all with the key of the arrow down.
+/// Offers a line names: those that contain what is typed, and all with the down arrow key.
 class OfferedNames final : public QObject {
  public:
-  /// `names` are asked for when something is about to be typed; `taken` is called when the line has the chosen one.
-  OfferedNames(QLineEdit& line, std::function<QStringList()> names, std::function<void()> taken)
+  /// `names` are asked for when something is about to be typed. `shown` is called when the line shows one that the list
+  /// highlights, which stays when the list is left, `taken` when one is chosen.
+  OfferedNames(QLineEdit& line, std::function<QStringList()> names, std::function<void()> shown,
+               std::function<void()> taken)
       : QObject(&line), names_(std::move(names)) {
     completer_ = new QCompleter(&list_, this);
     completer_->setFilterMode(Qt::MatchContains);
     completer_->setCaseSensitivity(Qt::CaseInsensitive);
     line.setCompleter(completer_);
     line.installEventFilter(this);
-    connect(completer_, qOverload<const QString&>(&QCompleter::activated), &line,
-            [&line, taken = std::move(taken)](const QString& chosen) {
-              line.setText(chosen);
-              line.setModified(true);
-              taken();
-            });
+    // Queued: the line writes the name into itself in slots of its own, which are later.
+    connect(
+        completer_, qOverload<const QString&>(&QCompleter::highlighted), this,
+        [shown = std::move(shown)](const QString&) { shown(); }, Qt::QueuedConnection);
+    connect(
+        completer_, qOverload<const QString&>(&QCompleter::activated), this,
+        [taken = std::move(taken)](const QString&) { taken(); }, Qt::QueuedConnection);
   }
   bool eventFilter(QObject* watched, QEvent* event) override {
     if (event->type() == QEvent::FocusIn) list_.setStringList(names_());
@@ -201,6 +204,7 @@ TextField::TextField(FormContext& context, const NameShape& offered, Values valu
   if (shape.registry.empty()) return;
   new OfferedNames(
       line(), [this, shape] { return source().names_for(shape, this->pointer()); },
+      [this] { emit line().textEdited(line().text()); },
       [this] { emit line().textEdited(line().text()); });
 }
 
@@ -281,15 +285,18 @@ DeclaredNameField::DeclaredNameField(FormContext& context, Named named, TextFiel
   if (values == TextField::Values::levels) {
     new OfferedNames(
         *line_, [this] { return source().names_for({kLevelNames}, this->pointer()); },
-        [this] { take(); });
+        [this] { wait_for_the_rest(); },
+        [this] {
+          wait_for_the_rest();
+          take();
+        });
   }
-  connect(line_, &QLineEdit::textEdited, this,
-          [this] { this->context().write_pending = [this] { take(); }; });
+  connect(line_, &QLineEdit::textEdited, this, &DeclaredNameField::wait_for_the_rest);
   connect(line_, &QLineEdit::editingFinished, this, &DeclaredNameField::take);
 }
 
 DeclaredNameField::~DeclaredNameField() {
-  if (line_->isModified()) context().write_pending = {};
+  if (is_typed_) context().write_pending = {};
 }
 
 QString DeclaredNameField::name() const {
@@ -301,7 +308,8 @@ QString DeclaredNameField::name() const {
 }
 
 FormEdit DeclaredNameField::renamed(const JsonDocument& document, const QString& typed) const {
-  if (values_ == TextField::Values::levels) {
+  // References are names: a level that has some stays one.
+  if (values_ == TextField::Values::levels && source().references_to(pointer()) == 0) {
     if (const auto level = level_typed(typed, value())) {
       return with_value(document, pointer(), *level);
     }
@@ -309,10 +317,15 @@ FormEdit DeclaredNameField::renamed(const JsonDocument& document, const QString&
   return with_name(document, pointer(), named_, typed.toStdString());
 }
 
+void DeclaredNameField::wait_for_the_rest() {
+  is_typed_ = true;
+  context().write_pending = [this] { take(); };
+}
+
 void DeclaredNameField::take() {
-  if (!line_->isModified() || context().is_refreshing) return;
+  if (!is_typed_ || context().is_refreshing) return;
   const QString typed = line_->text().trimmed();
-  line_->setModified(false);
+  is_typed_ = false;
   context().write_pending = {};
   if (typed == name()) return;
   const bool is_removed = typed.isEmpty() && of_.may_be_absent();
@@ -327,7 +340,7 @@ void DeclaredNameField::take() {
 }
 
 void DeclaredNameField::refresh() {
-  if (line_->isModified()) return;  // it is being typed
+  if (is_typed_) return;
   if (line_->text() != name()) line_->setText(name());
 }
 

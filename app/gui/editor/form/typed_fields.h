@@ -107,12 +107,14 @@ class DeclaredNameField final : public FormPart {
  private:
   QString name() const;
   FormEdit renamed(const JsonDocument& document, const QString& typed) const;
+  void wait_for_the_rest();
   void take();
 
   Named named_ = Named::by_value;
   TextField::Values values_ = TextField::Values::texts;
   FieldOf of_{};
   QLineEdit* line_ = nullptr;
+  bool is_typed_ = false;  ///< and not written yet
 };
 
 }  // namespace asperity
