@@ -9,7 +9,9 @@
 namespace asperity {
 
 std::string decimal_of(QString typed) {
-  return typed.trimmed().replace(QChar(0x2212), '-').replace(',', '.').toStdString();
+  typed = typed.trimmed().replace(QChar(0x2212), '-').replace(',', '.');
+  if (typed.endsWith('.')) typed.chop(1);  // decimals are about to follow
+  return typed.toStdString();
 }
 
 QString shown_decimal(std::string_view in_file) {

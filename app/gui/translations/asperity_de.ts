@@ -14946,17 +14946,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
 </context>
 <context>
-    <name>asperity::NumbersField</name>
-    <message>
-        <source>This is not a number.</source>
-        <translation>Das ist keine Zahl.</translation>
-    </message>
-    <message>
-        <source>These are not numbers with semicolons between them.</source>
-        <translation>Das sind keine Zahlen mit Semikolons dazwischen.</translation>
-    </message>
-</context>
-<context>
     <name>asperity::ObjectRows</name>
     <message>
         <source>Remove: the default applies</source>

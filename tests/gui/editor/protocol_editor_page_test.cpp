@@ -400,6 +400,34 @@ TEST_F(ProtocolEditor, JumpsToTheProblemThatIsClicked) {
   EXPECT_TRUE(edit().hasFocus());
 }
 
+TEST_F(ProtocolEditor, ListsWhatIsTypedInTheFormInPlaceOfANumberAndLeadsBackToIt) {
+  open();
+  click("editor_to_form");
+  auto& form = child<ProtocolForm>(*page_, "editor_form");
+  const auto friction = [&] {
+    form.go_to("/material/friction");
+    QApplication::processEvents();
+    return qobject_cast<QLineEdit*>(QApplication::focusWidget());
+  };
+  ASSERT_NE(friction(), nullptr);
+  friction()->selectAll();
+  QTest::keyClicks(friction(), "abc");
+  ASSERT_TRUE(checked());
+  EXPECT_TRUE(page_->has_unsaved_changes());
+  form.show_page("question");
+  QApplication::processEvents();
+  auto& problems = child<StudyTable>(*page_, "editor_problems");
+  ASSERT_EQ(problems.shown_rows(), 1);
+  EXPECT_TRUE(problems.text_at(0, 1).contains("\"abc\"")) << problems.text_at(0, 1).toStdString();
+  EXPECT_EQ(problems.text_at(0, 2), "Surfaces › Material › Friction");
+  QTest::mouseClick(problems.viewport(), Qt::LeftButton, {},
+                    problems.visualRect(problems.model()->index(0, 1)).center());
+  QApplication::processEvents();
+  const auto* line = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+  ASSERT_NE(line, nullptr);
+  EXPECT_EQ(line->text(), "abc");
+}
+
 QStringList surfaces_of_table(const StudyTable& table) {
   QStringList words{};
   for (int row = 0; row < table.shown_rows(); ++row) {

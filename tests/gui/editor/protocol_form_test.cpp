@@ -159,18 +159,41 @@ TEST_F(FormOfProtocol, WritesANumberInTheUnitOfTheFile) {
                              "\"target\": 0.0655, \"maximum\": 0.08"));
 }
 
-TEST_F(FormOfProtocol, KeepsTheLastNumberWhileWhatIsTypedIsNone) {
+TEST_F(FormOfProtocol, KeepsWhatIsTypedInPlaceOfANumberAndIsNone) {
   const std::string before = library_text("amplitude_jnd");
   open(before);
   type_into("/material/friction", "0.x");
-  EXPECT_EQ(tree()["material"]["friction"], 0);
-  bool complains = false;
-  for (const QLabel* const label : form().findChildren<QLabel*>("form_problem")) {
-    complains |= label->isVisible() && label->text().contains("not a number");
+  EXPECT_EQ(text(), replaced(before, "\"friction\": 0.2", "\"friction\": \"0.x\""));
+  type_into("/title", "Another title");
+  EXPECT_EQ(control<QLineEdit>("/material/friction").text(), "0.x") << "after another edit";
+  type_into("/material/friction", "0.");
+  EXPECT_EQ(tree()["material"]["friction"], 0) << "a point that decimals follow is none";
+  QTest::keyClicks(&control<QLineEdit>("/material/friction"), "3");
+  EXPECT_EQ(tree()["material"]["friction"], 0.3);
+  for (int step = 0; step < 3; ++step) undo();
+  EXPECT_EQ(text(), before);
+}
+
+TEST_F(FormOfProtocol, KeepsWhatIsNoneInAListAnIntervalAndAParameter) {
+  const std::string interval = "\"interval_s\": {\"shortest\": 0.8, \"longest\": 1.2}";
+  open(replaced(library_text("amplitude_jnd"), interval, "\"interval_s\": 1"));
+  struct Typed {
+    std::string pointer{};
+    QString typed{};
+    json written{};
+  };
+  const std::vector<Typed> all{
+      {"/surface/extent_m", "80; b", json::array({0.08, "b"})},
+      {"/stimuli/grating/parameters/amplitude_m", "50u", "50u"},
+      {"/blocks/practice/arrangement/interval_s", "abc", "abc"},
+  };
+  for (const Typed& one : all) {
+    type_into(one.pointer, one.typed);
+    EXPECT_EQ(tree().at(json::json_pointer(one.pointer)), one.written);
   }
-  EXPECT_TRUE(complains);
-  type_into("/material/friction", "0.3");
-  EXPECT_EQ(text(), replaced(before, "\"friction\": 0.2", "\"friction\": 0.3"));
+  for (const Typed& one : all) {
+    EXPECT_EQ(control<QLineEdit>(one.pointer).text(), one.typed) << one.pointer;
+  }
 }
 
 TEST_F(FormOfProtocol, LeavesWhatIsBeingTypedWhenACheckArrives) {

@@ -103,8 +103,8 @@ std::string EntryList::structure(const std::vector<Entry>& entries) const {
     const bool is_field = has_field(entry_shape(), &present);
     const bool is_known = shape_of(entry_shape(), present) != nullptr;
     structure += is_field ? "f" : is_known ? "c" : "t";
-    structure +=
-        (context().opened.contains(entry.pointer) ? "+" : "-") + std::string(present.type_name());
+    structure += (context().opened.contains(entry.pointer) ? "+" : "-") +
+                 std::string(present.is_structured() ? present.type_name() : "");
     if (std::holds_alternative<MapShape>(shape_)) structure += entry.name + "/";
   }
   return structure;

@@ -3,6 +3,7 @@
 #include "app/gui/editor/form/form_fields.h"
 
 #include <algorithm>
+#include <span>
 #include <variant>
 
 #include <QtCore/QCoreApplication>
@@ -45,6 +46,21 @@ bool is_declared_level(const FormsShape& shape) {
     const auto* const text = std::get_if<TextShape>(&form);
     return text != nullptr && text->name.is_declared;
   });
+}
+
+/// As `shape_of`, and the number where text is in its place: what was typed there and cannot be read.
+const ValueShape* shape_of_field(const ValueShape& shape, const nlohmann::json& value) {
+  if (const ValueShape* const found = shape_of(shape, value)) return found;
+  if (!value.is_string()) return nullptr;
+  if (std::holds_alternative<NumberShape>(shape)) return &shape;
+  if (const auto* const bound = std::get_if<BoundShape>(&shape)) {
+    return shape_of_field(*bound->value, value);
+  }
+  const auto* const choice = std::get_if<FormsShape>(&shape);
+  for (const ValueShape& form : choice == nullptr ? std::span<const ValueShape>{} : choice->forms) {
+    if (std::holds_alternative<NumberShape>(form)) return &form;
+  }
+  return nullptr;
 }
 
 class FieldMaker final {
@@ -115,7 +131,7 @@ class FieldMaker final {
   }
   FormPart* operator()(const FormsShape& shape) const {
     if (!is_level(shape))
-      return std::visit(*this, *shape_of(shape, *context_.source->find(pointer_)));
+      return std::visit(*this, *shape_of_field(shape, *context_.source->find(pointer_)));
     if (is_declared_level(shape)) {
       return new DeclaredNameField(context_, Named::by_value, TextField::Values::levels, of_,
                                    pointer_, parent_);
@@ -153,7 +169,7 @@ nlohmann::json FieldOf::standard() const {
 }
 
 bool has_field(const ValueShape& shape, const nlohmann::json* value) {
-  if (value != nullptr && shape_of(shape, *value) == nullptr) return false;
+  if (value != nullptr && shape_of_field(shape, *value) == nullptr) return false;
   if (const auto* const list = std::get_if<ListShape>(&shape)) {
     return std::holds_alternative<NumberShape>(*list->entry);
   }
@@ -161,7 +177,8 @@ bool has_field(const ValueShape& shape, const nlohmann::json* value) {
     return has_field(*bound->value, nullptr);
   }
   if (const auto* const forms = std::get_if<FormsShape>(&shape)) {
-    return is_level(*forms) || (value != nullptr && has_field(*shape_of(shape, *value), value));
+    return is_level(*forms) ||
+           (value != nullptr && has_field(*shape_of_field(shape, *value), value));
   }
   return !std::holds_alternative<MapShape>(shape) && !std::holds_alternative<ObjectShape>(shape);
 }

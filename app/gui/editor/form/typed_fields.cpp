@@ -120,24 +120,13 @@ void LineField::set_unit(const QString& unit) {
   unit_->setVisible(!unit.isEmpty());
 }
 
-void LineField::complain(const QString& sentence) {
-  if (complaint_ == nullptr) {
-    if (sentence.isEmpty()) return;
-    complaint_ = make_problem_label(this);
-    static_cast<QGridLayout*>(layout())->addWidget(complaint_, 1, 0, 1, 2);
-  }
-  show_problem(*complaint_, sentence);
-}
 
 void LineField::take(const QString& typed) {
-  complain({});
   taken_ = source().characters(pointer());
   if (typed.isEmpty() && of_.may_be_absent()) {
     remove(pointer(), pointer());
-  } else if (const auto json = json_of(typed)) {
-    write_typed(*json);
   } else {
-    complain(complaint());
+    write_typed(json_of(typed));
   }
   taken_ = source().characters(pointer());
 }
@@ -149,13 +138,14 @@ void LineField::refresh() {
   // What is being typed stays: another notation of the value, or what is none yet.
   if (line_->hasFocus() && line_->isModified() && characters == taken_) return;
   const nlohmann::json* const present = value();
-  const auto typed = line_->hasFocus() ? json_of(line_->text()) : std::nullopt;
-  if (present != nullptr && typed && nlohmann::json::parse(*typed) == *present) return;
+  if (present != nullptr && line_->hasFocus() &&
+      nlohmann::json::parse(json_of(line_->text())) == *present) {
+    return;
+  }
   const QString text = present == nullptr ? QString() : shown(characters);
   if (line_->text() != text) line_->setText(text);
   // Not where the search has selected words.
   if (!line_->hasFocus() && !line_->hasSelectedText()) line_->setCursorPosition(0);
-  complain({});
 }
 
 NumbersField::NumbersField(FormContext& context, const NumberShape& shape, Count count,
@@ -172,28 +162,29 @@ NumbersField::NumbersField(FormContext& context, const NumberShape& shape, Count
 }
 
 QString NumbersField::shown(std::string_view characters) const {
+  const auto present = nlohmann::json::parse(characters);
+  if (present.is_string()) return text(present.get<std::string>());
   if (count_ == Count::one) return shown_in_unit(shape_, characters);
   QStringList numbers{};
-  for (const nlohmann::json& number : nlohmann::json::parse(characters)) {
-    numbers.append(shown_in_unit(shape_, number.dump()));
+  for (const nlohmann::json& number : present) {
+    numbers.append(number.is_string() ? text(number.get<std::string>())
+                                      : shown_in_unit(shape_, number.dump()));
   }
   return numbers.join("; ");
 }
 
-std::optional<std::string> NumbersField::json_of(const QString& typed) const {
-  if (count_ == Count::one) return number_typed(shape_, typed);
+/// What cannot be read is text in the file, so that it stays, is checked and can be undone as any other value.
+std::string NumbersField::json_of(const QString& typed) const {
+  const auto number_or_text = [this](const QString& one) {
+    return number_typed(shape_, one).value_or(json_string(one.toStdString()));
+  };
+  if (count_ == Count::one) return number_or_text(typed);
   std::string list{};
   for (const QString& part : typed.split(';', Qt::SkipEmptyParts)) {
-    const auto number = number_typed(shape_, part);
-    if (!number) return {};
-    list += (list.empty() ? "" : ", ") + *number;
+    const QString number = part.trimmed();
+    if (!number.isEmpty()) list += (list.empty() ? "" : ", ") + number_or_text(number);
   }
   return "[" + list + "]";
-}
-
-QString NumbersField::complaint() const {
-  return count_ == Count::one ? tr("This is not a number.")
-                              : tr("These are not numbers with semicolons between them.");
 }
 
 TextField::TextField(FormContext& context, const NameShape& offered, Values values,
@@ -214,9 +205,9 @@ QString TextField::shown(std::string_view characters) const {
   return shown_decimal(characters);
 }
 
-std::optional<std::string> TextField::json_of(const QString& typed) const {
+std::string TextField::json_of(const QString& typed) const {
   if (values_ == Values::levels) {
-    if (const auto level = level_typed(typed, value())) return level;
+    if (const auto level = level_typed(typed, value())) return *level;
   }
   return json_string(typed.toStdString());
 }

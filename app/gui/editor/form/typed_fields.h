@@ -2,7 +2,6 @@
 
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "app/gui/editor/form/form_fields.h"
@@ -13,8 +12,7 @@ class QPlainTextEdit;
 
 namespace asperity {
 
-/// A line of typed characters. What is no value of the field stays in it with a complaint, and the text of the protocol
-/// keeps the last value.
+/// A line of typed characters.
 class LineField : public FormPart {
   Q_OBJECT
  public:
@@ -24,24 +22,22 @@ class LineField : public FormPart {
  protected:
   /// How a value is shown: characters of the file, empty if there is none.
   virtual QString shown(std::string_view characters) const = 0;
-  /// The value as JSON; nullopt for what is none.
-  virtual std::optional<std::string> json_of(const QString& typed) const = 0;
-  virtual QString complaint() const = 0;
+  /// The value as JSON.
+  virtual std::string json_of(const QString& typed) const = 0;
   void set_unit(const QString& unit);
   QLineEdit& line() const noexcept { return *line_; }
 
  private:
   void take(const QString& typed);
-  void complain(const QString& sentence);
 
   FieldOf of_{};
   QLineEdit* line_ = nullptr;
   QLabel* unit_ = nullptr;
-  QLabel* complaint_ = nullptr;  ///< null while there was none
-  std::string taken_{};          ///< the characters of the value when something was typed last
+  std::string taken_{};  ///< the characters of the value when something was typed last
 };
 
-/// One number, or several with semicolons between them, in the unit for display.
+/// One number, or several with semicolons between them, in the unit for display; also text in place of a number, which
+/// the check of the protocol reports.
 class NumbersField final : public LineField {
   Q_OBJECT
  public:
@@ -51,8 +47,7 @@ class NumbersField final : public LineField {
 
  private:
   QString shown(std::string_view characters) const override;
-  std::optional<std::string> json_of(const QString& typed) const override;
-  QString complaint() const override;
+  std::string json_of(const QString& typed) const override;
 
   NumberShape shape_{};
   Count count_ = Count::one;
@@ -68,8 +63,7 @@ class TextField final : public LineField {
 
  private:
   QString shown(std::string_view characters) const override;
-  std::optional<std::string> json_of(const QString& typed) const override;
-  QString complaint() const override { return {}; }
+  std::string json_of(const QString& typed) const override;
 
   Values values_ = Values::texts;
 };
