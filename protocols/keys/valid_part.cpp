@@ -164,8 +164,7 @@ class Walk final {
     for (const ProtocolKey& key : table.keys) {
       const bool is_there = place.value.contains(key.name);
       if (key.is_required && !is_there) {
-        report(place.pointer, missing_key(key.name, meaning_of(key)));
-        problems_.back().missing_key = key.name;
+        report(pointer_to(place.pointer, key.name), missing_key(key.name, meaning_of(key)));
       }
       if (!is_there) continue;
       for (const KeyCondition& condition : key.conditions) {
@@ -227,11 +226,8 @@ class Walk final {
 
 bool has_form(const std::vector<FormProblem>& problems, std::string_view pointer) {
   return std::none_of(problems.begin(), problems.end(), [pointer](const FormProblem& problem) {
-    const std::string place = problem.missing_key.empty()
-                                  ? problem.pointer
-                                  : pointer_to(problem.pointer, problem.missing_key);
-    return pointer == place || pointer.starts_with(place + '/') ||
-           place.starts_with(std::string(pointer) + '/');
+    return pointer == problem.pointer || pointer.starts_with(problem.pointer + '/') ||
+           problem.pointer.starts_with(std::string(pointer) + '/');
   });
 }
 

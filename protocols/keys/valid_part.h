@@ -13,13 +13,11 @@
 
 namespace asperity {
 
-/// A value that does not have the form of its key.
+/// A value that does not have the form of its key, or is missing.
 struct FormProblem {
   std::string pointer{};
   std::string message{};
   bool is_at_key = false;  ///< the key itself is not permitted; otherwise its value
-  std::string
-      missing_key{};  ///< the key that the object at `pointer` lacks; empty: another problem
 };
 
 /// Whether none of the problems concerns the value at `pointer`, a part of it, or a value that contains it.

@@ -63,7 +63,7 @@ TEST(KeyShapes, CanBeBoundToAFactor) {
   EXPECT_THAT(examined(kBinding, R"({"factor": "texture"})").first, IsEmpty());
   const auto [problems, value] = examined(kBinding, R"({"facto": "texture"})");
   EXPECT_THAT(problems, ElementsAre(HasSubstr("/v/facto: there is no key \"facto\" here; did you"),
-                                    HasSubstr("/v: the key \"factor\" is missing")));
+                                    HasSubstr("/v/factor: the key \"factor\" is missing")));
   EXPECT_EQ(value, std::nullopt);
 }
 

@@ -206,7 +206,11 @@ void ObjectRows::add_key_button(const FormEntry& entry) {
       make_button(tr("+ %1").arg(text_of_keys(entry.key->label)), ButtonRole::link, this);
   add->setObjectName("add:" + text(entry.pointer));
   add->setToolTip(meaning_of_key(*entry.key));
-  grid_->addWidget(add, grid_->rowCount(), kLabelColumn, 1, kColumns, Qt::AlignLeft);
+  const int line = grid_->rowCount();
+  grid_->addWidget(add, line, kLabelColumn, 1, kColumns, Qt::AlignLeft);
+  QLabel* problem = make_problem_label(this);
+  grid_->addWidget(problem, line + 1, kLabelColumn, 1, kColumns);
+  rows_.push_back({entry, nullptr, nullptr, nullptr, problem});
   connect(add, &QPushButton::clicked, this, [this, entry] {
     context().opened.insert(entry.pointer);
     context().edit(
