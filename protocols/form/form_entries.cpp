@@ -103,9 +103,9 @@ std::vector<PathPart> path_of(const json& protocol, const std::string& pointer) 
       const std::size_t index = std::stoul(key);
       if (index < value->size()) next = &(*value)[index];
       const std::string name(next == nullptr ? std::string_view() : name_of_entry(*next));
-      parts.push_back({name.empty() ? std::to_string(index + 1) : name, false});
+      parts.push_back({.text = name.empty() ? std::to_string(index + 1) : name});
     } else {
-      parts.push_back({key, false});
+      parts.push_back({.text = key});
     }
     value = next;
     if (found == nullptr) {
@@ -115,7 +115,7 @@ std::vector<PathPart> path_of(const json& protocol, const std::string& pointer) 
       if (declared == nullptr) {
         value = nullptr;
       } else {
-        parts.back() = {std::string(declared->label), true};
+        parts.back() = {.text = std::string(declared->label), .is_label = true};
         shape = declared->shape;
       }
     } else if (const auto* const map = std::get_if<MapShape>(found)) {
@@ -123,6 +123,9 @@ std::vector<PathPart> path_of(const json& protocol, const std::string& pointer) 
     } else if (const auto* const list = std::get_if<ListShape>(found)) {
       shape = *list->entry;
     }
+    const ValueShape* const here = value == nullptr ? nullptr : shape_of(shape, *value);
+    const auto* const object = here == nullptr ? nullptr : std::get_if<ObjectShape>(here);
+    if (object != nullptr) parts.back().table = object->table;
   }
   return parts;
 }

@@ -36,6 +36,7 @@ NumberShape displayed_shape(const NumberShape& shape, const std::string& pointer
 struct PathPart {
   std::string text{};
   bool is_label = false;
+  const KeyTable* table = nullptr;  ///< of the object that the value here is; null: another value
 };
 /// The path to a value as a form writes it: "Blocks", "main", "Questions", "rough", "Question". Entries of lists have
 /// their name or value, or else their position from 1.

@@ -19,7 +19,10 @@ QString text_of_keys(std::string_view english);
 QString path_in_form(const nlohmann::json& protocol, const std::string& pointer);
 /// The same after the page of the form, and empty for the whole protocol. Any thread.
 QString place_in_form(const nlohmann::json& protocol, const std::string& pointer);
-/// A problem or a warning of the protocol after its place in the form; without a place alone. Any thread.
+/// The sentence of a problem or a warning, with the labels of keys in place of their names. That about a value that the form does not
+/// know stays in the words of the file. Any thread.
+QString sentence_in_form(const nlohmann::json& protocol, const Diagnostic& remark);
+/// The same after its place in the form; without a place alone. Any thread.
 QString remark_in_form(const nlohmann::json& protocol, const Diagnostic& remark);
 
 }  // namespace asperity

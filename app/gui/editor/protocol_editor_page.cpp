@@ -37,6 +37,8 @@ namespace asperity {
 
 namespace {
 
+constexpr int kLineColumn = 0;  // of the list of problems
+
 /// "1.2.3" → "1.2.4"; empty when it is no version.
 QString raised(const QString& version) {
   QStringList numbers = version.split('.');
@@ -176,7 +178,7 @@ QWidget* ProtocolEditorPage::make_edit_side() {
   state_->setObjectName("editor_state");
   problems_ = new StudyTable({{tr("Line"), 72, StudyTable::Align::number},
                               {tr("Problem"), 0, StudyTable::Align::text},
-                              {tr("Place"), 208, StudyTable::Align::text}},
+                              {tr("Place"), 160, StudyTable::Align::text}},
                              below);
   problems_->setObjectName("editor_problems");
   problems_->setAccessibleName(tr("Problems"));
@@ -193,6 +195,7 @@ QWidget* ProtocolEditorPage::make_edit_side() {
   connect(problems_, &QTableView::clicked, this,
           [this] { go_to_problem(problems_->selected_key()); });
   connect(problems_, &StudyTable::row_opened, this, &ProtocolEditorPage::go_to_problem);
+  connect(views_, &ProtocolViews::view_changed, this, &ProtocolEditorPage::list_problems);
   return side;
 }
 
@@ -268,8 +271,10 @@ void ProtocolEditorPage::open(const std::filesystem::path& protocol) {
   name_->show_text(text(protocol.filename().string()));
   show_empty(false);
   result_.reset();  // the problems and the plan are those of another file
+  found_problems_.clear();
+  found_warnings_.clear();
   views_->show_problems({}, {});
-  problems_->fill({});
+  list_problems();
   plan_->forget();
   screen_->forget();
   plan_side_->setCurrentWidget(why_no_plan_);
@@ -416,50 +421,58 @@ void ProtocolEditorPage::show_not_known(const QString& why) {
 void ProtocolEditorPage::show_checked() {
   ProtocolCheck shown = *result_;
   if (examination_->result() != nullptr) add_examination(shown, *examination_->result());
-  const std::vector<Diagnostic>& problems = shown.diagnostics;
+  found_problems_ = shown.diagnostics;
   // Of a text with problems, what it may not mean is not known.
-  const std::vector<Diagnostic> warnings =
-      problems.empty() ? shown.warnings : std::vector<Diagnostic>{};
-  views_->show_problems(problems, warnings);
-  std::vector<StudyTable::Row> rows{};
-  const auto protocol = nlohmann::json::parse(edit_->text().toStdString(), nullptr, false);
-  const auto add = [&](const Diagnostic& place, const QString& sentence) {
-    rows.push_back({QString::number(rows.size()),
-                    {number_cell(place.line), text_cell(sentence),
-                     text_cell(place_in_form(protocol, place.pointer))}});
-  };
-  for (const Diagnostic& problem : problems) add(problem, text(problem.message));
-  for (const Diagnostic& warning : warnings) {
-    add(warning, tr("Warning: %1").arg(text(warning.message)));
-  }
-  problems_->fill(rows);
-  if (problems.empty()) {
-    QString words = warnings.empty()       ? tr("valid")
-                    : warnings.size() == 1 ? tr("valid, 1 warning")
-                                           : tr("valid, %1 warnings").arg(warnings.size());
+  found_warnings_ = found_problems_.empty() ? shown.warnings : std::vector<Diagnostic>{};
+  views_->show_problems(found_problems_, found_warnings_);
+  const std::size_t warnings = found_warnings_.size();
+  if (found_problems_.empty()) {
+    QString words = warnings == 0   ? tr("valid")
+                    : warnings == 1 ? tr("valid, 1 warning")
+                                    : tr("valid, %1 warnings").arg(warnings);
     if (examination_->is_under_way()) {
       words = (study().examiner().is_held()
                    ? tr("%1 (the stimuli are examined when the device is free again)")
                    : tr("%1 (the stimuli are being examined…)"))
                   .arg(words);
     }
-    state_->set_state(warnings.empty() ? State::fine : State::look, words);
+    state_->set_state(warnings == 0 ? State::fine : State::look, words);
   } else {
-    state_->set_state(State::stop, how_many_problems(problems.size()));
+    state_->set_state(State::stop, how_many_problems(found_problems_.size()));
   }
-  show_plan_or_why_not(shown);
+  list_problems();
+  plan_side_->setCurrentWidget(shown.is_valid() ? chosen_side_ : why_no_plan_);
 }
 
-void ProtocolEditorPage::show_plan_or_why_not(const ProtocolCheck& shown) {
-  if (shown.is_valid()) {
-    plan_side_->setCurrentWidget(chosen_side_);
-    return;
-  }
-  why_no_plan_->setText(tr("The plan appears here once the text is valid. At present it has %1; "
-                           "the first is on line %2.")
-                            .arg(how_many_problems(shown.diagnostics.size()))
-                            .arg(shown.diagnostics.front().line));
-  plan_side_->setCurrentWidget(why_no_plan_);
+/// In the words of the view: the form has no lines.
+void ProtocolEditorPage::list_problems() {
+  const bool is_form = views_->view() == ProtocolViews::View::form;
+  problems_->setColumnHidden(kLineColumn, is_form);
+  std::vector<StudyTable::Row> rows{};
+  const auto protocol = nlohmann::json::parse(edit_->text().toStdString(), nullptr, false);
+  const auto add = [&](const Diagnostic& remark, const QString& form) {
+    const QString sentence =
+        form.arg(is_form ? sentence_in_form(protocol, remark) : text(remark.message));
+    rows.push_back({QString::number(rows.size()),
+                    {number_cell(remark.line), text_cell(sentence),
+                     text_cell(place_in_form(protocol, remark.pointer))}});
+  };
+  for (const Diagnostic& problem : found_problems_) add(problem, "%1");
+  for (const Diagnostic& warning : found_warnings_) add(warning, tr("Warning: %1"));
+  problems_->fill(rows);
+  if (found_problems_.empty()) return;
+  const Diagnostic& first = found_problems_.front();
+  const QString place = place_in_form(protocol, first.pointer);
+  const QString number = how_many_problems(found_problems_.size());
+  why_no_plan_->setText(
+      is_form && !place.isEmpty()
+          ? tr("The plan appears here once the protocol is valid. At present it has %1; the first "
+               "is at %2.")
+                .arg(number, place)
+          : tr("The plan appears here once the text is valid. At present it has %1; the first is "
+               "on line %2.")
+                .arg(number)
+                .arg(first.line));
 }
 
 void ProtocolEditorPage::go_to_problem(const QString& key) {

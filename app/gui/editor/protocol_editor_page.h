@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/gui/base/study_page.h"
 #include "app/gui/editor/live_check.h"
@@ -86,7 +87,7 @@ class ProtocolEditorPage final : public StudyPage {
   void show_checking();
   void show_not_known(const QString& why);
   void show_checked();
-  void show_plan_or_why_not(const ProtocolCheck& shown);
+  void list_problems();
   void go_to_problem(const QString& key);
   void save(Agreed agreed);
   void end_saving(const Saving& saving);
@@ -104,6 +105,8 @@ class ProtocolEditorPage final : public StudyPage {
   bool as_it_is_ = false;         ///< the field cannot hold the file: not to be changed
   std::function<void()> then_{};  ///< what waits for the changes to be saved or discarded
   LiveCheck::Result result_{};
+  std::vector<Diagnostic> found_problems_{};  ///< of the result and the examination
+  std::vector<Diagnostic> found_warnings_{};
   QFileSystemWatcher* watcher_ = nullptr;
   QuestionBar* question_ = nullptr;
   FittedLabel* name_ = nullptr;  ///< of the file, in place of the title of the page

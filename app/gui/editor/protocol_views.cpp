@@ -148,6 +148,7 @@ void ProtocolViews::set_view(View view) {
   to_form_->setChecked(view == View::form);
   to_text_->setChecked(view == View::text);
   find_->refresh();
+  emit view_changed();
 }
 
 void ProtocolViews::show_form_if_possible() {

@@ -48,6 +48,7 @@ class ProtocolViews final : public QWidget {
   void give_focus();
 
  signals:
+  void view_changed();
   /// An edit of the form that is not possible, such as a name that is taken.
   void refused(const QString& why);
 

@@ -15847,6 +15847,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>gültig</translation>
     </message>
     <message>
+        <source>The plan appears here once the protocol is valid. At present it has %1; the first is at %2.</source>
+        <translation>Der Plan erscheint hier, sobald das Protokoll gültig ist. Derzeit enthält es %1; das erste steht bei %2.</translation>
+    </message>
+    <message>
         <source>The plan appears here once the text is valid. At present it has %1; the first is on line %2.</source>
         <translation>Der Plan erscheint hier, sobald der Text gültig ist. Derzeit enthält der Text %1; das erste steht in Zeile %2.</translation>
     </message>
@@ -18526,8 +18530,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Im Text zeigen</translation>
     </message>
     <message>
-        <source>%1: defined in the text (line %2)</source>
-        <translation>%1: im Text definiert (Zeile %2)</translation>
+        <source>%1: defined in the text</source>
+        <translation>%1: im Text definiert</translation>
     </message>
 </context>
 <context>

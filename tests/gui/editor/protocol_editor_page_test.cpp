@@ -6,6 +6,7 @@
 #include <array>
 #include <fstream>
 
+#include <QtCore/QRegularExpression>
 #include <QtGui/QTextBlock>
 #include <QtGui/QTextLayout>
 #include <QtTest/QSignalSpy>
@@ -384,6 +385,45 @@ TEST_F(ProtocolEditor, ShowsEachProblemAsAWhole) {
   EXPECT_TRUE(problems.text_at(0, 1).contains("did you mean"));
   EXPECT_TRUE(eventually([&] { return cut_cells(problems).isEmpty(); }))
       << cut_cells(problems).join(" | ").toStdString();
+}
+
+TEST_F(ProtocolEditor, NamesWhatIsWrongInTheWordsOfTheView) {
+  open();
+  QString text = edit().text();
+  text.replace("\"break_every_trials\": 16", "\"break_every_trials\": 500");
+  edit().replace_text(text);
+  ASSERT_TRUE(checked());
+  const auto& problems = child<StudyTable>(*page_, "editor_problems");
+  ASSERT_EQ(problems.shown_rows(), 1);
+  EXPECT_FALSE(problems.isColumnHidden(0)) << "the lines of the text";
+  EXPECT_TRUE(problems.text_at(0, 1).endsWith("or remove the key"));
+  click("editor_to_form");
+  ASSERT_EQ(problems.shown_rows(), 1);
+  EXPECT_TRUE(problems.isColumnHidden(0));
+  EXPECT_TRUE(problems.text_at(0, 1).endsWith("or remove the setting"));
+
+  static const QRegularExpression level(",\\s*\"level_dBA\": \\d+");
+  text.remove(level);
+  edit().replace_text(text);
+  ASSERT_TRUE(checked());
+  ASSERT_EQ(problems.shown_rows(), 1);
+  EXPECT_TRUE(problems.text_at(0, 1).endsWith("add the setting “Sound level”"))
+      << problems.text_at(0, 1).toStdString();
+  EXPECT_TRUE(
+      label("editor_why_no_plan").endsWith("the first is at " + problems.text_at(0, 2) + "."));
+  bool is_next_to_it = false;
+  child<ProtocolForm>(*page_, "editor_form").go_to("/environment/masking_noise");
+  QApplication::processEvents();
+  for (const QLabel* const shown : page_->findChildren<QLabel*>("form_problem")) {
+    is_next_to_it |= shown->isVisible() && shown->text().contains("add the setting “Sound level”");
+  }
+  EXPECT_TRUE(is_next_to_it);
+
+  text.replace("\"masking_noise\": {", "\"masking_noise\": {\"level\": 3, ");
+  edit().replace_text(text);
+  ASSERT_TRUE(checked());
+  EXPECT_TRUE(problems.text_at(0, 1).startsWith("there is no key \"level\" here"))
+      << "which only the text has: " << problems.text_at(0, 1).toStdString();
 }
 
 TEST_F(ProtocolEditor, JumpsToTheProblemThatIsClicked) {

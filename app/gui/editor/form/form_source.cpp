@@ -76,8 +76,6 @@ std::string_view FormSource::characters(const std::string& pointer) const {
                : std::string_view();
 }
 
-int FormSource::line_of(const std::string& pointer) const { return document_.at(pointer, {}).line; }
-
 QStringList FormSource::names_for(const NameShape& shape, const std::string& pointer) const {
   QStringList names{};
   if (shape.registry == kModelNames) {

@@ -30,7 +30,6 @@ class FormSource final {
   const nlohmann::json* find(const std::string& pointer) const;
   /// The characters of a value.
   std::string_view characters(const std::string& pointer) const;
-  int line_of(const std::string& pointer) const;
 
   /// The names that a reference can have here; of a level those of what it can be, such as textures.
   QStringList names_for(const NameShape& shape, const std::string& pointer) const;

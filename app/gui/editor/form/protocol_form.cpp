@@ -363,12 +363,15 @@ void ProtocolForm::order_for_keyboard() {
 void ProtocolForm::show_problems(const std::vector<Diagnostic>& problems,
                                  const std::vector<Diagnostic>& warnings) {
   context_.problems.clear();
-  for (const Diagnostic& problem : problems) {
-    context_.problems[problem.pointer].push_back({State::stop, text(problem.message)});
-  }
-  for (const Diagnostic& warning : warnings) {
-    context_.problems[warning.pointer].push_back({State::look, text(warning.message)});
-  }
+  const auto add = [this](State state, const std::vector<Diagnostic>& remarks) {
+    for (const Diagnostic& remark : remarks) {
+      if (context_.source == nullptr) break;
+      context_.problems[remark.pointer].push_back(
+          {state, sentence_in_form(context_.source->document().root(), remark)});
+    }
+  };
+  add(State::stop, problems);
+  add(State::look, warnings);
   count_problems();
   refresh();
 }

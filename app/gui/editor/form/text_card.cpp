@@ -23,8 +23,7 @@ TextCard::TextCard(FormContext& context, const std::string& pointer, QWidget* pa
 
 void TextCard::refresh() {
   const std::string key = nlohmann::json::json_pointer(pointer()).back();
-  words_->setText(
-      tr("%1: defined in the text (line %2)").arg(text(key)).arg(source().line_of(pointer())));
+  words_->setText(tr("%1: defined in the text").arg(text(key)));
 }
 
 }  // namespace asperity
