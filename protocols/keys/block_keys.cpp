@@ -81,10 +81,6 @@ void store_arrangement(const json& value, Block& block) {
   read_keys(kArrangementTable, value, &block.arrangement);
 }
 
-constexpr std::string_view kRevisitOfBlockMeaning =
-    "With \"questions\": whether the participant may switch between the surfaces before "
-    "responding.";
-
 constexpr KeyCondition kWithoutVary = reported_as(
     "the levels of vary are presented equally often; remove this key, or list the levels as a "
     "crossed factor",
@@ -156,8 +152,7 @@ constexpr auto kOrderKeys = keys_of(
                                     kSomeLevels),
          kWithoutCriterion),
     when(member_key<&Block::anchor_pair>(
-             "anchor_pair", "Levels of the anchor",
-             "With \"all_pairs\": the levels of the two surfaces of an anchor.",
+             "anchor_pair", "Levels of the anchor", "The levels of the two surfaces of an anchor.",
              ListShape{
                  .entry = &kLevelShape, .meaning = kLevelMeaning, .shortest = 2, .longest = 2}),
          with("all_pairs"), kWithoutCriterion),
@@ -218,16 +213,15 @@ constexpr auto kOrderKeys = keys_of(
          where("question_layout", {"one_page"})),
     when(member_key<&Block::experimenter_prompt>(
              "experimenter_prompt", "Text for the experimenter",
-             "With \"questions\": text for the experimenter; {code} is replaced by the code of the "
+             "Text for the experimenter; {code} is replaced by the code of the "
              "trial's texture.",
              kParagraph),
          with("questions")),
     when(member_key<&Block::pictures_after_feeling>(
              "pictures_after_feeling", "Pictures after feeling",
-             "With \"questions\": whether pictures stay hidden until every surface has been felt.",
-             TruthShape{}),
+             "Whether pictures stay hidden until every surface has been felt.", TruthShape{}),
          with("questions")),
-    when(revisit_key(kRevisitOfBlockMeaning), with("questions")),
+    when(revisit_key(), with("questions")),
     required_key(member_key<&Block::exploration>("exploration", "Exploration",
                                                  "The name of the exploration.",
                                                  BoundShape{&kExplorationName})),

@@ -28,12 +28,11 @@ constexpr auto kStepKeys = keys_of(
     alternative_of<Step>(member_key<&Protocol::Screen::text>(
         "screen", "Text", "A text that the participant reads.", kShownParagraph)),
     when(alternative_of<Step>(member_key<&Protocol::Screen::condition>(
-             "if", "Condition", kConditionTable,
-             "With screen: the condition under which the text is shown.")),
+             "if", "Condition", kConditionTable, "The condition under which the text is shown.")),
          with("screen")),
     when(alternative_of<Step>(member_key<&Protocol::Screen::groups>(
              "groups", "Groups",
-             "With screen: the groups of participants to whom the text is shown. Absent: all "
+             "The groups of participants to whom the text is shown. Absent: all "
              "participants.",
              ListShape{.entry = &kGroupName,
                        .meaning = "A group: a level of the factor of the groups.",
@@ -49,18 +48,18 @@ constexpr auto kStepKeys = keys_of(
     alternative_of<Step>(inner_key("break", "Break", kBreakTable)),
     alternative_of<Step>(
         member_key<&Run::block>("run", "Block", "The block to run.", NameShape{"blocks"})),
-    when(alternative_of<Step>(member_key<&Run::for_each>(
-             "for_each", "Factor of the runs",
-             "With run: a factor; the block runs once per level, in the counterbalanced order.",
-             kFactorName)),
-         with("run")),
+    when(
+        alternative_of<Step>(member_key<&Run::for_each>(
+            "for_each", "Factor of the runs",
+            "A factor; the block runs once per level, in the counterbalanced order.", kFactorName)),
+        with("run")),
     when(alternative_of<Step>(member_key<&Run::break_every_trials>(
              "break_every_trials", "Trials between breaks",
-             "With run: the number of trials after which there is a break.", kTrials)),
+             "The number of trials after which there is a break.", kTrials)),
          with("run")),
     when(alternative_of<Step>(custom_key<&store_contact_minutes>(
              "break_every_contact_minutes", "Contact between breaks",
-             "With run: the time in contact with surfaces, in minutes, after which there is a "
+             "The time in contact with surfaces, in minutes, after which there is a "
              "break, measured since the last break.",
              NumberShape{.above = 0.0, .maximum = 1000.0, .unit = "minutes"})),
          with("run")),

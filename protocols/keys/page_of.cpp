@@ -82,13 +82,23 @@ std::string default_text(const ProtocolKey& key) {
   return code((standard.is_number() ? written_number(standard.get<double>()) : standard).dump());
 }
 
+/// The keys that have to be stated with this one.
+std::string needed_text(const ProtocolKey& key) {
+  std::string text{};
+  for (const KeyCondition& condition : key.conditions) {
+    const bool is_presence = condition.of == KeyCondition::Of::object && condition.count == 0;
+    if (!condition.key.empty() && is_presence) text += " Only with " + code(condition.key) + '.';
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string page_rows_of(const KeyTable& table) {
   std::string rows{};
   for (const ProtocolKey& key : table.keys) {
     rows += "| " + code(key.name) + " | " + shape_text(key.shape) + " | " + default_text(key) +
-            " | " + full_meaning_of(key) + " |\n";
+            " | " + full_meaning_of(key) + needed_text(key) + " |\n";
   }
   return rows;
 }

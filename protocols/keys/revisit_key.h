@@ -2,8 +2,6 @@
 
 #pragma once
 
-#include <string_view>
-
 #include "protocols/design/protocol.h"
 #include "protocols/shapes/keys_of.h"
 
@@ -13,10 +11,13 @@ inline void store_revisits(const nlohmann::json& value, Protocol::Block& block) 
   if (!value.get<bool>()) block.arrangement.maximum_visits = 1;
 }
 
-consteval KeyOf<Protocol::Block> revisit_key(std::string_view meaning) {
-  return with_standard(custom_key<&store_revisits>("allow_revisit", "Surfaces can be felt again",
-                                                   meaning, TruthShape{}),
-                       [](const ProtocolKey&) { return nlohmann::json(true); });
+consteval KeyOf<Protocol::Block> revisit_key() {
+  return with_standard(
+      custom_key<&store_revisits>(
+          "allow_revisit", "Surfaces can be felt again",
+          "Whether the participant may switch between the surfaces before responding.",
+          TruthShape{}),
+      [](const ProtocolKey&) { return nlohmann::json(true); });
 }
 
 }  // namespace asperity

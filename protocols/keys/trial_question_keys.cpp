@@ -38,9 +38,6 @@ constexpr auto kNameAndPromptKeys = keys_of(
     required_key(member_key<&Question::prompt>(
         "prompt", "Question", "The question as the participant reads it.", kShownParagraph)));
 
-constexpr std::string_view kRevisitMeaning =
-    "Whether the participant may switch between the surfaces before responding.";
-
 constexpr auto kTrialKeys = keys_of(
     when(member_key<&Template::pictures>(
              "pictures", "Pictures",
@@ -112,7 +109,7 @@ constexpr auto kOfTheTrialKeys = keys_of(
              "pictures_after_feeling", "Pictures after feeling",
              "Whether pictures stay hidden until every surface has been felt.", TruthShape{}),
          with("pictures")),
-    revisit_key(kRevisitMeaning));
+    revisit_key());
 
 /// The one question of a block that has no list of them.
 Template& only_question(void* block) {

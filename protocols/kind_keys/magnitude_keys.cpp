@@ -76,7 +76,7 @@ constexpr auto kEstimationKeys = keys_of(
         NameShape{.registry = kFactorNames, .governs_levels = true}),
     member_key<&Estimation::predictor>(
         "predictor", "Predictor",
-        "With factor: the physical quantity of the power function: the level itself, the values "
+        "The physical quantity of the power function over a factor: the level itself, the values "
         "stated for the levels, or a property that is measured during the study (the RMS texture "
         "force, the mean and SD of the normal force or of the speed, the force in an octave of "
         "wavelength). Absent: geometric means by level, and no exponent.",

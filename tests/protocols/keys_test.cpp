@@ -825,6 +825,18 @@ std::string rows_of_tests() {
   return rows;
 }
 
+TEST(Keys, StateWhichOthersTheyNeedInTheirConditionsAlone) {
+  EXPECT_NE(page_rows_of(kStepTable).find("a break. Only with `run`. |"), std::string::npos);
+  for (const KeyTable* const table : tables()) {
+    for (const ProtocolKey& key : table->keys) {
+      for (const KeyCondition& condition : key.conditions) {
+        if (condition.key.empty()) continue;
+        EXPECT_NE(key.meaning.substr(0, 5), "With ") << key.name << ": " << key.meaning;
+      }
+    }
+  }
+}
+
 TEST(Keys, AreThoseOfThePage) {
   std::string page = source_file(kPage);
   std::set<const KeyTable*> all = tables();

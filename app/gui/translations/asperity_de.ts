@@ -6768,8 +6768,8 @@
         <translation>Stufen des Ankers</translation>
     </message>
     <message>
-        <source>With &quot;all_pairs&quot;: the levels of the two surfaces of an anchor.</source>
-        <translation>Mit „all_pairs“: die Stufen der beiden Oberflächen eines Ankers.</translation>
+        <source>The levels of the two surfaces of an anchor.</source>
+        <translation>Die Stufen der beiden Oberflächen eines Ankers.</translation>
     </message>
     <message>
         <source>Places of the anchors</source>
@@ -6884,24 +6884,12 @@
         <translation>Text für die Versuchsleitung</translation>
     </message>
     <message>
-        <source>With &quot;questions&quot;: text for the experimenter; {code} is replaced by the code of the trial&apos;s texture.</source>
-        <translation>Mit „questions“: Text für die Versuchsleitung; {code} wird durch den Code der Textur des Durchgangs ersetzt.</translation>
-    </message>
-    <message>
         <source>Pictures after feeling</source>
         <translation>Bilder nach dem Fühlen</translation>
     </message>
     <message>
-        <source>With &quot;questions&quot;: whether pictures stay hidden until every surface has been felt.</source>
-        <translation>Mit „questions“: ob Bilder verborgen bleiben, bis jede Oberfläche gefühlt wurde.</translation>
-    </message>
-    <message>
         <source>Surfaces can be felt again</source>
         <translation>Erneutes Fühlen möglich</translation>
-    </message>
-    <message>
-        <source>With &quot;questions&quot;: whether the participant may switch between the surfaces before responding.</source>
-        <translation>Mit „questions“: ob die Versuchsperson vor der Antwort zwischen den Oberflächen wechseln kann.</translation>
     </message>
     <message>
         <source>Exploration</source>
@@ -7836,8 +7824,8 @@
         <translation>Prädiktor</translation>
     </message>
     <message>
-        <source>With factor: the physical quantity of the power function: the level itself, the values stated for the levels, or a property that is measured during the study (the RMS texture force, the mean and SD of the normal force or of the speed, the force in an octave of wavelength). Absent: geometric means by level, and no exponent.</source>
-        <translation>Mit einem Faktor: die physikalische Größe der Potenzfunktion: die Stufe selbst, die für die Stufen angegebenen Werte oder eine Eigenschaft, die während der Studie gemessen wird (Effektivwert der Texturkraft, Mittelwert und SD der Normalkraft oder der Geschwindigkeit, Kraft in einer Oktave der Wellenlänge). Ohne Angabe: geometrische Mittel nach Stufe und kein Exponent.</translation>
+        <source>The physical quantity of the power function over a factor: the level itself, the values stated for the levels, or a property that is measured during the study (the RMS texture force, the mean and SD of the normal force or of the speed, the force in an octave of wavelength). Absent: geometric means by level, and no exponent.</source>
+        <translation>Die physikalische Größe der Potenzfunktion über einem Faktor: die Stufe selbst, die für die Stufen angegebenen Werte oder eine Eigenschaft, die während der Studie gemessen wird (Effektivwert der Texturkraft, Mittelwert und SD der Normalkraft oder der Geschwindigkeit, Kraft in einer Oktave der Wellenlänge). Ohne Angabe: geometrische Mittel nach Stufe und kein Exponent.</translation>
     </message>
     <message>
         <source>The value of a level.</source>
@@ -8076,12 +8064,12 @@
         <translation>Ein Text, den die Versuchsperson liest.</translation>
     </message>
     <message>
-        <source>With screen: the condition under which the text is shown.</source>
-        <translation>Mit screen: die Bedingung, unter der der Text gezeigt wird.</translation>
+        <source>The condition under which the text is shown.</source>
+        <translation>Die Bedingung, unter der der Text gezeigt wird.</translation>
     </message>
     <message>
-        <source>With screen: the groups of participants to whom the text is shown. Absent: all participants.</source>
-        <translation>Mit screen: die Gruppen von Versuchspersonen, denen der Text gezeigt wird. Ohne Angabe: alle Versuchspersonen.</translation>
+        <source>The groups of participants to whom the text is shown. Absent: all participants.</source>
+        <translation>Die Gruppen von Versuchspersonen, denen der Text gezeigt wird. Ohne Angabe: alle Versuchspersonen.</translation>
     </message>
     <message>
         <source>A group: a level of the factor of the groups.</source>
@@ -8112,24 +8100,24 @@
         <translation>Faktor der Läufe</translation>
     </message>
     <message>
-        <source>With run: a factor; the block runs once per level, in the counterbalanced order.</source>
-        <translation>Mit run: ein Faktor; der Block läuft einmal je Stufe ab, in der ausbalancierten Reihenfolge.</translation>
+        <source>A factor; the block runs once per level, in the counterbalanced order.</source>
+        <translation>Ein Faktor; der Block läuft einmal je Stufe ab, in der ausbalancierten Reihenfolge.</translation>
     </message>
     <message>
         <source>Trials between breaks</source>
         <translation>Durchgänge zwischen Pausen</translation>
     </message>
     <message>
-        <source>With run: the number of trials after which there is a break.</source>
-        <translation>Mit run: die Anzahl der Durchgänge, nach der es eine Pause gibt.</translation>
+        <source>The number of trials after which there is a break.</source>
+        <translation>Die Anzahl der Durchgänge, nach der es eine Pause gibt.</translation>
     </message>
     <message>
         <source>Contact between breaks</source>
         <translation>Kontakt zwischen Pausen</translation>
     </message>
     <message>
-        <source>With run: the time in contact with surfaces, in minutes, after which there is a break, measured since the last break.</source>
-        <translation>Mit run: die Kontaktzeit mit Oberflächen in Minuten, nach der es eine Pause gibt, gemessen seit der letzten Pause.</translation>
+        <source>The time in contact with surfaces, in minutes, after which there is a break, measured since the last break.</source>
+        <translation>Die Kontaktzeit mit Oberflächen in Minuten, nach der es eine Pause gibt, gemessen seit der letzten Pause.</translation>
     </message>
     <message>
         <source>The questions of this step.</source>
