@@ -14,6 +14,7 @@ class QLabel;
 class QLayout;
 class QSpinBox;
 
+class QLayout;
 namespace asperity {
 
 class PlanBars;

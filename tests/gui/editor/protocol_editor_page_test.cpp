@@ -27,6 +27,7 @@
 #include "app/gui/editor/json_colors.h"
 #include "app/gui/editor/protocol_text_edit.h"
 #include "app/gui/editor/question_bar.h"
+#include "app/gui/look/fitted_label.h"
 #include "app/gui/participant/participant_view.h"
 #include "app/gui/plan/plan_preview.h"
 #include "protocols/file/library_protocols.h"
@@ -37,6 +38,7 @@
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/gated_examination.h"
 #include "tests/gui/support/screenshot.h"
+#include "tests/support/replaced.h"
 
 namespace asperity {
 namespace {
@@ -918,6 +920,37 @@ TEST_F(ProtocolEditor, ShowsOneOfItsSidesWhereTheyHaveNoRoomTogether) {
   EXPECT_FALSE(edit().isVisible());
   page_->resize(1366, 768);
   EXPECT_TRUE(eventually([&] { return plan.isVisible() && edit().isVisible(); }));
+}
+
+TEST_F(ProtocolEditor, HasRoomForItsWordsInAGermanWindowOf1280Points) {
+  std::string text = library_text("improved_recognition");
+  text = replaced(text, "\"factors\": {",
+                  "\"groups\": {\"factor\": \"ground\"}, "
+                  "\"factors\": {\"ground\": {\"levels\": [\"dawn\", \"dusk\"]}, ");
+  text = replaced(text, "\"break_every_trials\": 16", "\"break_every_trials\": 500");
+  write_file(file_, text, Overwrite::allow);
+  apply_language("de");
+  open();
+  click("editor_to_form");
+  page_->resize(1050, 696);  // next to the names of the pages
+  child<ProtocolForm>(*page_, "editor_form").show_page("order");
+  const auto& problems = child<StudyTable>(*page_, "editor_problems");
+  ASSERT_EQ(problems.shown_rows(), 1);
+  EXPECT_TRUE(eventually([&] { return cut_cells(problems).isEmpty(); }));
+  EXPECT_GE(problems.columnWidth(1), problems.columnWidth(2));
+  EXPECT_LE(problems.rowHeight(0), problems.viewport()->height()) << "a problem is read as a whole";
+  const auto& group = child<QComboBox>(*page_, "plan_group");
+  QStyleOptionComboBox option{};
+  option.initFrom(&group);
+  const QRect room = group.style()->subControlRect(QStyle::CC_ComboBox, &option,
+                                                   QStyle::SC_ComboBoxEditField, &group);
+  EXPECT_GT(room.width(), group.fontMetrics().horizontalAdvance("dawn") + 4);
+  constexpr int kLettersOfStep = 16;
+  for (const QLabel* const summary : page_->findChildren<FittedLabel*>("summary")) {
+    if (!summary->isVisible()) continue;
+    EXPECT_GE(summary->width(), kLettersOfStep * summary->fontMetrics().averageCharWidth());
+  }
+  apply_language("en");
 }
 
 TEST_F(ProtocolEditor, Pictures) {

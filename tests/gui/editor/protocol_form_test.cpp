@@ -650,10 +650,10 @@ TEST_F(FormOfProtocol, ShowsAWarningInAnotherColourThanAProblem) {
   ASSERT_NE(part(remark.pointer), nullptr);
   views_.show_problems({}, {remark});
   EXPECT_EQ(shown(), "▲ rather stiff color: " + color_of(State::look).name());
-  EXPECT_TRUE(pages.currentItem()->text().endsWith("▲ 1"));
+  EXPECT_TRUE(pages.currentItem()->text().endsWith("▲\u00A01"));
   views_.show_problems({remark}, {});
   EXPECT_EQ(shown(), "✕ rather stiff color: " + color_of(State::stop).name());
-  EXPECT_TRUE(pages.currentItem()->text().endsWith("✕ 1"));
+  EXPECT_TRUE(pages.currentItem()->text().endsWith("✕\u00A01"));
   views_.show_problems({remark}, {remark});
   EXPECT_EQ(shown(), "✕ rather stiff\n▲ rather stiff color: " + color_of(State::stop).name());
 }
@@ -963,22 +963,28 @@ TEST_F(FormOfProtocol, NeedsNoHorizontalScrolling) {
 }
 
 TEST_F(FormOfProtocol, ShowsTheNamesOfItsPagesInFull) {
-  open(library_text("amplitude_jnd"));
   Diagnostic problem{};
   problem.pointer = "/flow/0";
-  views_.show_problems({problem}, {});
-  const auto& pages = child<QListWidget>(form(), "form_pages");
-  for (const int width : {900, 590}) {
-    views_.resize(width, 700);
-    QApplication::processEvents();
-    for (int row = 0; row < pages.count(); ++row) {
-      const QRect place = pages.visualItemRect(pages.item(row));
-      constexpr int kPadding = 24;
-      const QRect room(0, 0, place.width() - kPadding, 1000);
-      const QRect needed =
-          pages.fontMetrics().boundingRect(room, Qt::TextWordWrap, pages.item(row)->text());
-      EXPECT_LE(needed.height(), place.height()) << pages.item(row)->text().toStdString();
-      EXPECT_LE(needed.width(), room.width()) << pages.item(row)->text().toStdString();
+  for (const char* language : {"de", "en"}) {
+    apply_language(language);
+    ProtocolViews views(declarations_of(built_in_models()));
+    views.show();
+    views.text().setPlainText(QString::fromStdString(library_text("amplitude_jnd")));
+    views.show_form_if_possible();
+    views.show_problems({problem}, {});
+    const auto& pages = child<QListWidget>(views, "form_pages");
+    for (const int width : {900, 590}) {
+      views.resize(width, 700);
+      QApplication::processEvents();
+      for (int row = 0; row < pages.count(); ++row) {
+        const QRect place = pages.visualItemRect(pages.item(row));
+        constexpr int kPadding = 24;
+        const QRect room(0, 0, place.width() - kPadding, 1000);
+        const QRect needed =
+            pages.fontMetrics().boundingRect(room, Qt::TextWordWrap, pages.item(row)->text());
+        EXPECT_LE(needed.height(), place.height()) << pages.item(row)->text().toStdString();
+        EXPECT_LE(needed.width(), room.width()) << pages.item(row)->text().toStdString();
+      }
     }
   }
 }

@@ -10,6 +10,7 @@
 
 #include <QtCore/QTimer>
 #include <QtWidgets/QCheckBox>
+#include <QtWidgets/QGridLayout>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QToolButton>
@@ -35,6 +36,11 @@ namespace {
 
 constexpr int kNameWidth = 144;
 constexpr int kLeastNameWidth = 80;
+constexpr int kNarrowCard = 400;
+/// Of the head of a card, after that of the button that unfolds it.
+constexpr int kTitleColumn = 1;
+constexpr int kSummaryColumn = 2;
+constexpr int kToolsColumn = 3;
 constexpr std::string_view kParameters = "/parameters";
 std::string_view first_deciding(const KeyTable& table, const nlohmann::json& object) {
   for (const std::string_view key : table.deciding) {
@@ -146,6 +152,7 @@ void EntryList::show_entry(const Entry& entry, std::size_t index) const {
         text(summary_of(entry_shape(), *source().find(entry.pointer), entry.pointer));
     entry.title->show_text(title);
     entry.summary->show_text(summary.left(summary.indexOf('\n')));
+    entry.summary->setVisible(!summary.isEmpty());
   }
   // A folded card states what is wrong in it.
   const bool is_folded = entry.content == nullptr;
@@ -194,9 +201,7 @@ void EntryList::add_line(Entry& entry, std::size_t index) {
   entry.content = make_field(context(), entry_shape(), {}, entry.pointer, this);
   entry.content->set_name(title_of(entry, index));
   row->addWidget(entry.content);
-  auto* tools = new QHBoxLayout();
-  add_tools(*tools, entry, index);
-  row->add_layout(tools, Qt::AlignRight);
+  row->add_layout(make_tools(entry, index), Qt::AlignRight);
   layout_->addLayout(row);
   entry.problem = make_problem_label(this);
   layout_->addWidget(entry.problem);
@@ -210,7 +215,9 @@ void EntryList::add_card(Entry& entry, std::size_t index) {
   card->setBackgroundRole(QPalette::Base);
   auto* layout = new QVBoxLayout(card);
   layout->setContentsMargins(kGrid, kGrid / 2, kGrid, kGrid / 2);
-  auto* head = new QHBoxLayout();
+  auto* head = new QGridLayout();
+  head->setColumnStretch(kSummaryColumn, 1);
+  head->setVerticalSpacing(0);
   layout->addLayout(head);
   const nlohmann::json& present = *source().find(entry.pointer);
   const bool is_open = context().opened.contains(entry.pointer);
@@ -220,13 +227,16 @@ void EntryList::add_card(Entry& entry, std::size_t index) {
   fold->setAutoRaise(true);
   entry.tools.push_back({fold, is_open ? tr("Fold “%1”") : tr("Unfold “%1”"), {}});
   connect(fold, &QToolButton::clicked, this, [this, pointer = entry.pointer] { toggle(pointer); });
-  head->addWidget(fold);
+  head->addWidget(fold, 0, 0);
   entry.title = new FittedLabel(card);
   entry.title->setFont(text_font(TextSize::body, true));
-  head->addWidget(entry.title);
+  head->addWidget(entry.title, 0, kTitleColumn);
   entry.summary = new FittedLabel(card);
-  head->addWidget(entry.summary, 1);
-  add_tools(*head, entry, index);
+  entry.summary->setObjectName("summary");
+  entry.summary->set_smaller_font(text_font(TextSize::small));
+  entry.head = head;
+  place_summary(entry);
+  head->addLayout(make_tools(entry, index), 0, kToolsColumn);
   entry.problem = make_problem_label(card);
   layout->addWidget(entry.problem);
   if (is_open) {
@@ -249,8 +259,30 @@ void EntryList::add_card(Entry& entry, std::size_t index) {
   layout_->addWidget(card);
 }
 
-void EntryList::add_tools(QHBoxLayout& row, Entry& entry, std::size_t index) {
-  if (is_excerpt()) return;
+/// Next to the title, or below it where few letters had room there.
+void EntryList::place_summary(const Entry& entry) const {
+  entry.head->removeWidget(entry.summary);
+  if (is_narrow_) {
+    entry.head->addWidget(entry.summary, 1, kTitleColumn, 1, kToolsColumn);
+  } else {
+    entry.head->addWidget(entry.summary, 0, kSummaryColumn);
+  }
+}
+
+void EntryList::resizeEvent(QResizeEvent* event) {
+  FormPart::resizeEvent(event);
+  if ((width() < kNarrowCard) == is_narrow_) return;
+  is_narrow_ = !is_narrow_;
+  for (const Entry& entry : entries_) {
+    if (entry.summary != nullptr) place_summary(entry);
+  }
+}
+
+/// Close to each other: the summary next to them has the room.
+QHBoxLayout* EntryList::make_tools(Entry& entry, std::size_t index) {
+  auto* row = new QHBoxLayout();
+  row->setSpacing(0);
+  if (is_excerpt()) return row;
   entry.chosen = new QCheckBox(this);
   entry.chosen->setObjectName(kChoosing + text(entry.pointer));
   entry.chosen->setToolTip(tr("Ticked entries are moved, duplicated and removed together."));
@@ -261,11 +293,11 @@ void EntryList::add_tools(QHBoxLayout& row, Entry& entry, std::size_t index) {
       ticked_.erase(pointer);
     }
   });
-  row.addWidget(entry.chosen);
+  row->addWidget(entry.chosen);
   using Action = EntryAction;
   const auto add = [&](const QString& sign, const QString& sentence, Action action, auto act) {
     QToolButton* tool = make_tool(sign, {}, this);
-    row.addWidget(tool);
+    row->addWidget(tool);
     entry.tools.push_back({tool, sentence, keys_of(action).toString(QKeySequence::NativeText)});
     connect(tool, &QToolButton::clicked, this, act);
     return tool;
@@ -280,6 +312,7 @@ void EntryList::add_tools(QHBoxLayout& row, Entry& entry, std::size_t index) {
   add("×", tr("Remove “%1”"), Action::remove, [this, index] {
     remove(index);
   })->setObjectName(kRemovingValue + text(entry.pointer));
+  return row;
 }
 
 QStringList EntryList::keys_to_add(QStringList& labels) const {

@@ -16,6 +16,8 @@
 #include "protocols/shapes/shape.h"
 
 class QCheckBox;
+class QGridLayout;
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QToolButton;
@@ -43,6 +45,9 @@ class EntryList final : public FormPart {
   /// As the button of the entry that contains the widget, which keeps the focus; false if no entry contains it.
   bool act(const QWidget& focus, EntryAction action);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   struct Tool {
     QToolButton* button = nullptr;
@@ -56,6 +61,7 @@ class EntryList final : public FormPart {
     FormPart* key = nullptr;       ///< the field of the name
     FittedLabel* title = nullptr;  ///< of a card, as its summary
     FittedLabel* summary = nullptr;
+    QGridLayout* head = nullptr;  ///< of a card
     QLabel* problem = nullptr;
     QCheckBox* chosen = nullptr;
     std::vector<Tool> tools{};
@@ -70,7 +76,8 @@ class EntryList final : public FormPart {
   void make_entries(std::vector<Entry> entries);
   void add_line(Entry& entry, std::size_t index);
   void add_card(Entry& entry, std::size_t index);
-  void add_tools(class QHBoxLayout& row, Entry& entry, std::size_t index);
+  QHBoxLayout* make_tools(Entry& entry, std::size_t index);
+  void place_summary(const Entry& entry) const;
   void show_entry(const Entry& entry, std::size_t index) const;
   void add_adding();
   /// The keys that a new entry can have, or the kinds that it can be of, with their words.
@@ -98,6 +105,7 @@ class EntryList final : public FormPart {
   std::set<std::string> ticked_{};  ///< pointers
   std::vector<Entry> entries_{};
   QVBoxLayout* layout_ = nullptr;
+  bool is_narrow_ = false;
 };
 
 }  // namespace asperity

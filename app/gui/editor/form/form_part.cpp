@@ -14,7 +14,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kToolWidth = 28;
+constexpr int kToolWidth = 24;
 constexpr int kLabelWidth = 144;
 constexpr int kLeastLabelWidth = 72;
 

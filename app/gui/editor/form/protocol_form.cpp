@@ -9,6 +9,7 @@
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QTimer>
+#include <QtCore/QtMath>
 #include <QtGui/QShortcut>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QHBoxLayout>
@@ -158,7 +159,13 @@ ProtocolForm::ProtocolForm(const std::vector<ModelDeclaration>& models, QWidget*
 
 void ProtocolForm::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  pages_->setFixedWidth(width() < kRoomyWidth ? kLeastPagesWidth : kPagesWidth);
+  double longest = 0.0;  // word of a name
+  for (const FormPage& page : form_pages()) {
+    longest = std::max(
+        longest, width_of_longest_word(text_of_keys(page.label), QFontMetricsF(pages_->font())));
+  }
+  const int needed = std::max(qCeil(longest) + kAroundPageName, kLeastPagesWidth);
+  pages_->setFixedWidth(width() < kRoomyWidth ? needed : kPagesWidth);
   fit_pages();
 }
 
@@ -395,7 +402,7 @@ void ProtocolForm::count_problems() {
     const QString label = text_of_keys(form_pages()[i].label);
     pages_->item(static_cast<int>(i))
         ->setText(counts[i].remarks == 0 ? label
-                                         : QString("%1  %2 %3")
+                                         : QString("%1  %2\u00A0%3")
                                                .arg(label, shape_of(counts[i].worst))
                                                .arg(counts[i].remarks));
   }
