@@ -19,12 +19,10 @@
 #include "app/gui/editor/editor_sides.h"
 #include "app/gui/editor/live_examination.h"
 #include "app/gui/editor/protocol_text_edit.h"
-#include "app/gui/editor/protocol_views.h"
 #include "app/gui/editor/question_bar.h"
 #include "app/gui/look/fitted_label.h"
 #include "app/gui/look/words.h"
 #include "app/gui/participant/screen_preview.h"
-#include "app/gui/plan/plan_preview.h"
 #include "app/gui/precision/precision_view.h"
 #include "app/study_files/height_field_files.h"
 #include "app/study_files/study_protocols.h"
@@ -204,11 +202,11 @@ QWidget* ProtocolEditorPage::make_plan_side() {
   QFrame* card = make_card(this, layout);
   auto* tabs = new QHBoxLayout();
   tabs->setSpacing(0);
-  auto* group = new QButtonGroup(card);
+  sides_ = new QButtonGroup(card);
   const auto add_tab = [&](const QString& name, const char* object) {
     QPushButton* tab = make_button(name, ButtonRole::selector, card);
     tab->setObjectName(object);
-    group->addButton(tab);
+    sides_->addButton(tab, static_cast<int>(sides_->buttons().size()));
     tabs->addWidget(tab);
     return tab;
   };
@@ -308,6 +306,18 @@ void ProtocolEditorPage::open_changed(const std::filesystem::path& protocol,
   if (dos_lines_) shown.replace("\r\n", "\n");
   edit_->replace_text(shown);
   banner().show_news(State::fine, news);
+}
+
+ProtocolEditorPage::Shown ProtocolEditorPage::shown() const {
+  return {file_, views_->shown(), sides_->checkedId(), plan_->choice()};
+}
+
+void ProtocolEditorPage::resume(const Shown& shown) {
+  open(shown.file);
+  if (file_.empty()) return;  // the banner states why
+  plan_->resume(shown.plan);
+  sides_->button(shown.side)->click();
+  views_->resume(shown.views);
 }
 
 bool ProtocolEditorPage::has_unsaved_changes() const {

@@ -11,9 +11,12 @@
 
 #include "app/gui/base/study_page.h"
 #include "app/gui/editor/live_check.h"
+#include "app/gui/editor/protocol_views.h"
 #include "app/gui/look/background_task.h"
+#include "app/gui/plan/plan_preview.h"
 #include "app/tasks/warnings/session_warnings.h"
 
+class QButtonGroup;
 class QFileSystemWatcher;
 class QStackedWidget;
 
@@ -21,10 +24,8 @@ namespace asperity {
 
 class FittedLabel;
 class LiveExamination;
-class PlanPreview;
 class PrecisionView;
 class ProtocolTextEdit;
-class ProtocolViews;
 class QuestionBar;
 class ScreenPreview;
 class StudyTable;
@@ -45,6 +46,16 @@ class ProtocolEditorPage final : public StudyPage {
   /// The same, then `after` in place of the text `before`, as one step of the undo that is not saved. `news` is shown.
   void open_changed(const std::filesystem::path& protocol, const std::string& before,
                     const std::string& after, const QString& news);
+
+  /// What is shown, for a page that is made anew, as in another language.
+  struct Shown {
+    std::filesystem::path file{};
+    ProtocolViews::Shown views{};
+    int side = 0;  ///< the plan, the screen or the precision
+    PlanPreview::Choice plan{};
+  };
+  Shown shown() const;
+  void resume(const Shown& shown);
   /// Empty while none is open.
   const std::filesystem::path& file() const noexcept { return file_; }
   bool has_unsaved_changes() const;
@@ -118,6 +129,7 @@ class ProtocolEditorPage final : public StudyPage {
   StudyTable* problems_ = nullptr;
   QStackedWidget* plan_side_ =
       nullptr;                      ///< the plan, the screen, the precision, or why there is none
+  QButtonGroup* sides_ = nullptr;   ///< the buttons of the sides, in their order
   QWidget* chosen_side_ = nullptr;  ///< the one that is shown of a valid text
   PlanPreview* plan_ = nullptr;
   ScreenPreview* screen_ = nullptr;

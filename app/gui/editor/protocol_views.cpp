@@ -225,6 +225,17 @@ void ProtocolViews::give_focus() {
   }
 }
 
+ProtocolViews::Shown ProtocolViews::shown() const {
+  return {view(), form_->shown(), edit_->textCursor().position()};
+}
+
+void ProtocolViews::resume(const Shown& shown) {
+  edit_->go_to(shown.cursor);
+  set_view(shown.view);
+  give_focus();
+  form_->resume(shown.form);
+}
+
 void ProtocolViews::show_help() {
   const auto help = help_.of(json_place(edit_->text(), edit_->textCursor().position()));
   if (!help) {

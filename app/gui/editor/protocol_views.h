@@ -7,6 +7,7 @@
 
 #include <QtWidgets/QWidget>
 
+#include "app/gui/editor/form/protocol_form.h"
 #include "app/gui/editor/schema_help.h"
 #include "protocols/file/diagnostic.h"
 #include "stimuli/properties/parameter.h"
@@ -18,7 +19,6 @@ class QStackedWidget;
 namespace asperity {
 
 class FindBar;
-class ProtocolForm;
 class ProtocolTextEdit;
 
 /// The text is the only state, with one list of undo: a change in the form replaces the characters that differ, and typing in
@@ -46,6 +46,16 @@ class ProtocolViews final : public QWidget {
   void go_to_problem(std::size_t index);
   void find();
   void give_focus();
+
+  /// What is shown of a text.
+  struct Shown {
+    View view = View::form;
+    ProtocolForm::Shown form{};
+    int cursor = 0;  ///< in the text
+  };
+  Shown shown() const;
+  /// Shows the same of the same text.
+  void resume(const Shown& shown);
 
  signals:
   void view_changed();

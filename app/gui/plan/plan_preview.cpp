@@ -310,19 +310,29 @@ Allocation PlanPreview::allocation() const {
           .group = group_->currentText().toStdString()};
 }
 
+PlanPreview::Choice PlanPreview::choice() const {
+  return resumed_.value_or(Choice{allocation(), table_->selected_key()});
+}
+
 void PlanPreview::show_protocol(const Protocol& protocol) {
   protocol_ = std::make_shared<const Protocol>(protocol);
   const int rows = counterbalance_rows(protocol);
   {
     const QSignalBlocker quiet(row_);
+    const QSignalBlocker quiet_seed(seed_);
     row_->setMaximum(rows);
+    if (resumed_) {
+      row_->setValue(resumed_->allocation.counterbalance_row + 1);
+      seed_->setValue(static_cast<int>(resumed_->allocation.seed));
+    }
   }
   row_->setVisible(rows > 1);  // else nothing is counterbalanced
   row_->setSuffix(' ' + tr("of %1").arg(rows));
   const std::vector<std::string> groups = groups_of(protocol);
   {
     const QSignalBlocker quiet(group_);
-    const QString before = group_->currentText();
+    const QString before =
+        resumed_ ? QString::fromStdString(resumed_->allocation.group) : group_->currentText();
     group_->clear();
     for (const std::string& group : groups) group_->addItem(QString::fromStdString(group));
     group_->setCurrentIndex(std::max(group_->findText(before), groups.empty() ? -1 : 0));
@@ -372,6 +382,8 @@ void PlanPreview::show_plan() {
     rows.push_back({QString::number(i), cells});
   }
   table_->fill(rows);
+  if (resumed_) table_->select(resumed_->step);
+  resumed_.reset();
   if (detail_ == nullptr) return;
   if (table_->selected_key().isEmpty()) select_step(static_cast<int>(first_trial_step(*plan_)));
 }

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
+#include <QtCore/QString>
 #include <QtWidgets/QWidget>
 
 #include "app/gui/look/newest_work.h"
@@ -14,7 +16,6 @@ class QLabel;
 class QLayout;
 class QSpinBox;
 
-class QLayout;
 namespace asperity {
 
 class PlanBars;
@@ -37,6 +38,15 @@ class PlanPreview final : public QWidget {
   /// Selects a step of a plan in the tall shape.
   void select_step(int step);
 
+  /// What is set and selected.
+  struct Choice {
+    Allocation allocation{};
+    QString step{};  ///< empty: none
+  };
+  Choice choice() const;
+  /// The same again, of the next protocol that is shown, as far as it has the row, the group and the step.
+  void resume(const Choice& choice) { resumed_ = choice; }
+
  signals:
   /// A step of the tall shape is selected, or is another after a change of the plan. Its texts are as participants read them.
   void step_shown(const std::shared_ptr<const asperity::Protocol>& protocol,
@@ -52,6 +62,7 @@ class PlanPreview final : public QWidget {
   std::shared_ptr<const Protocol>
       planned_{};  ///< the protocol of `plan_`, which can be an earlier one
   std::shared_ptr<const Plan> plan_{};
+  std::optional<Choice> resumed_{};
   QSpinBox* seed_ = nullptr;
   QSpinBox* row_ = nullptr;
   QComboBox* group_ = nullptr;

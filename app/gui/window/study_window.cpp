@@ -76,7 +76,9 @@ StudyWindow::~StudyWindow() {
 
 void StudyWindow::refill() {
   const QString shown = shown_page();
-  const std::filesystem::path edited = editor() == nullptr ? "" : editor()->file();
+  const auto edited = editor() == nullptr || editor()->file().empty()
+                          ? std::nullopt
+                          : std::optional<ProtocolEditorPage::Shown>(editor()->shown());
   const auto* worked_on = qobject_cast<WorkbenchPage*>(made_page("workbench"));
   const auto work =
       worked_on == nullptr ? std::nullopt : std::optional<WorkbenchPage::Work>(worked_on->work());
@@ -125,7 +127,7 @@ void StudyWindow::refill() {
   connect(welcome_, &WelcomePage::open_wanted, this, &StudyWindow::ask_for_study);
   setCentralWidget(centre);  // deletes the one before
   make_pages();
-  if (!edited.empty()) qobject_cast<ProtocolEditorPage*>(page("editor"))->open(edited);
+  if (edited) qobject_cast<ProtocolEditorPage*>(page("editor"))->resume(*edited);
   if (work) qobject_cast<WorkbenchPage*>(page("workbench"))->resume(*work);
   if (session != 0) qobject_cast<TrialsPage*>(page("trials"))->show_session(session);
   if (attempt) qobject_cast<AttemptPage*>(page("attempt"))->show_attempt(*attempt);

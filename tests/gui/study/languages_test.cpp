@@ -6,20 +6,28 @@
 #include <QtCore/QLocale>
 #include <QtCore/QRegularExpression>
 #include <QtTest/QTest>
+#include <QtWidgets/QComboBox>
 #include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenuBar>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QScrollArea>
+#include <QtWidgets/QSpinBox>
 #include <QtWidgets/QStackedWidget>
 
 #include "app/gui/base/settings.h"
 #include "app/gui/base/study_table.h"
+#include "app/gui/editor/form/protocol_form.h"
+#include "app/gui/editor/protocol_editor_page.h"
 #include "app/gui/start/start_page.h"
 #include "app/gui/window/session_desk.h"
 #include "app/gui/window/study_window.h"
+#include "results_schema/files/atomic_file.h"
+#include "tests/gui/editor/library_text.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/screenshot.h"
+#include "tests/support/replaced.h"
 
 namespace asperity {
 namespace {
@@ -99,6 +107,50 @@ TEST_F(Languages, OfARegionAreThatLanguage) {
   EXPECT_EQ(count_of(1), "1 Versuchsperson");
   apply_language("en_GB");
   EXPECT_EQ(count_of(1), "1 participant");
+}
+
+TEST_F(Languages, KeepWhatIsShownOfAProtocol) {
+  const std::filesystem::path folder = small_demo_study();
+  const std::filesystem::path file = folder / "protocols" / "improved_recognition.json";
+  write_file(file,
+             replaced(library_text("improved_recognition"), "\"factors\": {",
+                      "\"groups\": {\"factor\": \"ground\"}, "
+                      "\"factors\": {\"ground\": {\"levels\": [\"dawn\", \"dusk\"]}, "),
+             Overwrite::refuse);
+  StudyWindow window{};
+  window.show();
+  ASSERT_TRUE(window.open_study(folder));
+  const auto editor = [&]() -> ProtocolEditorPage& {
+    return *static_cast<ProtocolEditorPage*>(window.page("editor"));
+  };
+  window.show_page("editor");
+  editor().open(file);
+  const auto steps = [&]() -> StudyTable& { return child<StudyTable>(editor(), "plan_table"); };
+  ASSERT_TRUE(eventually([&] { return steps().shown_rows() > 20; }));
+  child<QComboBox>(editor(), "plan_group").setCurrentIndex(1);
+  child<QSpinBox>(editor(), "plan_seed").setValue(5);
+  QTest::qWait(100);
+  steps().select("20");
+  child<QPushButton>(editor(), "editor_show_screen").click();
+  const auto form = [&]() -> ProtocolForm& { return child<ProtocolForm>(editor(), "editor_form"); };
+  form().go_to("/flow/10/break_every_trials");
+  QCoreApplication::processEvents();
+  choose(window, QLocale("de").nativeLanguageName());
+  ASSERT_TRUE(eventually([&] { return window.menuBar()->actions()[1]->text() == "&Ansicht"; }));
+  ASSERT_TRUE(eventually([&] { return steps().selected_key() == "20"; }));
+  EXPECT_EQ(window.shown_page(), "editor");
+  EXPECT_EQ(child<QComboBox>(editor(), "plan_group").currentText(), "dusk");
+  EXPECT_EQ(child<QSpinBox>(editor(), "plan_seed").value(), 5);
+  EXPECT_EQ(child<QStackedWidget>(editor(), "editor_plan_side").currentIndex(), 1);
+  EXPECT_EQ(form().page().id, "order");
+  const auto* focused = qobject_cast<QLineEdit*>(form().focusWidget());
+  ASSERT_NE(focused, nullptr) << "the field of the unfolded step";
+  EXPECT_EQ(focused->parentWidget()->objectName(), "/flow/10/break_every_trials");
+
+  child<QPushButton>(editor(), "editor_to_text").click();
+  choose(window, "English");
+  ASSERT_TRUE(eventually([&] { return window.menuBar()->actions()[1]->text() == "&View"; }));
+  EXPECT_TRUE(eventually([&] { return child<QWidget>(editor(), "editor_text").isVisible(); }));
 }
 
 TEST_F(Languages, ReachThePagesOfTheOpenStudyFromTheMenu) {

@@ -444,6 +444,23 @@ void ProtocolForm::show_page(std::string_view id) {
   }
 }
 
+ProtocolForm::Shown ProtocolForm::shown() const {
+  Shown shown{page_->id, context_.opened, {}};
+  const QWidget* const focused = focusWidget();
+  if (content_ != nullptr && focused != nullptr && content_->isAncestorOf(focused)) {
+    shown.pointer = focus_of(*focused).pointer;
+  }
+  return shown;
+}
+
+void ProtocolForm::resume(const Shown& shown) {
+  context_.opened = shown.opened;
+  show_page(shown.page);
+  refresh();
+  const bool is_here = !shown.pointer.empty() && form_page_of(shown.pointer).id == shown.page;
+  if (is_here) go_to(shown.pointer);
+}
+
 void ProtocolForm::go_to(const std::string& pointer, Lead lead, const QString& words) {
   if (context_.source == nullptr) return;
   for (nlohmann::json::json_pointer path(pointer); !path.empty(); path.pop_back()) {

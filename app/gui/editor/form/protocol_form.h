@@ -3,7 +3,9 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <QtCore/QPointer>
@@ -53,6 +55,16 @@ class ProtocolForm final : public QWidget {
   bool enter_marked();
   void show_page(std::string_view id);
   const FormPage& page() const noexcept { return *page_; }
+
+  /// What is shown of a text.
+  struct Shown {
+    std::string_view page{};
+    std::set<std::string> opened{};  ///< see FormContext
+    std::string pointer{};           ///< of the part that had the focus last; empty: none
+  };
+  Shown shown() const;
+  /// Shows the same of the same text, and gives its field the focus.
+  void resume(const Shown& shown);
 
  signals:
   /// A field has been changed. `step`: see FormContext::edit.
