@@ -46,6 +46,14 @@ double rms_of(std::span<const double> values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
+double root_mean(std::span<const double> squares) {
+  double sum = 0.0;
+  for (const double square : squares) {
+    sum += square;
+  }
+  return std::sqrt(sum / static_cast<double>(squares.size()));
+}
+
 // Calls visit(frequency_Hz, mean_square) for every line but the first.
 template <class Visit>
 void for_each_line(std::span<const double> centred, double rate_Hz, Visit visit) {
@@ -136,24 +144,35 @@ void HeldToolRecord::clear() noexcept {
   for (std::vector<double>& one : accelerations_m_per_s2_) one.clear();
 }
 
-HeldToolRoughness HeldToolRecord::roughness() const {
+// Squares of the length of each vector; calls moves(record less its mean) for each direction in which the tool moves.
+template <class Visit>
+std::vector<double> HeldToolRecord::squares_about_mean(Visit moves) const {
   refuse_unusable_record(accelerations_m_per_s2_[0], rate_Hz_);
   std::vector<double> squares(size(), 0.0);
-  HeldToolRoughness roughness{};
-  double weighted = 0.0;
   for (const std::vector<double>& one : accelerations_m_per_s2_) {
     const std::vector<double> centred = about_mean(one);
     const auto [low, high] = std::minmax_element(centred.begin(), centred.end());
     if (*low == *high) continue;  // held still in this direction
     for (std::size_t i = 0; i < centred.size(); ++i) squares[i] += centred[i] * centred[i];
+    moves(centred);
+  }
+  return squares;
+}
+
+double HeldToolRecord::rms_accel_m_per_s2() const {
+  return root_mean(squares_about_mean([](const std::vector<double>&) {}));
+}
+
+HeldToolRoughness HeldToolRecord::roughness() const {
+  HeldToolRoughness roughness{};
+  double weighted = 0.0;
+  const std::vector<double> squares = squares_about_mean([&](const std::vector<double>& centred) {
     for_each_line(centred, rate_Hz_, [&](double frequency_Hz, double power) {
       add_bands(frequency_Hz, power, roughness.fa1_m2_per_s4, roughness.fa2_m2_per_s4);
       weighted += pacinian_part(frequency_Hz, power, kHeldTool);
     });
-  }
-  double sum = 0.0;
-  for (const double square : squares) sum += square;
-  roughness.rms_accel_m_per_s2 = std::sqrt(sum / static_cast<double>(squares.size()));
+  });
+  roughness.rms_accel_m_per_s2 = root_mean(squares);
   roughness.max_accel_m_per_s2 = std::sqrt(*std::max_element(squares.begin(), squares.end()));
   if (weighted > 0.0) roughness.pacinian_dB = 10.0 * std::log10(weighted);
   return roughness;

@@ -100,8 +100,13 @@ class HeldToolRecord final {
   std::size_t size() const noexcept { return accelerations_m_per_s2_[0].size(); }
   /// Of all samples since the last `clear`; throws std::invalid_argument without any.
   HeldToolRoughness roughness() const;
+  /// Only that of `roughness`, without the spectra.
+  double rms_accel_m_per_s2() const;
 
  private:
+  template <class Visit>
+  std::vector<double> squares_about_mean(Visit moves) const;
+
   double rate_Hz_ = 0.0;
   std::array<std::vector<double>, 3> accelerations_m_per_s2_{};
 };

@@ -38,7 +38,7 @@ void FeltRoughness::add(const glm::dvec3& force_N) {
   }
 }
 
-std::optional<HeldToolRoughness> FeltRoughness::roughness() const {
+std::optional<HeldToolRecord> FeltRoughness::record() const {
   const std::size_t samples = accelerations_m_per_s2_.size();
   if (samples == 0 || static_cast<double>(samples) < judging_.shortest_s * judging_.rate_Hz) {
     return {};
@@ -46,7 +46,19 @@ std::optional<HeldToolRoughness> FeltRoughness::roughness() const {
   HeldToolRecord record(judging_.rate_Hz);
   record.reserve(samples);
   for (const glm::dvec3& one : accelerations_m_per_s2_) record.add(one.x, one.z, one.y);
-  return record.roughness();
+  return record;
+}
+
+std::optional<HeldToolRoughness> FeltRoughness::roughness() const {
+  const std::optional<HeldToolRecord> felt = record();
+  if (!felt) return {};
+  return felt->roughness();
+}
+
+std::optional<double> FeltRoughness::rms_accel_m_per_s2() const {
+  const std::optional<HeldToolRecord> felt = record();
+  if (!felt) return {};
+  return felt->rms_accel_m_per_s2();
 }
 
 }  // namespace asperity

@@ -37,10 +37,14 @@ class FeltRoughness final {
   /// Adds the force on the hand, in newtons, of the next sample.
   void add(const glm::dvec3& force_N);
   std::optional<HeldToolRoughness> roughness() const;
+  /// Only that of `roughness`, without the spectra.
+  std::optional<double> rms_accel_m_per_s2() const;
   /// The number of evaluated samples.
   std::size_t judged() const noexcept { return accelerations_m_per_s2_.size(); }
 
  private:
+  std::optional<HeldToolRecord> record() const;
+
   Judging judging_{};
   std::optional<HeldTool> along_{};  ///< x and z, from the first sample on
   HeldTool beside_;                  ///< y, as the x of a second tool

@@ -39,10 +39,9 @@ class Shaking final {
                         .window_s = static_cast<double>(forces_N.size()) / rate_Hz_,
                         .shortest_s = kShortestStretch_s});
     for (const glm::dvec3& force_N : forces_N.first(forces_N.size() - lifting)) felt.add(force_N);
-    const std::optional<HeldToolRoughness> roughness = felt.roughness();
-    if (!roughness) return;
-    const double rms_m_per_s2 = roughness->rms_accel_m_per_s2;
-    sum_m2_per_s4_ += rms_m_per_s2 * rms_m_per_s2 * static_cast<double>(felt.judged());
+    const std::optional<double> rms_m_per_s2 = felt.rms_accel_m_per_s2();
+    if (!rms_m_per_s2) return;
+    sum_m2_per_s4_ += *rms_m_per_s2 * *rms_m_per_s2 * static_cast<double>(felt.judged());
     samples_ += felt.judged();
   }
 
@@ -133,6 +132,7 @@ ForceFeatures recorded_force_features(const RecordedSurfaceSpan& surface) {
 
 std::vector<TickRecord> records_as_felt(const RecordedSurfaceSpan& surface) {
   std::vector<TickRecord> felt{};
+  felt.reserve(surface.records.size());
   std::uint64_t rendered = 0;  // the surface of the last tick in which one was rendered
   for (const TickRecord& record : surface.records) {
     if (!record.has(TickFlag::presenting)) continue;

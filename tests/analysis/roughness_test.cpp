@@ -111,6 +111,15 @@ TEST(HeldToolRecord, AddsThePowersOfBothDirections) {
   EXPECT_NEAR(two.pacinian_dB.value(), one.pacinian_dB.value() + 10.0 * std::log10(2.0), 1e-9);
 }
 
+TEST(HeldToolRecord, HasTheSameRmsWithoutSpectra) {
+  HeldToolRecord record(kStrokeRate_Hz);
+  Random random(7);
+  for (int i = 0; i < 1009; ++i) record.add(random.normal(), 0.1, 2.0 * random.normal());
+  EXPECT_EQ(record.rms_accel_m_per_s2(), record.roughness().rms_accel_m_per_s2);
+  record.clear();
+  EXPECT_THROW(record.rms_accel_m_per_s2(), std::invalid_argument);
+}
+
 TEST(HeldToolRecord, BeginsAnewWhenItIsCleared) {
   HeldToolRecord record(kStrokeRate_Hz);
   EXPECT_THROW(record.roughness(), std::invalid_argument);
