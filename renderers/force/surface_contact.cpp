@@ -24,6 +24,11 @@ double excess(double coordinate, double half) noexcept {
 
 }  // namespace
 
+glm::dvec2 on_texture(const SurfacePatch& patch, const glm::dvec3& position_m) noexcept {
+  return patch.motion_scale * (glm::dvec2(position_m) - glm::dvec2(patch.centre_m)) +
+         patch.texture_origin_m;
+}
+
 SurfaceContact::SurfaceContact(const SurfacePatch& patch, const Material& material,
                                const ParameterValues& parameters)
     : patch_(patch),
@@ -53,9 +58,9 @@ SurfaceContact::SurfaceContact(const SurfacePatch& patch, const Material& materi
 PatchPoint SurfaceContact::locate(const glm::dvec3& position_m) const noexcept {
   const double x_m = position_m.x - patch_.centre_m.x;
   const double y_m = position_m.y - patch_.centre_m.y;
-  PatchPoint point{.x_m = patch_.motion_scale * x_m + patch_.texture_origin_m.x,
-                   .y_m = patch_.motion_scale * y_m + patch_.texture_origin_m.y,
-                   .height_m = position_m.z - patch_.centre_m.z};
+  const glm::dvec2 texture_m = on_texture(patch_, position_m);
+  PatchPoint point{
+      .x_m = texture_m.x, .y_m = texture_m.y, .height_m = position_m.z - patch_.centre_m.z};
   switch (patch_.edge) {
     case PatchEdge::wall:
       point.beyond_m = {excess(x_m, half_extent_m_.x), excess(y_m, half_extent_m_.y)};

@@ -24,6 +24,9 @@ struct PatchPoint {
   glm::dvec2 beyond_m{0.0};  ///< e, beyond a walled border, with its sign; 0 inside
 };
 
+/// x_m and y_m of the PatchPoint.
+glm::dvec2 on_texture(const SurfacePatch& patch, const glm::dvec3& position_m) noexcept;
+
 /// The model-specific part of a contact force.
 struct ContactForce {
   glm::dvec3 texture_N{0.0};  ///< all components except friction and walls

@@ -107,11 +107,10 @@ ForceModel sinusoid_model() {
               },
           .crest_phase =
               [](const RendererInputs& inputs, const glm::dvec3& position_m) {
-                const SurfaceContact contact(inputs.patch, inputs.material, inputs.parameters);
-                const PatchPoint point = contact.locate(position_m);
+                const glm::dvec2 point_m = on_texture(inputs.patch, position_m);
                 const double direction_rad = number_of(inputs.parameters, "direction_rad");
                 const double along_m =
-                    point.x_m * std::cos(direction_rad) + point.y_m * std::sin(direction_rad);
+                    point_m.x * std::cos(direction_rad) + point_m.y * std::sin(direction_rad);
                 // sin has its crest a quarter of a cycle after 0.
                 const double cycles = along_m / number_of(inputs.parameters, "wavelength_m") - 0.25;
                 return cycles - std::round(cycles);

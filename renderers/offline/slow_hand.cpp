@@ -2,6 +2,7 @@
 
 #include "renderers/offline/slow_hand.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -44,6 +45,8 @@ void slow_down(std::span<TickRecord> motion, double rate_Hz,
   std::vector<double> values(motion.size());
   for (const Coordinate& coordinate : coordinates) {
     for (std::size_t i = 0; i < motion.size(); ++i) values[i] = coordinate(motion[i].probe);
+    // The filter would change nothing, as of a handle that does not turn.
+    if (std::ranges::adjacent_find(values, std::ranges::not_equal_to{}) == values.end()) continue;
     const std::vector<double> slow = filtered_without_delay(kSlow, rate_Hz, values);
     for (std::size_t i = 0; i < motion.size(); ++i) coordinate(motion[i].probe) = slow[i];
   }

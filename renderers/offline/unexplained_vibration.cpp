@@ -89,16 +89,26 @@ double median_around(const std::vector<double>& powers, std::size_t line, std::s
   return *middle;
 }
 
-double unexplained_power_N2(const LinePowers& powers, double spacing_Hz) {
+/// The power of a window; of one with at most `greatest_N2`, possibly another number up to `greatest_N2`. Most windows have less
+/// than an earlier one also without the allowance, and its medians take longer than all else.
+double unexplained_power_N2(const LinePowers& powers, double spacing_Hz, double greatest_N2) {
   const auto reach = static_cast<std::size_t>(std::lround(kNeighbourhood_Hz / spacing_Hz));
   const auto lowest = static_cast<std::size_t>(std::ceil(kBuzzFrom_Hz / spacing_Hz - 1e-9));
-  std::vector<double> scratch{};
-  double sum_N2 = 0.0;
-  for (std::size_t k = lowest; k < powers.delivered.size(); ++k) {
+  const auto excess_N2 = [&powers](std::size_t k) {
     const std::size_t after = std::min(k + 1, powers.explained.size() - 1);
     const double around =
         std::max({powers.explained[k - 1], powers.explained[k], powers.explained[after]});
-    const double excess = powers.delivered[k] - around;
+    return powers.delivered[k] - around;
+  };
+  double most_N2 = 0.0;
+  for (std::size_t k = lowest; k < powers.delivered.size(); ++k) {
+    most_N2 += std::min(powers.residual[k], std::max(0.0, excess_N2(k)));
+  }
+  if (most_N2 <= greatest_N2) return most_N2;
+  std::vector<double> scratch{};
+  double sum_N2 = 0.0;
+  for (std::size_t k = lowest; k < powers.delivered.size(); ++k) {
+    const double excess = excess_N2(k);
     if (excess <= 0.0) continue;  // spares the median
     const double allowed = kAllowance * median_around(powers.explained, k, reach, scratch);
     sum_N2 += std::min(powers.residual[k], std::max(0.0, excess - allowed));
@@ -127,7 +137,7 @@ std::optional<UnexplainedVibration> unexplained_vibration(const ExplainedForce& 
   double greatest_N2 = -1.0;
   UnexplainedVibration greatest{};
   for (std::size_t first = 0; first + length <= force.delivered_N.size(); first += step) {
-    const double power_N2 = unexplained_power_N2(spectra.at(first), spacing_Hz);
+    const double power_N2 = unexplained_power_N2(spectra.at(first), spacing_Hz, greatest_N2);
     if (power_N2 <= greatest_N2) continue;
     greatest_N2 = power_N2;
     greatest = {.rms_N = std::sqrt(power_N2), .middle = first + length / 2};

@@ -94,6 +94,23 @@ TEST(UnexplainedVibration, IsWhereTheOscillationIs) {
   EXPECT_NEAR(static_cast<double>(found->middle), 1660.0, 50.0);
 }
 
+TEST(UnexplainedVibration, IsThatOfTheWindowWithTheMost) {
+  constexpr std::size_t kWindow = 300;
+  constexpr std::size_t kStep = 100;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const auto delivered_N = white_noise_along_z(0.1, 2000, seed);
+    const auto explained_N = white_noise_along_z(0.1, 2000, 1000 + seed);
+    double greatest_N = 0.0;
+    for (std::size_t first = 0; first + kWindow <= delivered_N.size(); first += kStep) {
+      const auto of_one =
+          unexplained_vibration({std::span(delivered_N).subspan(first, kWindow),
+                                 std::span(explained_N).subspan(first, kWindow), kJudgedRate_Hz});
+      greatest_N = std::max(greatest_N, of_one->rms_N);
+    }
+    EXPECT_EQ(unexplained_vibration({delivered_N, explained_N, kJudgedRate_Hz})->rms_N, greatest_N);
+  }
+}
+
 /// Every model on every simulated device; scripts/evidence perceived_instability has a long series.
 TEST(Buzz, SeparatesStrokesWithAnOscillationFromStrokesWithoutOne) {
   const std::vector<ForceModel> models = point_models();
