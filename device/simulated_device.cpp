@@ -173,6 +173,13 @@ void SimulatedDevice::move_until(std::int64_t now_ns) noexcept {
 
   glm::dvec3& x = probe_.position_m;
   glm::dvec3& v = probe_.velocity_m_per_s;
+  const bool hand_rests = intent_.lifted && intent_.position_m == before.position_m &&
+                          intent_.velocity_m_per_s == glm::dvec3(0.0);
+  // As in every tick of a break: the steps would end at the same place.
+  if (hand_rests && x == intent_.position_m && v == glm::dvec3(0.0) &&
+      pushing_N == glm::dvec3(0.0)) {
+    return;
+  }
   for (int step = 1; step <= steps; ++step) {
     const double part = static_cast<double>(step) / steps;
     glm::dvec3 hold = glm::mix(before.position_m, intent_.position_m, part);
@@ -194,8 +201,6 @@ void SimulatedDevice::move_until(std::int64_t now_ns) noexcept {
     x += step_s * v;
   }
   // Without this the probe would come ever closer to a resting hand, and every contact would begin a little differently.
-  const bool hand_rests = intent_.lifted && intent_.position_m == before.position_m &&
-                          intent_.velocity_m_per_s == glm::dvec3(0.0);
   if (hand_rests && glm::distance(x, intent_.position_m) < kResting_m &&
       glm::length(v) < kResting_m_per_s) {
     x = intent_.position_m;

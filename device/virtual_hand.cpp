@@ -112,8 +112,9 @@ void check_habits(const HandHabits& habits) {
 }  // namespace
 
 VirtualHand::VirtualHand(const HandHabits& habits, Random random)
-    : habits_(habits), random_(random), first_random_(random), next_random_(random) {
+    : random_(random), first_random_(random), next_random_(random) {
   check_habits(habits);
+  adopt(habits);
   move_.from_m = above_start_m();
   move_.to_m = move_.from_m;
   move_.began_ns = -move_.duration_ns;  // at rest from the beginning
@@ -137,13 +138,18 @@ bool VirtualHand::takes_up_new_habits() noexcept {
     return false;
   }
   if (has_next_habits_.exchange(false, std::memory_order_relaxed)) {
-    habits_ = next_habits_;
+    adopt(next_habits_);
     first_random_ = next_random_;
     centre_ = 0;
     start_over();
   }
   next_habits_in_use_.clear(std::memory_order_release);
   return true;
+}
+
+void VirtualHand::adopt(const HandHabits& habits) noexcept {
+  habits_ = habits;
+  along_ = {std::cos(habits.direction_rad), std::sin(habits.direction_rad)};
 }
 
 // What the hand does next does not depend on its earlier strokes.
@@ -322,8 +328,8 @@ const glm::dvec3& VirtualHand::centre_m() const noexcept {
 }
 
 glm::dvec3 VirtualHand::stroke_end_m(double direction) const noexcept {
-  const glm::dvec3 along(std::cos(habits_.direction_rad), std::sin(habits_.direction_rad), 0.0);
-  const glm::dvec3 across(-along.y, along.x, 0.0);
+  const glm::dvec3 along(along_, 0.0);
+  const glm::dvec3 across(-along_.y, along_.x, 0.0);
   const double farthest_m = kFarthest * habits_.drift_m;
   return centre_m() +
          (0.5 * direction * habits_.stroke_length_m +

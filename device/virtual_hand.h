@@ -113,6 +113,7 @@ class VirtualHand final {
 
   void advance_phase() noexcept;
   bool takes_up_new_habits() noexcept;
+  void adopt(const HandHabits& habits) noexcept;
   void start_over() noexcept;
   void begin(Phase phase, const glm::dvec3& from_m, const glm::dvec3& to_m, double duration_s,
              std::int64_t began_ns) noexcept;
@@ -146,6 +147,7 @@ class VirtualHand final {
   int centre_ = 0;          ///< of the present strokes: 0, or the number of a further one
   int strokes_here_ = 0;    ///< begun about it since the hand came down
   bool leaves_ = false;     ///< for the next centre
+  glm::dvec2 along_{1.0, 0.0};  ///< the line of the strokes
   double direction_ = 1.0;  ///< of the present stroke, +1 or −1 along the line
   double drift_along_m_ = 0.0;
   double drift_across_m_ = 0.0;

@@ -472,6 +472,19 @@ TEST(SimulatedDevice, MovesOnThroughAStallWhenStepped) {
             run(plain, 1000.0, 0.0, 1.0, plate(500.0)).back().probe.position_m);
 }
 
+TEST(SimulatedDevice, IsMovedByAForceAndByTheHandAfterARest) {
+  VirtualHand hand(kSteady, Random(14));
+  SimulatedDevice device(hand, {});
+  const ProbeState rests = run(device, 1000.0, 0.0, 1.0, nothing).back().probe;
+  EXPECT_EQ(run(device, 1000.0, 1.0, 1.1, nothing).back().probe.position_m, rests.position_m);
+  const auto push = [](const ProbeState&, double) { return glm::dvec3(0.0, 4.0, 0.0); };
+  const ProbeState pushed = run(device, 1000.0, 1.1, 1.6, push).back().probe;
+  EXPECT_NEAR(pushed.position_m.y - rests.position_m.y, 4.0 / 300.0, 1e-4);
+  EXPECT_EQ(run(device, 1000.0, 1.6, 3.0, nothing).back().probe.position_m, rests.position_m);
+  hand.stroke();
+  EXPECT_LT(run(device, 1000.0, 3.0, 3.1, nothing).back().probe.position_m.z, rests.position_m.z);
+}
+
 TEST(SimulatedDevice, LetsTheProbeGoAtZeroForce) {
   VirtualHand hand(kSteady, Random(14));
   SimulatedDevice device(hand, {});
