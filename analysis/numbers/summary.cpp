@@ -51,7 +51,9 @@ std::optional<Summary> summary_of(std::span<const double> samples) {
     summary.sd = std::sqrt(squares / (count - 1.0));
   }
   std::vector<double> sorted(samples.begin(), samples.end());
-  std::sort(sorted.begin(), sorted.end());
+  if (!std::ranges::is_sorted(sorted)) {
+    std::ranges::sort(sorted);
+  }
   summary.minimum = sorted.front();
   summary.p05 = quantile(sorted, 0.05);
   summary.p50 = quantile(sorted, 0.5);

@@ -20,6 +20,7 @@ void Recorder::begin(std::unique_ptr<RecordingWriter> writer, double rate_Hz, Re
   watched_parts_ = 0;
   live_ = {};
   records_.clear();
+  records_.reserve(latest_);
   writer_ = std::move(writer);
   write_error_ = nullptr;
 }
@@ -66,6 +67,7 @@ Recorder::Attempt Recorder::finish(const RecordRing& records) {
   attempt.lost_records = records.lost() - lost_before_;
   if (writer_) attempt.recording = writer_->finish();
   writer_.reset();
+  latest_ = records_.size();
   attempt.records = std::move(records_);
   records_ = {};
   return attempt;

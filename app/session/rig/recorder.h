@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <memory>
@@ -80,6 +81,7 @@ class Recorder final {
   std::size_t watched_parts_ = 0;
   LiveContact live_{};
   std::vector<TickRecord> records_{};
+  std::size_t latest_ = 0;  ///< records of the latest attempt; the next one has about as many
   std::unique_ptr<RecordingWriter> writer_{};
   std::exception_ptr write_error_{};
 };
