@@ -144,11 +144,11 @@ class VirtualHand final {
   std::int64_t clock_ns_ = 0;  ///< the hand's own: stands still in long gaps
   Phase phase_ = Phase::waiting;
   Move move_{};
-  int centre_ = 0;          ///< of the present strokes: 0, or the number of a further one
-  int strokes_here_ = 0;    ///< begun about it since the hand came down
-  bool leaves_ = false;     ///< for the next centre
+  int centre_ = 0;              ///< of the present strokes: 0, or the number of a further one
+  int strokes_here_ = 0;        ///< begun about it since the hand came down
+  bool leaves_ = false;         ///< for the next centre
   glm::dvec2 along_{1.0, 0.0};  ///< the line of the strokes
-  double direction_ = 1.0;  ///< of the present stroke, +1 or −1 along the line
+  double direction_ = 1.0;      ///< of the present stroke, +1 or −1 along the line
   double drift_along_m_ = 0.0;
   double drift_across_m_ = 0.0;
   double grip_ = 0.0;  ///< 0 hovering, 1 pressing

@@ -120,7 +120,6 @@ void LineField::set_unit(const QString& unit) {
   unit_->setVisible(!unit.isEmpty());
 }
 
-
 void LineField::take(const QString& typed) {
   taken_ = source().characters(pointer());
   if (typed.isEmpty() && of_.may_be_absent()) {
