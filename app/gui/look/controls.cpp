@@ -123,7 +123,8 @@ QSize ChoiceBox::with_room(QSize size) const {
   for (int i = 0; i < count(); ++i) {
     longest = std::max(longest, option.fontMetrics.horizontalAdvance(itemText(i)));
   }
-  return {size.width() + std::max(0, longest - room_in(option)), size.height()};
+  // One more: with no point to spare the text is elided.
+  return {size.width() + std::max(0, longest + 1 - room_in(option)), size.height()};
 }
 
 void ChoiceBox::showPopup() {
