@@ -109,17 +109,10 @@ TextChanges rename_or_replace(const JsonDocument& protocol, const std::string& r
                               std::string_view name, std::string_view after) {
   if (name == after) return {};
   const ProtocolNames names = names_in(protocol.root());
-  const auto declares = [&names](const std::string& where, std::string_view one) {
-    return std::ranges::any_of(names.uses, [&](const NameUse& use) {
-      return use.is_declared && use.registry == where && use.name == one;
-    });
-  };
-  const bool is_another = std::ranges::any_of(names.links, [&](const auto& link) {
-    const auto& [levels, other] = link;
-    return levels == registry && (declares(other, after) || !declares(other, name));
-  });
+  const bool refers = std::ranges::any_of(
+      names.links, [&registry](const auto& link) { return link.first == registry; });
   return renamed_in(protocol, names,
-                    is_another ? std::set{registry} : registries_of(names, registry, name), name,
+                    refers ? std::set{registry} : registries_of(names, registry, name), name,
                     after);
 }
 

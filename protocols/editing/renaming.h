@@ -19,8 +19,8 @@ namespace asperity {
 TextChanges rename(const JsonDocument& protocol, const std::string& registry, std::string_view name,
                    std::string_view after);
 
-/// The same, except that a level with the name of another texture becomes that texture, and no texture is renamed. The same
-/// applies to other things that levels are, such as force models.
+/// The same, except that a level that is a texture, or another thing with a name, becomes another one of them, and nothing else
+/// is renamed.
 TextChanges rename_or_replace(const JsonDocument& protocol, const std::string& registry,
                               std::string_view name, std::string_view after);
 

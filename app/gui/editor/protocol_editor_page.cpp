@@ -109,6 +109,8 @@ ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
   connect(examination_, &LiveExamination::changed, this, &ProtocolEditorPage::show_checked);
   connect(check_, &LiveCheck::failed, this, &ProtocolEditorPage::show_not_known);
   connect(edit_, &QPlainTextEdit::textChanged, this, [this] {
+    if (!refusal_.isEmpty() && banner().text() == refusal_) banner().hide();
+    refusal_.clear();
     examination_->abandon();
     precision_->hold_for_new_text();
     check_->want();
@@ -120,8 +122,10 @@ ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
   };
   connect(&study.examiner(), &StimulusExaminer::held_changed, this, follow_hold);
   follow_hold();
-  connect(views_, &ProtocolViews::refused, this,
-          [this](const QString& why) { banner().show_news(State::look, why); });
+  connect(views_, &ProtocolViews::refused, this, [this](const QString& why) {
+    banner().show_news(State::look, why);
+    refusal_ = banner().text();
+  });
   connect(edit_->document(), &QTextDocument::modificationChanged, this,
           &ProtocolEditorPage::show_whether_saved);
   const auto add_key = [this](QKeySequence::StandardKey key, auto act) {

@@ -138,6 +138,7 @@ class ProtocolEditorPage final : public StudyPage {
   LiveCheck* check_ = nullptr;
   LiveExamination* examination_ = nullptr;
   BackgroundTask save_task_{};
+  QString refusal_{};  ///< of the last edit, as the banner states it; empty after another edit
 };
 
 }  // namespace asperity

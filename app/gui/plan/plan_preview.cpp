@@ -333,9 +333,13 @@ void PlanPreview::show_protocol(const Protocol& protocol) {
     const QSignalBlocker quiet(group_);
     const QString before =
         resumed_ ? QString::fromStdString(resumed_->allocation.group) : group_->currentText();
+    const int index_before =
+        group_->count() == static_cast<int>(groups.size()) ? group_->currentIndex() : -1;
     group_->clear();
     for (const std::string& group : groups) group_->addItem(QString::fromStdString(group));
-    group_->setCurrentIndex(std::max(group_->findText(before), groups.empty() ? -1 : 0));
+    int index = group_->findText(before);
+    if (index < 0) index = index_before;  // it has another name
+    group_->setCurrentIndex(std::max(index, groups.empty() ? -1 : 0));
   }
   group_->setVisible(!groups.empty());
   make_plan_anew();

@@ -541,6 +541,9 @@ TEST_F(ProtocolEditor, LaysOutThePlanOfTheChosenGroup) {
   EXPECT_TRUE(eventually([&] { return label("screen_words").contains(", group dusk"); }))
       << label("screen_words").toStdString();
 
+  edit().replace_text(text.replace("dusk", "evening"));
+  ASSERT_TRUE(checked());
+  EXPECT_EQ(group.currentText(), "evening") << "the same group under another name";
   click("editor_show_plan");
   page_->resize(1040, 512);
   edit().replace_text(text.replace("dawn", "with a long practice"));

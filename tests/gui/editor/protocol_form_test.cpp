@@ -453,9 +453,18 @@ TEST_F(FormOfProtocol, TakesATextureForALevelFromThoseThatContainWhatIsTyped) {
   QApplication::processEvents();
   EXPECT_EQ(tree()["factors"]["texture"]["levels"][0], "cones_05");
   EXPECT_EQ(tree()["textures"], before["textures"]);
+  QString refusal{};
+  QObject::connect(&form(), &ProtocolForm::edit_refused, &form(),
+                   [&refusal](const QString& why) { refusal = why; });
   emit line.completer()->activated(QString("cones_35"));  // another level has this name
   QApplication::processEvents();
   EXPECT_EQ(line.text(), "cones_05");
+  EXPECT_TRUE(refusal.startsWith("Surfaces › Factors › texture › Levels")) << refusal.toStdString();
+  type_into(level, "leather");  // no texture is renamed
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  EXPECT_EQ(tree()["factors"]["texture"]["levels"][0], "leather");
+  EXPECT_EQ(tree()["textures"], before["textures"]);
+  undo();
   undo();
   EXPECT_EQ(tree(), before);
 }

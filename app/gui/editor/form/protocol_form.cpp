@@ -28,6 +28,7 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/look/words.h"
+#include "protocols/file/diagnostic.h"
 #include "results_schema/error_text.h"
 
 namespace asperity {
@@ -201,6 +202,10 @@ void ProtocolForm::edit(const FormContext::Edit& change, const std::string& step
   FormEdit edited{};
   try {
     edited = change(context_.source->document());
+  } catch (const ProtocolError& error) {
+    const nlohmann::json& protocol = context_.source->document().root();
+    emit edit_refused(remark_in_form(protocol, error.diagnostics().front()));
+    return;
   } catch (const std::exception& error) {
     emit edit_refused(text(message_of(error)));
     return;
