@@ -47,16 +47,6 @@ NameShape names_of_keys(const MapShape& map, const std::string& pointer) {
   return map.key;
 }
 
-/// The registry in which the value, or the key of the member, declares a name, and that name.
-std::optional<NameUse> declaration_at(const JsonDocument& protocol, const std::string& pointer,
-                                      bool is_key) {
-  const ProtocolNames names = names_in(protocol.root());
-  const auto found = std::find_if(names.uses.begin(), names.uses.end(), [&](const NameUse& use) {
-    return use.pointer == pointer && use.is_key == is_key && use.is_declared;
-  });
-  return found == names.uses.end() ? std::nullopt : std::optional(*found);
-}
-
 std::vector<std::string> keys_of_object(const json& object) {
   std::vector<std::string> keys{};
   for (const auto& [key, value] : object.items()) keys.push_back(key);
@@ -196,7 +186,8 @@ FormEdit with_name(const JsonDocument& protocol, const std::string& pointer, Nam
                    std::string_view after) {
   const bool is_key = named == Named::by_key;
   const std::string renamed = is_key ? pointer_to(parent_of(pointer), after) : pointer;
-  if (const auto declared = declaration_at(protocol, pointer, is_key)) {
+  const ProtocolNames names = names_in(protocol.root());
+  if (const NameUse* const declared = declaration_at(names, pointer, is_key)) {
     return {changed(protocol.text(),
                     rename_or_replace(protocol, declared->registry, declared->name, after)),
             renamed};

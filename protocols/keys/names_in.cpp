@@ -164,6 +164,13 @@ std::string_view name_of_entry(const json& entry) {
   return {};
 }
 
+const NameUse* declaration_at(const ProtocolNames& names, const std::string& pointer, bool is_key) {
+  const auto found = std::ranges::find_if(names.uses, [&](const NameUse& use) {
+    return use.pointer == pointer && use.is_key == is_key && use.is_declared;
+  });
+  return found == names.uses.end() ? nullptr : &*found;
+}
+
 std::set<std::string> registries_of(const ProtocolNames& names, const std::string& registry,
                                     std::string_view name) {
   std::set<std::string> found{registry};

@@ -45,6 +45,9 @@ inline constexpr std::array<std::string_view, 2> kNamesOfEntries{"name", "value"
 /// The name of an entry of a list; empty without one.
 std::string_view name_of_entry(const nlohmann::json& entry);
 
+/// The declaration of a name by the value at the pointer, or with `is_key` by the key of the member; null if there is none.
+const NameUse* declaration_at(const ProtocolNames& names, const std::string& pointer, bool is_key);
+
 /// The places that contain the name of one thing: a level that is a texture also as a texture. The reverse holds only for a
 /// factor that has this level.
 std::vector<NameUse> uses_of(const ProtocolNames& names, const std::string& registry,

@@ -111,12 +111,8 @@ void FormSource::add_numbers_of_groups(QStringList& names) const {
 }
 
 std::size_t FormSource::references_to(const std::string& pointer) const {
-  for (const NameUse& use : names_.uses) {
-    if (use.pointer == pointer && use.is_declared && !use.is_key) {
-      return uses_of(names_, use.registry, use.name).size() - 1;
-    }
-  }
-  return 0;
+  const NameUse* const declared = declaration_at(names_, pointer, false);
+  return declared == nullptr ? 0 : uses_of(names_, declared->registry, declared->name).size() - 1;
 }
 
 QStringList FormSource::names_of_level(const std::string& levels) const {

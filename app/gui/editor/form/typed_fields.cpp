@@ -192,10 +192,10 @@ TextField::TextField(FormContext& context, const NameShape& offered, Values valu
   const NameShape shape =
       offered.registry.empty() && values == Values::levels ? NameShape{kLevelNames} : offered;
   if (shape.registry.empty()) return;
+  const auto take_shown = [this] { emit line().textEdited(line().text()); };
   new OfferedNames(
-      line(), [this, shape] { return source().names_for(shape, this->pointer()); },
-      [this] { emit line().textEdited(line().text()); },
-      [this] { emit line().textEdited(line().text()); });
+      line(), [this, shape] { return source().names_for(shape, this->pointer()); }, take_shown,
+      take_shown);
 }
 
 QString TextField::shown(std::string_view characters) const {
