@@ -17,6 +17,7 @@
 
 #include "results_schema/deletion/study_deletion.h"
 #include "results_schema/files/file_system.h"
+#include "results_schema/files/folder_entries.h"
 #include "results_schema/files/part_folder.h"
 #include "results_schema/hashes/sha256.h"
 #include "results_schema/sqlite.h"
@@ -346,7 +347,7 @@ Study Study::create(const std::filesystem::path& folder, const std::string& name
                            ": it is a file; name a new or an empty folder",
                        folder, ENOTDIR);
   }
-  if (!std::filesystem::is_empty(folder)) {
+  if (!is_free(folder)) {
     throw ResultsError("a study cannot be created in " + folder.string() +
                            ": it is not empty; name a new or an empty folder",
                        folder, EEXIST);

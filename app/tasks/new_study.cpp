@@ -75,12 +75,12 @@ bool is_of_store(const std::filesystem::path& path) {
   return path.filename().string().starts_with("study.sqlite");
 }
 
-/// Whether the folders of a study are empty but for locks, and nothing else is next to its store.
+/// Whether the folders of a study are empty but for locks, and nothing else but hidden files is next to its store.
 bool holds_no_files(const std::filesystem::path& folder) {
   for (const auto& entry : entries_in(folder)) {
     const bool is_known = is_of_store(entry.path()) || entry.path().filename() == "locks";
     const bool is_empty = entry.is_directory() && std::filesystem::is_empty(entry.path());
-    if (!is_known && !is_empty) return false;
+    if (!is_known && !is_empty && !is_hidden(entry)) return false;
   }
   return true;
 }
@@ -100,7 +100,7 @@ void remove_study(const std::filesystem::path& folder) noexcept {
   }
 }
 
-/// Makes the study in a new or empty folder.
+/// Makes the study in a new folder or one that is free.
 void make_study(const std::filesystem::path& folder, const NewStudySettings& settings,
                 const FillFolder& fill) {
   const std::string name = name_of(folder);
@@ -116,11 +116,11 @@ void make_study(const std::filesystem::path& folder, const NewStudySettings& set
     make_folder_at_once(folder, kOwnersFolder, make_in);
     return;
   }
-  const bool was_empty = std::filesystem::is_directory(folder) && std::filesystem::is_empty(folder);
+  const bool was_free = may_become_study(folder);
   try {
     make_in(folder);
   } catch (...) {
-    if (was_empty) remove_study(folder);
+    if (was_free) remove_study(folder);
     throw;
   }
 }
@@ -137,6 +137,14 @@ NewStudy make_or_find(const std::filesystem::path& folder, const NewStudySetting
 }
 
 }  // namespace
+
+bool may_become_study(const std::filesystem::path& folder) {
+  try {
+    return std::filesystem::is_directory(folder) && is_free(folder);
+  } catch (const std::exception&) {
+    return false;
+  }
+}
 
 NewStudy new_study(const std::filesystem::path& folder, const NewStudySettings& settings) {
   return make_or_find(folder, settings, holds_no_files, [](const std::filesystem::path&) {});

@@ -18,6 +18,9 @@ struct NewStudySettings {
   std::optional<std::string> group{};
 };
 
+/// Whether an existing folder can become a study: one that contains nothing but hidden files. False for one that cannot be read.
+bool may_become_study(const std::filesystem::path& folder);
+
 enum class NewStudy {
   made,
   /// It was there as the same call makes it, and unused: a call that was interrupted at its end made it.
@@ -25,7 +28,7 @@ enum class NewStudy {
 };
 
 /// Makes the folder with an empty store. A folder that did not exist before appears only when it is complete, so that the
-/// same call can be repeated after an error or a crash; a folder that was empty is empty again after an error.
+/// same call can be repeated after an error or a crash; a folder that was free (`is_free`) is as before after an error.
 /// Errors: ResultsError when the folder already has content.
 NewStudy new_study(const std::filesystem::path& folder, const NewStudySettings& settings = {});
 

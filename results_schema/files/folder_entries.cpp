@@ -24,6 +24,10 @@ void add_entries_below(const std::filesystem::path& folder, std::vector<director
 
 }  // namespace
 
+bool is_hidden(const directory_entry& entry) {
+  return entry.path().filename().string().starts_with('.');
+}
+
 std::vector<directory_entry> entries_in(const std::filesystem::path& folder) {
   std::error_code error;
   std::vector<directory_entry> entries;
@@ -35,6 +39,10 @@ std::vector<directory_entry> entries_in(const std::filesystem::path& folder) {
   if (error) fail_on_file(folder, "read", error.value());
   std::sort(entries.begin(), entries.end());
   return entries;
+}
+
+bool is_free(const std::filesystem::path& folder) {
+  return std::ranges::all_of(entries_in(folder), is_hidden);
 }
 
 std::vector<directory_entry> entries_below(const std::filesystem::path& folder) {

@@ -1,6 +1,7 @@
 // What asperity new prints: the study, and the rule about versions, which the README and the release notes state as well.
 
 #include <cstddef>
+#include <fstream>
 #include <sstream>
 #include <string>
 
@@ -36,6 +37,25 @@ TEST(New, PrintsTheStudyAndThatItIsFinishedWithThisVersion) {
   EXPECT_EQ(again.status, 0) << again.err;
   EXPECT_EQ(again.out, "an earlier command created the unused study " + study + rule);
   EXPECT_TRUE(contents_of(study) == files);
+}
+
+TEST(New, TakesAnEmptyFolderWithHiddenFilesAndNoOther) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "mine");
+  std::ofstream(folder / "mine/.DS_Store") << "of a desktop";
+  const std::string study = folder / "mine";
+  const Outcome made = asperity({"new", study});
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(made.out, testing::StartsWith("created the study " + study));
+  EXPECT_THAT(asperity({"new", study}).out, testing::StartsWith("an earlier command created"));
+  EXPECT_TRUE(fs::exists(folder / "mine/.DS_Store"));
+
+  fs::create_directory(folder / "other");
+  std::ofstream(folder / "other/letter.txt") << "dear";
+  const Outcome refused = asperity({"new", folder / "other"});
+  EXPECT_NE(refused.status, 0);
+  EXPECT_THAT(refused.err, testing::HasSubstr(std::string(folder / "other") +
+                                              ": it is not empty; name a new or an empty folder"));
 }
 
 /// A document in one line.

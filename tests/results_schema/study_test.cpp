@@ -29,6 +29,9 @@ TEST(Study, IsMadeInANewOrAnEmptyFolder) {
   EXPECT_TRUE(Study::exists(study.folder()));
   std::filesystem::create_directory(folder / "empty");
   EXPECT_EQ(Study::create(folder / "empty", "two").name(), "two");
+  std::filesystem::create_directory(folder / "seen");
+  std::ofstream(folder / "seen/.DS_Store") << "of a desktop";
+  EXPECT_EQ(Study::create(folder / "seen", "three").name(), "three");
 }
 
 TEST(Study, IsNotMadeInAFolderThatHoldsSomething) {

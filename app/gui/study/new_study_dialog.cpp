@@ -11,6 +11,8 @@
 #include "app/gui/base/shown_text.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/dialog_buttons.h"
+#include "app/tasks/new_study.h"
+#include "results_schema/study.h"
 
 namespace asperity {
 
@@ -88,18 +90,33 @@ QString NewStudyDialog::complaint() const {
   if (!path_of_text(place_->text().trimmed()).is_absolute()) {
     return tr("Enter the full path of the folder, beginning with “/” or “~”.");
   }
-  std::error_code ignored{};
-  if (std::filesystem::exists(folder(), ignored)) {
-    return tr("%1 already exists; choose another name.").arg(text_of_path(folder()));
+  if (Study::exists(folder())) {
+    return tr("%1 is already a study. Open it, or choose another name.")
+        .arg(text_of_path(folder()));
+  }
+  if (exists() && !may_become_study(folder())) {
+    return tr("%1 already exists and is not an empty folder. Choose another name or another parent "
+              "folder, or move the other files out of that folder.")
+        .arg(text_of_path(folder()));
   }
   return {};
 }
 
+bool NewStudyDialog::exists() const {
+  std::error_code ignored{};
+  return std::filesystem::exists(folder(), ignored);
+}
+
 void NewStudyDialog::show_what_follows() {
   const QString wrong = complaint();
-  create_->setEnabled(wrong.isEmpty());
+  const bool is_possible = wrong.isEmpty();
+  create_->setEnabled(is_possible);
+  create_->setText(is_possible && exists() ? tr("Create here") : tr("Create study"));
   what_follows_->setText(
-      wrong.isEmpty() ? tr("The study will be created in %1.").arg(text_of_path(folder())) : wrong);
+      !is_possible ? wrong
+      : exists()
+          ? tr("%1 is an empty folder. It will become the study.").arg(text_of_path(folder()))
+          : tr("The study will be created in %1.").arg(text_of_path(folder())));
 }
 
 }  // namespace asperity

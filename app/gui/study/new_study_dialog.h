@@ -25,6 +25,8 @@ class NewStudyDialog final : public QDialog {
 
  private:
   std::filesystem::path folder() const;
+  /// Whether the folder is there already.
+  bool exists() const;
   /// Why the study cannot be made; empty when it can.
   QString complaint() const;
   void show_what_follows();

@@ -14783,8 +14783,20 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Einen Namen für die Studie eingeben.</translation>
     </message>
     <message>
-        <source>%1 already exists; choose another name.</source>
-        <translation>%1 existiert bereits; einen anderen Namen wählen.</translation>
+        <source>%1 is already a study. Open it, or choose another name.</source>
+        <translation>%1 ist bereits eine Studie. Sie öffnen, oder einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>%1 already exists and is not an empty folder. Choose another name or another parent folder, or move the other files out of that folder.</source>
+        <translation>%1 existiert bereits und ist kein leerer Ordner. Einen anderen Namen oder einen anderen übergeordneten Ordner wählen, oder die anderen Dateien aus diesem Ordner verschieben.</translation>
+    </message>
+    <message>
+        <source>Create here</source>
+        <translation>Hier anlegen</translation>
+    </message>
+    <message>
+        <source>%1 is an empty folder. It will become the study.</source>
+        <translation>%1 ist ein leerer Ordner. Er wird zur Studie.</translation>
     </message>
     <message>
         <source>The study&apos;s folder cannot be named “%1”; choose another name.</source>
@@ -18079,6 +18091,14 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>%1 – Asperity</source>
         <translation>%1 – Asperity</translation>
+    </message>
+    <message>
+        <source>%1 is an empty folder and not yet a study. It can become one.</source>
+        <translation>%1 ist ein leerer Ordner und noch keine Studie. Er kann eine werden.</translation>
+    </message>
+    <message>
+        <source>Create here</source>
+        <translation>Hier anlegen</translation>
     </message>
     <message>
         <source>The study could not be opened: %1</source>

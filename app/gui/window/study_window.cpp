@@ -229,6 +229,13 @@ void StudyWindow::set_count(const QString& key, const QString& count) {
 
 bool StudyWindow::open_study(const std::filesystem::path& folder,
                              const std::function<void()>& opened) {
+  if (may_become_study(folder)) {
+    banner_->show_news(State::look,
+                       tr("%1 is an empty folder and not yet a study. It can become one.")
+                           .arg(text_of_path(folder)),
+                       tr("Create here"), [this, folder] { make_new_study(folder, {}); });
+    return false;
+  }
   if (must_stay([this, folder, opened] { open_study(folder, opened); })) return false;
   const auto is_open = std::make_shared<bool>(false);
   with_plugins(

@@ -128,8 +128,38 @@ TEST_F(StudyWindowTest, MakesAStudyOfTheNameThatIsTyped) {
   EXPECT_EQ(window.study()->study().name(), "Rough surfaces");
 }
 
+TEST_F(StudyWindowTest, MakesAStudyOfAnEmptyFolder) {
+  const std::filesystem::path folder = home() / "empty";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / ".DS_Store") << "of a desktop";
+  {
+    StudyWindow window{};
+    window.show();
+    click(window, "welcome_new");
+    auto& dialog = child<QDialog>(window, "new_study_dialog");
+    child<QLineEdit>(dialog, "new_study_place").setText("~");
+    child<QLineEdit>(dialog, "new_study_name").setText("empty");
+    EXPECT_EQ(child<QLabel>(dialog, "new_study_what_follows").text(),
+              "~/empty is an empty folder. It will become the study.");
+    EXPECT_EQ(child<QPushButton>(dialog, "new_study_create").text(), "Create here");
+    take_screenshot(dialog, "new-study-in-empty-folder", dialog.size());
+  }
+  StudyWindow window{};
+  window.resize(1366, 900);
+  window.show();
+  EXPECT_FALSE(window.open_study(folder));
+  EXPECT_EQ(window.banner().text(),
+            "~/empty is an empty folder and not yet a study. It can become one.");
+  take_screenshot(window, "empty-folder-opened");
+  child<QPushButton>(window.banner(), "banner_action").click();
+  ASSERT_TRUE(eventually([&] { return window.study() != nullptr; }));
+  EXPECT_EQ(window.study()->folder(), folder);
+  EXPECT_EQ(window.study()->study().name(), "empty");
+}
+
 TEST_F(StudyWindowTest, RefusesANameThatIsTaken) {
-  std::filesystem::create_directories(home() / "taken");
+  std::filesystem::create_directories(home() / "taken" / "letters");
+  new_study(home() / "study");
   StudyWindow window{};
   window.show();
   click(window, "welcome_new");
@@ -138,7 +168,12 @@ TEST_F(StudyWindowTest, RefusesANameThatIsTaken) {
   child<QLineEdit>(dialog, "new_study_name").setText("taken");
   EXPECT_FALSE(child<QPushButton>(dialog, "new_study_create").isEnabled());
   EXPECT_EQ(child<QLabel>(dialog, "new_study_what_follows").text(),
-            "~/taken already exists; choose another name.");
+            "~/taken already exists and is not an empty folder. Choose another name or another "
+            "parent folder, or move the other files out of that folder.");
+  child<QLineEdit>(dialog, "new_study_name").setText("study");
+  EXPECT_FALSE(child<QPushButton>(dialog, "new_study_create").isEnabled());
+  EXPECT_EQ(child<QLabel>(dialog, "new_study_what_follows").text(),
+            "~/study is already a study. Open it, or choose another name.");
 }
 
 TEST_F(StudyWindowTest, SaysOnTheBannerWhatCannotBeOpened) {
