@@ -27,6 +27,7 @@
 #include "protocols/warnings/design_warnings.h"
 #include "protocols/warnings/plan_warnings.h"
 #include "protocols/warnings/text_warnings.h"
+#include "protocols/warnings/texture_use_warnings.h"
 #include "protocols/warnings/warnings.h"
 #include "results_schema/error_text.h"
 #include "results_schema/tables/table.h"
@@ -166,6 +167,7 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
   append(check.warnings, warnings_about_texts(*check.protocol, check.file, example));
   append(check.warnings, warnings_about_analysis(*check.protocol, check.file));
   append(check.warnings, warnings_about_design(*check.protocol, check.file));
+  append(check.warnings, warnings_about_texture_use(*check.protocol, check.file));
   for (const auto& [name, block] : check.protocol->blocks) {
     if (block.phase != Phase::main) continue;
     if (std::string design = design_of(*check.protocol, block, example); !design.empty()) {
