@@ -240,9 +240,9 @@ TEST(Simulate, WarnsAsCheckDoesOfSessionsWithAnotherTextOfTheVersion) {
   write_text(small.selection(), protocol.dump(2));
   const auto warns = testing::HasSubstr(
       "warning: the study has 2 sessions of small_selection 1.0.0 with another text of the "
-      "protocol; their responses would be analysed together with new ones, and only "
-      "protocol_sha256 in the tables of an export would distinguish them; raise \"version\" "
-      "(/version)");
+      "protocol; their responses would be analysed together with new ones; give the changed "
+      "protocol "
+      "a new version (/version)");
   const Outcome checked = asperity(check);
   EXPECT_EQ(checked.status, 0);
   EXPECT_THAT(checked.err, warns);

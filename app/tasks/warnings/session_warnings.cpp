@@ -54,8 +54,8 @@ std::optional<Diagnostic> warning_about_version(const Protocol& protocol,
       .at_key("/version", "the study has " + sessions + " of " + protocol.name + ' ' +
                               use->version +
                               " with another text of the protocol; their responses would be "
-                              "analysed together with new ones, and only protocol_sha256 in the "
-                              "tables of an export would distinguish them; raise \"version\"");
+                              "analysed together with new ones; give the changed protocol a new "
+                              "version");
 }
 
 std::vector<Diagnostic> warnings_about_sessions(const CheckedProtocol& checked, const Study& study,
