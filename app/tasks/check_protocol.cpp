@@ -120,6 +120,7 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
                                   KeptHeightFields* kept) {
   ProtocolCheck check{};
   check.file = file_name;
+  check.text = text;
   const auto whole_file = [&check](const std::string& message) {
     check.diagnostics.push_back({check.file, 1, 1, "", message});
   };

@@ -19,6 +19,7 @@ namespace asperity {
 /// Every problem of one file, and a summary of its plan when there is none.
 struct ProtocolCheck {
   std::string file{};
+  std::string text{};                     ///< that was checked; empty if the file could not be read
   std::vector<Diagnostic> diagnostics{};  ///< from all layers, in the order of lines
   std::vector<Diagnostic>
       warnings{};  ///< about content that is formally valid (`warnings_about`), in the order of lines

@@ -70,6 +70,11 @@ QString sentence_in_form(const nlohmann::json& protocol, const Diagnostic& remar
 }
 
 QString remark_in_form(const nlohmann::json& protocol, const Diagnostic& remark) {
+  if (protocol.is_discarded() && remark.line > 0) {
+    return QCoreApplication::translate("FormWords", "Line %1: %2")
+        .arg(remark.line)
+        .arg(text(remark.message));
+  }
   const QString place = place_in_form(protocol, remark.pointer);
   const QString sentence = sentence_in_form(protocol, remark);
   return place.isEmpty() ? sentence : place + ": " + sentence;

@@ -22,7 +22,8 @@ QString place_in_form(const nlohmann::json& protocol, const std::string& pointer
 /// The sentence of a problem or a warning, with the labels of keys in place of their names. That about a value that the form does not
 /// know stays in the words of the file. Any thread.
 QString sentence_in_form(const nlohmann::json& protocol, const Diagnostic& remark);
-/// The same after its place in the form; without a place alone. Any thread.
+/// The same after its place in the form; without a place alone. In a text that cannot be read as JSON (a discarded value) no
+/// place is known, and the line precedes the sentence. Any thread.
 QString remark_in_form(const nlohmann::json& protocol, const Diagnostic& remark);
 
 }  // namespace asperity

@@ -9,7 +9,9 @@
 #include <QtWidgets/QGridLayout>
 #include <QtWidgets/QProgressBar>
 #include <QtWidgets/QScrollArea>
+#include <nlohmann/json.hpp>
 
+#include "app/gui/base/form_words.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/look/words.h"
@@ -31,10 +33,14 @@ State check_state(SessionCheck::State state) {
 }
 
 /// The title, what was found, and what to do.
-QString line_text(const SessionCheck& check) {
+QString line_text(const SessionCheck& check, const nlohmann::json& protocol) {
+  QStringList found{};
+  if (!check.text.empty()) found += words_of(check.text).toHtmlEscaped();
+  for (const Diagnostic& warning : check.warnings) {
+    found += remark_in_form(protocol, warning).toHtmlEscaped() + '.';
+  }
   QString text =
-      QString("<b>%1</b>&ensp;%2")
-          .arg(words_of(check.title).toHtmlEscaped(), words_of(check.text).toHtmlEscaped());
+      QString("<b>%1</b>&ensp;%2").arg(words_of(check.title).toHtmlEscaped(), found.join("<br>"));
   if (!check.remedy.empty()) {
     text +=
         QString("<br><span style='color:%1'>%2</span>")
@@ -99,7 +105,8 @@ CheckList::CheckList(QWidget* parent) : QWidget(parent) {
   area_->hide();
 }
 
-void CheckList::set_checks(std::vector<SessionCheck> checks) {
+void CheckList::set_checks(std::vector<SessionCheck> checks, const std::string& protocol) {
+  const auto json = nlohmann::json::parse(protocol, nullptr, false);
   // What keeps the session from starting comes first, then what should be looked at.
   const auto is_fine = [](const SessionCheck& check) {
     return check.state == SessionCheck::State::fine;
@@ -122,7 +129,7 @@ void CheckList::set_checks(std::vector<SessionCheck> checks) {
     shape->setFont(text_font(TextSize::small, true));
     shape->setStyleSheet("color: " + color_of(state).name());
     shape->setFixedWidth(kMargin);
-    auto* text = new QLabel(line_text(check), lines_);
+    auto* text = new QLabel(line_text(check, json), lines_);
     text->setFont(text_font(TextSize::small));
     text->setTextFormat(Qt::RichText);
     text->setWordWrap(true);

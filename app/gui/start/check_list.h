@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <QtWidgets/QWidget>
@@ -25,8 +26,9 @@ class CheckList final : public QWidget {
 
   /// Below the summary; empty: nothing. Of something that the session does not wait for.
   void set_note(const QString& note);
-  /// Shown are first those that keep the session from starting, then those to look at.
-  void set_checks(std::vector<SessionCheck> checks);
+  /// Shown are first those that keep the session from starting, then those to look at. `protocol`: the text that warnings
+  /// are about.
+  void set_checks(std::vector<SessionCheck> checks, const std::string& protocol = {});
   void set_running(bool running);
   /// Of the comparison with the device, 0 to 1, while the checks run.
   void set_progress(double fraction);

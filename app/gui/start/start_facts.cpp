@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "app/study_files/dealt_places.h"
+#include "app/study_files/protocol_languages.h"
 #include "app/study_files/study_protocols.h"
 #include "app/tasks/protocol_files.h"
 #include "protocols/file/stored_protocol.h"
@@ -33,6 +34,15 @@ StartFacts::ProtocolFile described(const std::filesystem::path& file) {
   return described;
 }
 
+/// Empty if the file cannot be read, or is a translation with problems of its own.
+std::string text_with_problems(const std::filesystem::path& file) {
+  try {
+    return protocol_source(file).text;
+  } catch (const std::exception&) {
+    return {};
+  }
+}
+
 ChosenProtocol read_chosen(const std::filesystem::path& file, const std::filesystem::path& study,
                            const ModelRegistry& models) {
   ChosenProtocol chosen{.file = file};
@@ -43,6 +53,7 @@ ChosenProtocol read_chosen(const std::filesystem::path& file, const std::filesys
     chosen.consent = consent_as_read(*chosen.protocol);
   } catch (const ProtocolError& error) {
     chosen.problems = error.diagnostics();
+    chosen.text = text_with_problems(file);
   } catch (const std::exception& error) {
     chosen.failure = message_of(error);
   }

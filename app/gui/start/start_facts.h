@@ -27,6 +27,7 @@ struct ChosenProtocol {
   PlanCost cost{};                             ///< of an example plan
   std::string consent{};                       ///< the statement as it is read; empty: none
   std::vector<Diagnostic> problems{};          ///< why it is not valid
+  std::string text{};                          ///< with the problems
   std::string failure{};                       ///< why the file cannot be read at all
 
   bool is_read() const noexcept {

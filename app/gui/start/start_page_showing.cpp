@@ -6,7 +6,9 @@
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QSpinBox>
+#include <nlohmann/json.hpp>
 
+#include "app/gui/base/form_words.h"
 #include "app/gui/base/shown_text.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/sound/noise_check.h"
@@ -46,9 +48,9 @@ QString text_of_problem(const ChosenProtocol& chosen) {
   const Diagnostic& first = chosen.problems.front();
   if (first.line == 0) return QString::fromStdString(first.message);  // it could not be read
   const auto more = static_cast<int>(chosen.problems.size()) - 1;
-  QString text = StartPage::tr("This protocol is not valid, line %1: %2.")
-                     .arg(first.line)
-                     .arg(QString::fromStdString(first.message));
+  QString text =
+      StartPage::tr("This protocol is not valid. %1.")
+          .arg(remark_in_form(nlohmann::json::parse(chosen.text, nullptr, false), first));
   if (more > 0) text += ' ' + StartPage::tr("And %n more.", nullptr, more);
   return text;
 }

@@ -79,15 +79,16 @@ void StartPage::forget_checks() {
 void StartPage::examine_stimuli() {
   if (chosen() == nullptr || setup_->device().is_trying()) return;
   check_list_->set_note(tr("The stimuli are being examined; the session does not wait for this."));
-  study_.examiner().request(this, {facts_.chosen.protocol},
-                            [this](const Protocol&, const StimulusExaminer::Result& result) {
-                              check_list_->set_note({});
-                              std::vector<SessionCheck> checks = *checks_;
-                              if (auto warned = stimulus_warnings_check(result->warnings)) {
-                                checks.push_back(std::move(*warned));
-                              }
-                              check_list_->set_checks(checks);
-                            });
+  study_.examiner().request(
+      this, {facts_.chosen.protocol},
+      [this](const Protocol& protocol, const StimulusExaminer::Result& result) {
+        check_list_->set_note({});
+        std::vector<SessionCheck> checks = *checks_;
+        if (auto warned = stimulus_warnings_check(result->warnings)) {
+          checks.push_back(std::move(*warned));
+        }
+        check_list_->set_checks(checks, protocol.source);
+      });
 }
 
 void StartPage::check_soon() {
@@ -143,7 +144,7 @@ void StartPage::check() {
           return show_start();
         }
         check_list_->set_running(false);
-        check_list_->set_checks(checks);
+        check_list_->set_checks(checks, chosen() == nullptr ? std::string{} : chosen()->source);
         checks_ = std::move(checks);
         show_start();
         examine_stimuli();

@@ -2,6 +2,9 @@
 
 #include "app/gui/study/protocol_texts.h"
 
+#include <nlohmann/json.hpp>
+
+#include "app/gui/base/form_words.h"
 #include "app/gui/base/progress_cell.h"
 #include "app/gui/base/shown_text.h"
 #include "app/gui/look/controls.h"
@@ -91,11 +94,9 @@ StudyTable::Row protocol_row(const ProtocolOverview& overview) {
 
 QString description_of(const ProtocolOverview& overview) {
   QStringList paragraphs{};
+  const auto protocol = nlohmann::json::parse(overview.check.text, nullptr, false);
   for (const Diagnostic& warning : overview.check.warnings) {
-    paragraphs +=
-        (warning.line > 0
-             ? ProtocolsPage::tr("▲ Line %1: %2").arg(warning.line).arg(text(warning.message))
-             : ProtocolsPage::tr("▲ %1").arg(text(warning.message)));
+    paragraphs += ProtocolsPage::tr("▲ %1").arg(remark_in_form(protocol, warning));
   }
   paragraphs += text(overview.check.protocol->description);
   for (const auto& [block, design] : overview.check.designs) {

@@ -11,8 +11,10 @@
 #include <QtWidgets/QScrollArea>
 #include <QtWidgets/QSplitter>
 #include <QtWidgets/QStackedWidget>
+#include <nlohmann/json.hpp>
 
 #include "app/gui/base/command_lines.h"
+#include "app/gui/base/form_words.h"
 #include "app/gui/base/progress_cell.h"
 #include "app/gui/base/settings.h"
 #include "app/gui/base/shown_text.h"
@@ -192,9 +194,7 @@ QWidget* ProtocolsPage::make_detail() {
   description_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   scroll->setWidget(description_);
   description_->setAutoFillBackground(false);  // setWidget turns it on
-  problems_ = new StudyTable(
-      {{tr("Line"), 80, StudyTable::Align::number}, {tr("Problem"), 0, StudyTable::Align::text}},
-      below_);
+  problems_ = new StudyTable({{tr("Problem"), 0, StudyTable::Align::text}}, below_);
   problems_->setObjectName("protocol_problems");
   problems_->setAccessibleName(tr("Problems"));
   problems_->wrap_texts();
@@ -401,14 +401,16 @@ void ProtocolsPage::show_selected() {
   }
   reason_->setVisible(!reason_->text().isEmpty());
   description_->setText(protocol ? description_of(*overview) : QString{});
+  const auto json = nlohmann::json::parse(overview->check.text, nullptr, false);
   std::vector<StudyTable::Row> rows{};
-  for (std::size_t i = 0; i < overview->check.diagnostics.size(); ++i) {
-    const Diagnostic& problem = overview->check.diagnostics[i];
-    rows.push_back({QString::number(i),
-                    {problem.line > 0 ? number_cell(problem.line) : empty_number_cell(),
-                     text_cell(text(problem.message))}});
+  for (const Diagnostic& problem : overview->check.diagnostics) {
+    rows.push_back({QString::number(rows.size()), {text_cell(remark_in_form(json, problem))}});
   }
   problems_->fill(rows);
+  if (QString key = table_->selected_key(); key != planned_) {
+    plan_->forget();
+    planned_ = std::move(key);
+  }
   if (!valid) {
     show_below(problems);
   } else if (below_->currentIndex() == plan) {

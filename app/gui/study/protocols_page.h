@@ -94,6 +94,7 @@ class ProtocolsPage final : public StudyPage {
   QLabel* description_ = nullptr;
   StudyTable* problems_ = nullptr;
   PlanPreview* plan_ = nullptr;
+  QString planned_{};  ///< the file whose plan is shown, or can be
 };
 
 }  // namespace asperity

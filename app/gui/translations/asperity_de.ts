@@ -6478,6 +6478,13 @@
     </message>
 </context>
 <context>
+    <name>FormWords</name>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+</context>
+<context>
     <name>Keys</name>
     <message>
         <source>Scales</source>
@@ -11694,10 +11701,6 @@
         <translation>Das Problem beheben, dann „Erneut suchen“ drücken; oder ein anderes Gerät wählen.</translation>
     </message>
     <message>
-        <source>Line %1: %2.</source>
-        <translation>Zeile %1: %2.</translation>
-    </message>
-    <message>
         <source>The Protocols page lists all warnings.</source>
         <translation>Die Seite „Protokolle“ nennt alle Warnungen.</translation>
     </message>
@@ -16178,10 +16181,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Simulieren…</translation>
     </message>
     <message>
-        <source>Line</source>
-        <translation>Zeile</translation>
-    </message>
-    <message>
         <source>Problem</source>
         <translation>Problem</translation>
     </message>
@@ -16236,10 +16235,6 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     <message>
         <source>valid, %1 warnings</source>
         <translation>gültig, %1 Warnungen</translation>
-    </message>
-    <message>
-        <source>▲ Line %1: %2</source>
-        <translation>▲ Zeile %1: %2</translation>
     </message>
     <message>
         <source>▲ %1</source>
@@ -17633,8 +17628,8 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Sitzung starten</translation>
     </message>
     <message>
-        <source>This protocol is not valid, line %1: %2.</source>
-        <translation>Dieses Protokoll ist nicht gültig, Zeile %1: %2.</translation>
+        <source>This protocol is not valid. %1.</source>
+        <translation>Dieses Protokoll ist nicht gültig. %1.</translation>
     </message>
     <message>
         <source>The study has no protocol yet: create one on the Protocols page.</source>

@@ -24,11 +24,7 @@ std::optional<SessionCheck> check_of(std::vector<Diagnostic> warnings) {
   sort_by_line(warnings);
   SessionCheck check{};
   check.state = State::look;
-  for (const Diagnostic& warning : warnings) {
-    const Phrase line =
-        phrase("SessionChecks", "Line %1: %2.").with(std::to_string(warning.line), warning.message);
-    check.text = check.text.empty() ? line : Phrase("%1 %2").with(check.text, line);
-  }
+  check.warnings = std::move(warnings);
   check.remedy = phrase("SessionChecks", "The Protocols page lists all warnings.");
   return check;
 }

@@ -7,12 +7,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/device_bench/tried_device.h"
 #include "app/session/rehearsal/rehearsal_memory.h"
 #include "app/session/sound/sound.h"
 #include "app/tasks/run_session.h"
 #include "app/words/phrase.h"
+#include "protocols/file/diagnostic.h"
 
 namespace asperity {
 
@@ -28,6 +30,8 @@ struct SessionCheck {
   State state = State::fine;
   Phrase text{};    ///< the result
   Phrase remedy{};  ///< what the experimenter should do; empty if fine
+  /// Warnings about the protocol, which follow the text; a window shows them by their places in the form.
+  std::vector<Diagnostic> warnings{};
 };
 
 /// The planned session, and the results that the caller has already.

@@ -218,7 +218,7 @@ TEST_F(TheStartPage, ShowsTheWarningsAboutTheStimuliAndDoesNotWaitForThem) {
   EXPECT_EQ(line(), nullptr);
   gate->is_open = true;
   ASSERT_TRUE(eventually([&] { return line() != nullptr; }));
-  EXPECT_TRUE(line()->text().contains("Line 1: the gate is open.")) << line()->text().toStdString();
+  EXPECT_TRUE(line()->text().contains("the gate is open.")) << line()->text().toStdString();
   EXPECT_FALSE(is_shown("note_of_checks"));
   EXPECT_TRUE(eventually([this] { return is_shown("check_rate"); })) << "the other lines stay";
   EXPECT_TRUE(can_start());

@@ -102,6 +102,17 @@ TEST_F(PagesToRead, PreviewThePlanStepByStep) {
   take_screenshot(window_, "study-plan");
 }
 
+TEST_F(PagesToRead, ShowNoPlanOfTheRowBefore) {
+  select_protocol("chapter_recognition.json");
+  click("protocol_preview");
+  auto* page = window_.findChild<ProtocolsPage*>();
+  const auto& plan = child<StudyTable>(*page, "plan_table");
+  ASSERT_TRUE(eventually([&] { return plan.shown_rows() > 10; }));
+  select_protocol("chapter_matching.json");
+  EXPECT_EQ(plan.shown_rows(), 0);
+  EXPECT_TRUE(eventually([&] { return plan.shown_rows() > 10; }));
+}
+
 TEST_F(StudyPages, EditAProtocolInTheWindowAndLoseNothingOfIt) {
   open_demo();
   StudyTable& table = table_of("protocols", "protocols_table", 3);
