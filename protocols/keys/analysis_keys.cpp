@@ -20,9 +20,9 @@ constexpr auto kAnalysisKeys = keys_of(
     member_key<&AnalysisDeclaration::family>(
         "family", "Family of tests",
         "Tests whose p values are Holm-corrected together: the confirmatory tests of the study. "
-        "All others are exploratory. Reports compare women and men only if `sexes` is listed. "
-        "Absent: the first test of the kind; of estimates by another factor than spacings, "
-        "exponent, or stimuli without a predictor.",
+        "All others are exploratory. Reports compare women and men only if the test of the sexes "
+        "is listed. Absent: the first test of the kind; of estimates by another factor than "
+        "spacings, that of the exponent, or of the stimuli without a predictor.",
         ListShape{.entry = &kTest,
                   .meaning = "A test of this kind of protocol.",
                   .shortest = 1,
@@ -44,8 +44,8 @@ constexpr auto kAnalysisKeys = keys_of(
 }  // namespace
 
 constexpr KeyTableOf<AnalysisDeclaration> kAnalysisTable =
-    opened(table_of("The tests, declared before data collection. Further keys are stored with the "
-                    "study and not interpreted.",
+    opened(table_of("The tests, declared before data collection. Further entries are stored with "
+                    "the study and not interpreted.",
                     kAnalysisKeys));
 
 }  // namespace asperity

@@ -104,13 +104,13 @@ constexpr auto kDesignKeys = keys_of(
         "phase", "Phase", "Purpose of the trials. Only main trials are analysed.", kPhasesOfStudy),
     member_key<&Block::crossed>("crossed", "Crossed factors",
                                 "Factors whose levels are all combined.", kFactors),
-    when(member_key<&Block::listed>(
-             "listed", "Listed trials",
-             "List of trials, each with a level of the same factors; an alternative to crossed.",
-             ListShape{.entry = &kRow,
-                       .meaning = "One trial: factor and level.",
-                       .shortest = 1,
-                       .longest = 4096}),
+    when(member_key<&Block::listed>("listed", "Listed trials",
+                                    "List of trials, each with a level of the same factors; an "
+                                    "alternative to crossed factors.",
+                                    ListShape{.entry = &kRow,
+                                              .meaning = "One trial: factor and level.",
+                                              .shortest = 1,
+                                              .longest = 4096}),
          without("crossed")),
     member_key<&Block::exclude>("exclude", "Excluded combinations",
                                 "Combinations of crossed or varied levels that are left out: those "
@@ -129,7 +129,7 @@ constexpr auto kDesignKeys = keys_of(
                                          .shortest = 1}),
     when(list_key<&Block::repetitions_of, kRowRepetitionsTable>(
              "repetitions_of", "Repetitions of some trials",
-             "Numbers of repetitions of some trials, in place of repetitions.",
+             "Numbers of repetitions of some trials, in place of that of the block.",
              {.shortest = 1, .longest = 256}),
          kWithoutVary),
     when(member_key<&Block::all_pairs>("all_pairs", "All pairs", kAllPairsTable), kWithPairs),
@@ -145,11 +145,12 @@ constexpr auto kOrderKeys = keys_of(
                               "Factors drawn at random on every trial, each level equally often "
                               "over the block as far as possible.",
                               kFactors),
-    when(member_key<&Block::anchor>("anchor", "Anchor",
-                                    "Anchors, reference trials of every run of the block whose "
-                                    "responses are stored and not analysed: factor and level, that "
-                                    "of \"vary\" in its measure.",
-                                    kSomeLevels),
+    when(member_key<&Block::anchor>(
+             "anchor", "Anchor",
+             "Anchors, reference trials of every run of the block whose responses are stored and "
+             "not analysed: factor and level. The level of the varied parameter is stated in the "
+             "measure of its levels.",
+             kSomeLevels),
          kWithoutCriterion),
     when(member_key<&Block::anchor_pair>(
              "anchor_pair", "Levels of the anchor", "The levels of the two surfaces of an anchor.",
@@ -163,11 +164,7 @@ constexpr auto kOrderKeys = keys_of(
                       "reached), and after them.",
                       kPlaceList),
                   [](const ProtocolKey&) { return json::array({"start"}); }),
-    member_key<&Block::order>(
-        "order", "Order",
-        "fixed: as written; shuffle: all trials in random order; shuffle_within_repetition: each "
-        "repetition is completed before the next.",
-        kOrders),
+    listing_words(member_key<&Block::order>("order", "Order", "Order of the trials.", kOrders)),
     member_key<&Block::maximum_in_a_row>(
         "maximum_in_a_row", "Longest run of a level",
         "For a factor: largest number of consecutive trials with the same level.",
@@ -184,28 +181,29 @@ constexpr auto kOrderKeys = keys_of(
         "presented", "Surfaces", "The surfaces of one trial.", {.shortest = 1, .longest = 8})),
     member_key<&Block::positions>(
         "positions", "Order of the surfaces",
-        "Order of the surfaces within a trial. balanced: every item in every position equally "
-        "often over the block; in a choice between surfaces with `vary` and without `procedure` "
-        "and `until` also within each level, if every combination of levels has a multiple of the "
-        "number of surfaces as its number of trials.",
+        "Order of the surfaces within a trial. A balanced order has every item in every position "
+        "equally often over the block; in a choice between surfaces with a varied parameter and "
+        "without a procedure or a criterion also within each level, if every combination of levels "
+        "has a multiple of the number of surfaces as its number of trials.",
         kPositions),
     when(with_computed_default(inner_key("question", "Question", kOnlyQuestionTable),
-                               "this or `questions`"),
+                               "this, or several questions"),
          without("questions")),
     with_computed_default(
         custom_key<&store_questions>(
             "questions", "Questions",
-            "The questions of every trial, at most 12, instead of \"question\".", kQuestionList),
-        "this or `question`"),
-    when(member_key<&Block::shuffles_questions>(
-             "question_order", "Order of the questions",
-             "fixed: as written; shuffle: in a new random order in every trial.", kQuestionOrders),
+            "The questions of every trial, at most 12, instead of a single question.",
+            kQuestionList),
+        "this, or a single question"),
+    when(listing_words(member_key<&Block::shuffles_questions>(
+             "question_order", "Order of the questions", "Order of the questions of a trial.",
+             kQuestionOrders)),
          with("questions")),
-    when(member_key<&Block::on_one_page>(
-             "question_layout", "Layout of the questions",
-             "one_after_another: every question has a separate page; one_page: all questions are "
-             "shown together, which requires scales with labels at the ends only.",
-             kLayouts),
+    when(listing_words(
+             member_key<&Block::on_one_page>("question_layout", "Layout of the questions",
+                                             "Whether the questions are shown together, which "
+                                             "requires scales with labels at the ends only.",
+                                             kLayouts)),
          with("questions")),
     when(member_key<&Block::page_prompt>("page_prompt", "Text of the page",
                                          "The text above the questions of one page.",

@@ -107,20 +107,15 @@ constexpr auto kPhases = words_of<bool>(
 constexpr KeyCondition kNotSideBySide{"surfaces", {kAbsent, "sequential", "on_request"}};
 
 constexpr auto kArrangementKeys = keys_of(
-    member_key<&Arrangement::surfaces>(
-        "surfaces", "Presentation",
-        "sequential: one after the other, in the order of the trial; side_by_side: 2 to 4 surfaces "
-        "at once, as patches of the workspace; on_request: one at a time, in any order that the "
-        "participant chooses.",
-        kSurfaces),
+    listing_words(member_key<&Arrangement::surfaces>(
+        "surfaces", "Presentation", "How the surfaces of a trial are presented.", kSurfaces)),
     inner_key("visits", "Visits", kVisitsTable),
-    when(custom_key<&store_interval>("interval_s", "Inter-stimulus interval",
-                                     "The inter-stimulus interval, from the last contact with a "
-                                     "surface to the permission to "
-                                     "touch the next: a time, or the limits between which it is "
-                                     "drawn for every interval. It "
-                                     "replaces pause_between_surfaces_s.",
-                                     FormsShape{kIntervalForms}),
+    when(custom_key<&store_interval>(
+             "interval_s", "Inter-stimulus interval",
+             "The inter-stimulus interval, from the last contact with a surface to the permission "
+             "to touch the next: a time, or the limits between which it is drawn for every "
+             "interval. It replaces the pause between surfaces.",
+             FormsShape{kIntervalForms}),
          reported_as("patches are presented together, without an interval; remove this key",
                      kNotSideBySide)),
     when(inner_key("exposure", "Exposure", kExposureTable),
@@ -139,11 +134,8 @@ constexpr auto kArrangementKeys = keys_of(
                                         "patches lie, in the order of the trial.",
                                         kPatchAxes),
          where("surfaces", {"side_by_side"})),
-    member_key<&Arrangement::draws_phase>(
-        "phase", "Phase of the texture",
-        "fixed: a texture always has the same place on its surface; drawn: the point of the "
-        "texture at the centre of the surface is drawn for every presentation.",
-        kPhases));
+    listing_words(member_key<&Arrangement::draws_phase>(
+        "phase", "Phase of the texture", "Place of a texture on its surface.", kPhases)));
 
 constexpr auto kAllPairsKeys = keys_of(
     required_key(member_key<&Block::AllPairs::factor>(
@@ -151,8 +143,8 @@ constexpr auto kAllPairsKeys = keys_of(
         NameShape{.registry = kFactorNames, .governs_levels = true})),
     member_key<&Block::AllPairs::in_both_orders>(
         "in_both_orders", "Both orders",
-        "true: every pair twice, with either level first; false: every pair once, in the order "
-        "that positions determines.",
+        "Whether every pair is presented twice, with either level first. Otherwise it is presented "
+        "once, and its order is that of the surfaces within a trial.",
         TruthShape{}),
     when(member_key<&Block::AllPairs::with_identical>(
              "with_identical", "Identical pairs",
@@ -169,8 +161,8 @@ constexpr auto kAllPairsKeys = keys_of(
 constexpr auto kEqualRoughnessKeys =
     keys_of(required_key(member_key<&Block::EqualRoughness::matched_in>(
         "matched_in", "Matching block",
-        "The block that matches the surfaces: a discrimination with the judgement \"comparison\" "
-        "whose procedure varies the parameter \"relative_amplitude\".",
+        "The block that matches the surfaces: a discrimination with the judgement comparison whose "
+        "procedure varies the relative amplitude.",
         NameShape{"blocks"})));
 
 constexpr auto kRowRepetitionsKeys =
@@ -209,8 +201,8 @@ constexpr auto kPresentedKeys =
 }  // namespace
 
 constexpr KeyTableOf<Criterion> kCriterionTable = table_of(
-    "Practice to a criterion: the block ends when at least `correct` of the last `of_last` "
-    "responses are correct.",
+    "Practice to a criterion: the block ends when the required number of the most recent responses "
+    "are correct.",
     kCriterionKeys);
 
 constexpr KeyTableOf<Roving> kRovingTable = table_of(

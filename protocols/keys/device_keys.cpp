@@ -20,7 +20,7 @@ constexpr auto kDeviceLimitKeys = keys_of(
     with_computed_default(
         entry_key<Limits>("rate_Hz", "Rate", "Lowest rate of the servo loop, in Hz.",
                           NumberShape{.above = 0.0, .maximum = 10'000.0, .unit = "Hz"}),
-        "95 % of `device.rate_Hz`"),
+        "95 % of the rate of the servo loop"),
     entry_key<Limits>("lateness_p50_s", "Median lateness", "Largest median lateness of a tick.",
                       kSeconds),
     with_computed_default(
@@ -103,8 +103,9 @@ constexpr auto kDeviceKeys = keys_of(
         kPlacesOfContacts),
     member_key<&Protocol::input_only>(
         "input_only", "Input only",
-        "true: the study needs only the hand's movement, and Run accepts a device that exerts no "
-        "force. Otherwise sessions on such a device are pilots, unless the participant is virtual.",
+        "Whether the study needs only the hand's movement: Run then accepts a device that exerts "
+        "no force. Otherwise sessions on such a device are pilots, unless the participant is "
+        "virtual.",
         TruthShape{}),
     member_key<&Protocol::device_limits>("limits", "Limits on the device", kDeviceLimitsTable));
 

@@ -94,14 +94,9 @@ constexpr auto kExplorationKeys = keys_of(
     member_key<&Exploration::maximum_repeats>(
         "maximum_repeats", "Maximum number of repeats", "Largest number of repeats of a trial.",
         NumberShape{.minimum = 0.0, .maximum = 10.0, .is_whole = true}),
-    member_key<&Exploration::guidance>(
-        "guidance", "Guidance",
-        "Feedback about force and speed relative to their bands. experimenter: only the "
-        "experimenter sees it; bars: the participant sees both quantities with their bands; "
-        "moving_target: the participant sees a moving mark to follow, and the force with its band; "
-        "tones: the participant hears nothing inside the bands, low tones below them and high "
-        "tones above them.",
-        kGuidances));
+    listing_words(member_key<&Exploration::guidance>(
+        "guidance", "Guidance", "Feedback about force and speed relative to their bands.",
+        kGuidances)));
 
 }  // namespace
 
@@ -113,6 +108,6 @@ constexpr KeyTableOf<Exploration> kExplorationTable =
              kExplorationKeys, "exploration");
 
 constexpr KeyTableOf<Band> kBandTable = not_empty(
-    table_of("A range of a quantity, with one or more of these keys.", kBandKeys, "band"));
+    table_of("A range of a quantity: a limit, a target, or several of them.", kBandKeys, "band"));
 
 }  // namespace asperity

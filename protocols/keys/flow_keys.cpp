@@ -40,11 +40,11 @@ constexpr auto kStepKeys = keys_of(
                        .longest = Protocol::Groups::kMost,
                        .is_distinct = true})),
          with("screen")),
-    alternative_of<Step>(member_key<&Protocol::Check::what>(
-        "check", "Check",
-        "device, force_zero: the surface is removed, and the check is passed if the device "
-        "responds and zero force is sent.",
-        kChecks)),
+    alternative_of<Step>(
+        member_key<&Protocol::Check::what>("check", "Check",
+                                           "The surface is removed, and the check is passed if the "
+                                           "device responds and zero force is sent.",
+                                           kChecks)),
     alternative_of<Step>(inner_key("break", "Break", kBreakTable)),
     alternative_of<Step>(
         member_key<&Run::block>("run", "Block", "The block to run.", NameShape{"blocks"})),
@@ -101,7 +101,8 @@ constexpr auto kDriftCheckKeys = keys_of(
 }  // namespace
 
 constexpr KeyTableOf<Step> kStepTable = decided_by(
-    table_of("One step of the session: screen, check, break, run or ask.", kStepKeys, "step"),
+    table_of("One step of the session: a text, a check, a break, a run of a block, or questions.",
+             kStepKeys, "step"),
     kStepKinds);
 
 constexpr KeyTableOf<Protocol::Break> kBreakTable =

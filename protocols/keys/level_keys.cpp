@@ -75,7 +75,7 @@ constexpr auto kDimensionKeys = keys_of(
     member_key<&Dimension::standard_role>(
         "relative_to", "Reference surface",
         "Role of the surface to which levels refer; its stimulus states the parameter, unless this "
-        "is \"relative_amplitude\".",
+        "is the relative amplitude.",
         NameShape{kRoleNames}),
     custom_key<&store_levels<LevelMeasure::value>>(
         "levels", "Values",
@@ -162,22 +162,20 @@ constexpr auto kTrackKeys = keys_of(when(
     kAroundUpDown));
 
 constexpr auto kCatchTypes = words_of<CatchType>(
-    {{"easy", CatchType::easy, "the comparison at an easy level"},
-     {"no_signal", CatchType::no_signal, "the standard twice with the judgement performance"},
+    {{"easy", CatchType::easy,
+      "the comparison at an easy level, an error in which is a lapse of attention"},
+     {"no_signal", CatchType::no_signal,
+      "the standard twice with the judgement performance, every choice in which is a false alarm"},
      {"identical_pair", CatchType::identical_pair,
       "the standard twice with the judgement comparison"}});
 
 constexpr auto kCatchTrialsKeys = keys_of(
-    member_key<&Declaration::CatchTrials::type>(
-        "type", "Type",
-        "easy: the comparison at an easy level, an error in which is a lapse of attention; "
-        "no_signal: the standard twice with the judgement performance, every choice in which is a "
-        "false alarm; identical_pair: the standard twice with the judgement comparison.",
-        kCatchTypes),
+    listing_words(member_key<&Declaration::CatchTrials::type>(
+        "type", "Type", "Surfaces of the catch trials.", kCatchTypes)),
     when(member_key<&Declaration::CatchTrials::level>(
              "level", "Level",
              "Of the type easy, which requires it: level of the catch trials, in the measure of "
-             "\"vary\": at least as easy as its easiest level.",
+             "the levels of the varied parameter; at least as easy as the easiest of them.",
              NumberShape{}),
          where("type", {kAbsent, "easy"})),
     required_key(member_key<&Declaration::CatchTrials::every>(
@@ -188,7 +186,8 @@ constexpr auto kCatchTrialsKeys = keys_of(
 constexpr std::array<KeyWord, 6> kMethods{
     {{"constant_stimuli", 0, "every level equally often, in random order"},
      {"transformed_up_down", 0,
-      "down after `down` correct responses in succession, up after `up` incorrect ones"},
+      "down after a number of correct responses in succession, up after a number of incorrect "
+      "ones"},
      {"weighted_up_down", 0,
       "down after a correct response, up by a larger step after an incorrect one"},
      {"psi", 0, "the level from which the most is expected about the threshold"},
@@ -219,16 +218,11 @@ constexpr auto kTimeouts =
                     {"incorrect", true, "an incorrect response"}});
 
 constexpr auto kProcedureKeys = keys_of(
-    required_key(member_key<&Declaration::method>(
+    required_key(listing_words(member_key<&Declaration::method>(
         "method", "Method",
-        "constant_stimuli: every level equally often, in random order; transformed_up_down: down "
-        "after `down` correct responses in succession, up after `up` incorrect ones; "
-        "weighted_up_down: down after a correct response, up by a larger step after an incorrect "
-        "one; psi: the level from which the most is expected about the threshold; quest_plus: the "
-        "level from which the most is expected about threshold, slope and lapse rate; external: "
-        "the level that a program of the laboratory states, which is given by run --external or in "
-        "the window and never by a file.",
-        WordShape{kMethods})),
+        "The method that chooses the levels. A program of the laboratory is given by run "
+        "--external or in the window, and never by a file.",
+        WordShape{kMethods}))),
     when(member_key<&Declaration::repetitions>(
              "repetitions", "Repetitions",
              "Constant stimuli: number of presentations of every level.", kTrialCount),
@@ -264,11 +258,12 @@ constexpr auto kProcedureKeys = keys_of(
          kOfUpDown),
     when(member_key<&Declaration::steps_up>(
              "steps_up", "Steps up",
-             "Transformed up-down: the steps of moves up, if they differ from `steps`.", kSteps),
+             "Transformed up-down: the steps of moves up, if they are not those of all moves.",
+             kSteps),
          where("method", {"transformed_up_down"})),
     when(member_key<&Declaration::steps_down>(
              "steps_down", "Steps down",
-             "Up-down: the steps of moves down, if they differ from `steps`.", kSteps),
+             "Up-down: the steps of moves down, if they are not those of all moves.", kSteps),
          kOfUpDown),
     when(member_key<&Declaration::prior>("prior", "Prior", kPriorTable),
          where("method", {"psi", "quest_plus"})),
@@ -280,10 +275,10 @@ constexpr auto kProcedureKeys = keys_of(
                return json::array({"slope", "lapse"});
              }),
          where("method", {"psi"})),
-    when(custom_key<&store_settings>("settings", "Settings",
-                                     "External: an object that the program receives unchanged; its "
-                                     "content is not interpreted.",
-                                     ObjectShape{&kAnyObject}),
+    when(custom_key<&store_settings>(
+             "settings", "Settings",
+             "External: settings that the program receives unchanged; they are not interpreted.",
+             ObjectShape{&kAnyObject}),
          where("method", {"external"})),
     when(member_key<&Declaration::answer_within_s>(
              "answer_within_s", "Time to answer",
@@ -297,25 +292,21 @@ constexpr auto kProcedureKeys = keys_of(
              "by default.",
              {.shortest = 1, .longest = 16}),
          kOfTracks),
-    member_key<&Declaration::timeouts_are_incorrect>(
-        "timed_out", "Missed response deadline",
-        "What a missed response deadline means: same_level: the level is presented again in "
-        "another trial; incorrect: an incorrect response.",
-        kTimeouts),
+    listing_words(member_key<&Declaration::timeouts_are_incorrect>(
+        "timed_out", "Missed response deadline", "What a missed response deadline means.",
+        kTimeouts)),
     member_key<&Declaration::catch_trials>("catch_trials", "Catch trials", kCatchTrialsTable));
 
 }  // namespace
 
 constexpr KeyTableOf<LevelGrid> kGridTable = table_of("A grid of levels.", kGridKeys);
 
-constexpr KeyTableOf<Dimension> kDimensionTable =
-    decided_by(table_of("The parameter that the trials vary: a factor whose levels are values of "
-                        "one parameter of one "
-                        "of the surfaces, in combination with the other factors of the block. It "
-                        "has exactly one of "
-                        "the keys with levels.",
-                        kDimensionKeys),
-               kMeasures);
+constexpr KeyTableOf<Dimension> kDimensionTable = decided_by(
+    table_of("The parameter that the trials vary: a factor whose levels are values of one "
+             "parameter of one of the surfaces, in combination with the other factors of the "
+             "block. The levels are stated in exactly one of the measures.",
+             kDimensionKeys),
+    kMeasures);
 
 constexpr KeyTableOf<ValueRange> kRangeTable = table_of("A range of values.", kRangeKeys);
 constexpr KeyTableOf<ValueRange> kLapseRangeTable =
@@ -340,7 +331,8 @@ constexpr KeyTableOf<Declaration::CatchTrials> kCatchTrialsTable = table_of(
     "from them.",
     kCatchTrialsKeys);
 
-constexpr KeyTableOf<Declaration> kProcedureTable = table_of(
-    "The procedure that chooses the levels of \"vary\" from the responses.", kProcedureKeys);
+constexpr KeyTableOf<Declaration> kProcedureTable =
+    table_of("The procedure that chooses the levels of the varied parameter from the responses.",
+             kProcedureKeys);
 
 }  // namespace asperity

@@ -37,9 +37,9 @@ constexpr auto kCommonKeys = keys_of(
         kExpectations),
     member_key<&Observer::gaussian_wavelength_m>(
         "gaussian_wavelength_m", "Cut-off wavelength",
-        "With true_surface: cut-off wavelength of the Gaussian low-pass whose result is subtracted "
-        "from the expected heights, as from heights of a photograph. Absent: nothing is "
-        "subtracted.",
+        "With true height fields as the expectation: cut-off wavelength of the Gaussian low-pass "
+        "whose result is subtracted from the expected heights, as from heights of a photograph. "
+        "Absent: nothing is subtracted.",
         NumberShape{.minimum = 0.0001, .maximum = 1.0, .unit = "m", .display = kMillimetres}),
     member_key<&Observer::deaf>("deaf", "Forces ignored", "Whether the felt forces are ignored.",
                                 TruthShape{}),

@@ -45,15 +45,11 @@ constexpr auto kGroupsKeys = keys_of(
                                     "The factor whose levels are the groups. Every trial has the "
                                     "level of the participant's group, so no block sets it.",
                                     NameShape{.registry = kFactorNames, .levels = kGroupNames})),
-    member_key<&Groups::assigned>(
-        "assigned", "Assignment",
-        "The assignment of participants: balanced (to the group with the fewest participants), "
-        "permuted_blocks (by a random sequence in blocks, each of which contains every group "
-        "equally often) or by_experimenter (stated when the first session begins).",
-        kAssignments),
+    listing_words(member_key<&Groups::assigned>(
+        "assigned", "Assignment", "The assignment of participants to groups.", kAssignments)),
     when(member_key<&Groups::block_sizes>(
              "block_sizes", "Sizes of blocks",
-             "Of permuted_blocks: the sizes from which that of each block is drawn, multiples of "
+             "Of permuted blocks: the sizes from which that of each block is drawn, multiples of "
              "the number of groups. Absent: two and three times this number.",
              ListShape{.entry = &kBlockSize,
                        .meaning = "Participants in a block.",
@@ -61,7 +57,7 @@ constexpr auto kGroupsKeys = keys_of(
                        .longest = 16}),
          where("assigned", {"permuted_blocks"})),
     when(member_key<&Groups::seed>(
-             "seed", "Seed", "Of permuted_blocks: the seed of the sequence.",
+             "seed", "Seed", "Of permuted blocks: the seed of the sequence.",
              NumberShape{.minimum = 0.0, .maximum = 9'007'199'254'740'991.0, .is_whole = true}),
          where("assigned", {"permuted_blocks"})));
 

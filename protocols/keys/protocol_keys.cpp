@@ -45,11 +45,8 @@ constexpr auto kProtocolKeys = keys_of(
     listing_words(required_key(member_key<&Protocol::kind>(
         "kind", "Kind", "The kind of experiment; a block can have another one.",
         WordShape{kKinds}))),
-    required_key(member_key<&Protocol::design>(
-        "design", "Design",
-        "chapter: one response per participant and column of the published table; improved: "
-        "balanced, with practice and repetitions.",
-        kDesigns)),
+    required_key(listing_words(member_key<&Protocol::design>(
+        "design", "Design", "The design of the experiment.", kDesigns))),
     required_key(
         member_key<&Protocol::name>("name", "Name",
                                     "Short name, used in file names and data: lower-case letters, "
@@ -103,9 +100,10 @@ constexpr auto kProtocolKeys = keys_of(
     required_key(list_key<&Protocol::flow, kStepTable>("flow", "Flow", "The session, step by step.",
                                                        {.shortest = 1, .longest = 1000})),
     member_key<&Protocol::resume>("resume", "Resumption", kResumeTable),
-    member_key<&Protocol::counterbalance>("counterbalance", "Counterbalancing",
-                                          "Order of the levels of for_each across participants.",
-                                          kCounterbalances),
+    member_key<&Protocol::counterbalance>(
+        "counterbalance", "Counterbalancing",
+        "Order, across participants, of the levels of a factor for each of which a block is run.",
+        kCounterbalances),
     member_key<&Protocol::groups>("groups", "Groups", kGroupsTable),
     member_key<&Protocol::observer>("observer", "Virtual observer", kObserverTable),
     inner_key("recording", "Recording", kRecordingTable),

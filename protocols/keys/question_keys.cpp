@@ -50,14 +50,15 @@ constexpr auto kAskedKeys = keys_of(
                                                kShownParagraph)),
     required_key(listing_words(
         custom_key<&store_form>("form", "Form", "Form of the response.", WordShape{kForms}))),
-    when(custom_key<&store_options>(
-             "options", "Options", "The options of a choice or a multiple choice.",
-             ListShape{.entry = &kOption,
-                       .meaning = "An option: the text that is shown and stored, or an object if "
-                                  "another text is shown, for example in another language.",
-                       .shortest = 2,
-                       .longest = 32}),
-         where("form", {ChoiceForm::kName, MultipleChoiceForm::kName})));
+    when(
+        custom_key<&store_options>(
+            "options", "Options", "The options of a choice or a multiple choice.",
+            ListShape{.entry = &kOption,
+                      .meaning = "An option: the text that is shown and stored, or a stored value "
+                                 "and another text that is shown, for example in another language.",
+                      .shortest = 2,
+                      .longest = 32}),
+        where("form", {ChoiceForm::kName, MultipleChoiceForm::kName})));
 constexpr auto kOptionalKey = keys_of(member_key<&Question::optional>(
     "optional", "Optional", "Whether the question may be left unanswered.", TruthShape{}));
 
@@ -158,12 +159,13 @@ constexpr KeyTableOf<LineForm> kLineTable = table_of(
 
 constexpr KeyTableOf<AnswerCondition> kConditionTable = table_of(
     "The answer to an earlier question of the questionnaire on which a question or a screen "
-    "depends. Exactly one of is, in, includes, or a range.",
+    "depends. Exactly one of an answer, several possible answers, an answer among those chosen, or "
+    "a range.",
     kConditionKeys, "condition");
 
 constexpr KeyTableOf<AnswerCondition> kTrialConditionTable = table_of(
     "The answer to an earlier question of the same trial on which a question depends. Exactly one "
-    "of is, in, includes, or a range.",
+    "of an answer, several possible answers, an answer among those chosen, or a range.",
     kTrialConditionKeys, "condition");
 
 }  // namespace asperity

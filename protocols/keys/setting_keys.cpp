@@ -72,7 +72,7 @@ constexpr KeyTableOf<Protocol> kRecordingTable = table_of("The recorded data.", 
 
 constexpr KeyTableOf<InstabilityRule> kInstabilityTable = table_of(
     "Consequence of a vibration that the force model does not contain. The vibration of every "
-    "surface is stored, with or without this key.",
+    "surface is stored, with or without a consequence.",
     kInstabilityKeys);
 
 constexpr KeyTableOf<SurfacePatch> kSurfaceTable =

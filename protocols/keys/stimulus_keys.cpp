@@ -54,7 +54,7 @@ constexpr auto kStimulusKeys = keys_of(
         "the value that the height field of the texture suggests, and without a suggestion the "
         "model's default.",
         MapShape{.entry = &kParameter,
-                 .meaning = "A value, or the factor whose level it is: {\"factor\": \"name\"}.",
+                 .meaning = "A value, or the factor whose level it is.",
                  .has_names = false}),
     member_key<&StimulusTemplate::equal_force>("equal_force", "Equal force", kEqualForceTable),
     inner_key("material", "Material", kStimulusMaterialTable));
@@ -65,11 +65,11 @@ constexpr KeyTableOf<StimulusTemplate> kStimulusTable =
     table_of("A force model with a texture and parameters, each of which can be bound to a factor.",
              kStimulusKeys, "stimulus");
 
-constexpr KeyTableOf<EqualForce> kEqualForceTable = decided_by(
-    table_of("Determines the model's amplitude parameter so that the RMS texture force equals a "
-             "stated value (rms_N) or that of another model with the same texture (to_model).",
-             kEqualForceKeys),
-    kTargets);
+constexpr KeyTableOf<EqualForce> kEqualForceTable =
+    decided_by(table_of("Determines the model's amplitude parameter so that the RMS texture force "
+                        "equals a stated value or that of another model with the same texture.",
+                        kEqualForceKeys),
+               kTargets);
 
 constexpr KeyTableOf<StimulusTemplate> kStimulusMaterialTable = table_of(
     "Stiffness and friction of this stimulus, in place of those of the protocol's material.",

@@ -58,7 +58,7 @@ constexpr auto kTextureKeys = keys_of(
 }  // namespace
 
 constexpr KeyTableOf<Texture> kTextureTable =
-    table_of("A texture of the experiment: felt (height_field), seen (picture), or both.",
+    table_of("A texture of the experiment: felt (a height field), seen (a picture), or both.",
              kTextureKeys, "texture");
 
 constexpr KeyTableOf<ForceFeatures> kFeaturesTable = table_of(

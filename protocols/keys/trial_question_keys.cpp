@@ -125,9 +125,9 @@ constexpr auto kOnlyQuestionKeys =
 constexpr KeyTableOf<Template> kListedQuestionTable =
     table_of("One of several questions of a trial.", kListedQuestionKeys);
 
-constexpr KeyTableOf<Protocol::Block> kOnlyQuestionTable = table_of(
-    "The question of every trial; \"questions\" lists several questions.", kOnlyQuestionKeys);
+constexpr KeyTableOf<Protocol::Block> kOnlyQuestionTable =
+    table_of("The question of every trial, if there is only one.", kOnlyQuestionKeys);
 
 constexpr KeyTableOf<Option> kWordTable =
-    table_of("One option, as an object {\"value\": \"yes\", \"text\": \"Yes\"}.", kWordKeys);
+    table_of("One option: the value that is stored, and the text that is shown.", kWordKeys);
 }  // namespace asperity

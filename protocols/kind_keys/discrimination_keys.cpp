@@ -20,11 +20,11 @@ constexpr std::array<std::string_view, 2> kExclusions{"more_catch_errors_than",
 
 }  // namespace
 
-constexpr KeyTableOf<CatchExclusion> kExclusionTable = decided_by(
-    table_of(
-        "Discrimination with catch trials: participants with more errors in them are excluded; "
-        "results are reported with and without these participants. One of the two keys.",
-        kExclusionKeys),
-    kExclusions);
+constexpr KeyTableOf<CatchExclusion> kExclusionTable =
+    decided_by(table_of("Discrimination with catch trials: participants with more errors in them "
+                        "are excluded; results are reported with and without these participants. "
+                        "One of the two limits is stated.",
+                        kExclusionKeys),
+               kExclusions);
 
 }  // namespace asperity

@@ -23,19 +23,17 @@ inline constexpr auto kAsksForWords = words_of<DiscriminationQuestion::AsksFor>(
 inline constexpr auto kDiscriminationQuestionKeys = owned_by(
     {"discrimination"},
     keys_of(
-        when(member_key<&DiscriminationQuestion::judgement>(
-                 "judgement", "Judgement",
-                 "Discrimination: performance: the comparison is the correct response; comparison: "
-                 "no response is correct, and the point of subjective equality is estimated.",
-                 kJudgements),
+        when(listing_words(member_key<&DiscriminationQuestion::judgement>(
+                 "judgement", "Judgement", "Discrimination: whether a response can be correct.",
+                 kJudgements)),
              kOfTheKind, without("scale")),
-        when(with_standard(member_key<&DiscriminationQuestion::asks_for>(
-                               "asks_for", "Asks for",
-                               "Discrimination with the judgement comparison: whether the question "
-                               "asks for the surface with the higher (more) or the lower (less) "
-                               "value of the varied parameter.",
-                               kAsksForWords),
-                           [](const ProtocolKey&) { return nlohmann::json("more"); }),
+        when(with_standard(
+                 member_key<&DiscriminationQuestion::asks_for>(
+                     "asks_for", "Asks for",
+                     "Discrimination with the judgement comparison: whether the question asks for "
+                     "the surface with the higher or the lower value of the varied parameter.",
+                     kAsksForWords),
+                 [](const ProtocolKey&) { return nlohmann::json("more"); }),
              where("judgement", {"comparison"}))));
 
 /// Of a scale next to it.
@@ -51,28 +49,25 @@ inline constexpr auto kConfidenceKeys = owned_by(
 inline constexpr std::array<KeyWord, 5> kDiscriminationDesigns{
     {{"two_alternatives", 0, "one of two surfaces is chosen"},
      {"three_alternatives", 0, "the comparison is chosen among two standards"},
-     {"oddity", 0, "of three surfaces, two of them equal, the odd one is chosen"},
-     {"yes_no", 0, "one surface, with the options yes and no"},
-     {"same_different", 0, "two surfaces, with the options same and different"}}};
+     {"oddity", 0,
+      "of three surfaces, two of them equal, the odd one is chosen, which is equally often a "
+      "comparison and a standard"},
+     {"yes_no", 0, "one surface, the standard or the comparison, with the options yes and no"},
+     {"same_different", 0,
+      "two surfaces, equal or different, with the options same and different"}}};
 
 inline void store_design(const nlohmann::json& value, DiscriminationBlock& block) {
   block.design = find_design(value.get<std::string>());
 }
 
 /// Of a block.
-inline constexpr auto kDiscriminationBlockKeys =
-    owned_by({"discrimination"},
-             keys_of(with_standard(
-                 custom_key<&store_design>(
-                     "design", "Design",
-                     "Discrimination: two_alternatives: one of two surfaces is chosen; "
-                     "three_alternatives: the comparison is chosen among two standards; oddity: of "
-                     "three surfaces, two of them equal, the odd one is chosen, which is equally "
-                     "often a comparison and a standard; yes_no: one surface, the standard or the "
-                     "comparison, with the options yes and no; same_different: two surfaces, equal "
-                     "or different, with the options same and different.",
-                     WordShape{kDiscriminationDesigns}),
-                 [](const ProtocolKey&) { return nlohmann::json("two_alternatives"); })));
+inline constexpr auto kDiscriminationBlockKeys = owned_by(
+    {"discrimination"},
+    keys_of(with_standard(
+        listing_words(custom_key<&store_design>(
+            "design", "Design", "Discrimination: the surfaces of a trial, and the response.",
+            WordShape{kDiscriminationDesigns})),
+        [](const ProtocolKey&) { return nlohmann::json("two_alternatives"); })));
 
 inline constexpr auto kObserverEffects =
     words_of<bool>({{"increases", false, "it increases with the parameter"},
@@ -93,13 +88,13 @@ inline constexpr auto kObserverCriterionKeys = owned_by(
     keys_of(
         member_key<&DiscriminationObserver::yes_above>(
             "yes_above", "Criterion of yes",
-            "Discrimination with the design yes_no: the magnitude above which the response is yes, "
-            "as a fraction of the mean normal force in m/s² or in mm/N (see `magnitude_of`); below "
-            "which, where a signal has the smaller magnitude.",
+            "Discrimination with the options yes and no: the magnitude above which the response is "
+            "yes, in the unit of the judged quantity: as a fraction of the mean normal force, in "
+            "m/s² or in mm/N; below which, where a signal has the smaller magnitude.",
             kObserverCriterion),
         member_key<&DiscriminationObserver::different_above>(
             "different_above", "Criterion of different",
-            "Discrimination with the design same_different: the relative difference of two "
+            "Discrimination with the options same and different: the relative difference of two "
             "magnitudes from which on the response is different; 0.1 is a difference of 10 %.",
             kObserverCriterion),
         member_key<&DiscriminationObserver::unsure_within>(

@@ -66,8 +66,8 @@ constexpr auto kNormalisations = words_of<Normalisation>(
 constexpr auto kEstimationKeys = keys_of(
     member_key<&Estimation::spacing>(
         "spacing", "Spacings",
-        "The factor whose levels are spacings: numbers in metres, or textures with a spacing_m. "
-        "Either spacing or factor.",
+        "The factor whose levels are spacings: numbers in metres, or textures with a stated "
+        "spacing. It is stated instead of the factor of other stimuli.",
         NameShape{.registry = kFactorNames, .governs_levels = true, .levels = "textures"}),
     member_key<&Estimation::items>(
         "factor", "Factor",
@@ -83,8 +83,8 @@ constexpr auto kEstimationKeys = keys_of(
         WordShape{kPredictors}),
     member_key<&Estimation::predictor_values>(
         "values", "Values",
-        "With the predictor values: the value of each level, above 0, by the level in quotation "
-        "marks, a number in any notation.",
+        "With stated values as the predictor: the value of each level, above 0. A level that is a "
+        "number can be written in any notation.",
         MapShape{.entry = &kValueOfLevel,
                  .meaning = "The value of a level.",
                  .has_names = false,
@@ -92,7 +92,8 @@ constexpr auto kEstimationKeys = keys_of(
                  .shortest = 1,
                  .longest = 256}),
     member_key<&Estimation::predictor_unit>(
-        "unit", "Unit", "With the predictor level or values: its unit. Absent: that of the factor.",
+        "unit", "Unit",
+        "With the level or stated values as the predictor: its unit. Absent: that of the factor.",
         TextShape{.may_be_empty = true, .longest = 64}),
     with_standard(
         custom_key<&store_modulus>(
@@ -105,8 +106,8 @@ constexpr auto kEstimationKeys = keys_of(
         "normalisation", "Normalisation",
         "What is removed from the logarithms of the estimates of a participant before means and "
         "exponents are computed: the mean of the participant's cells, the distance of the "
-        "estimates of the standard from the modulus, or nothing. Absent: geometric_mean with free "
-        "modulus, none with a standard.",
+        "estimates of the standard from the modulus, or nothing. Absent: the mean with free "
+        "modulus, nothing with a standard.",
         kNormalisations),
     member_key<&Estimation::condition>(
         "condition", "Condition",

@@ -12,10 +12,10 @@ extern const KeyTableOf<EstimationDeclaration> kEstimationTable;
 extern const KeyTableOf<EstimationModulus> kModulusTable;
 
 /// Of a virtual participant, which also rates on scales by this power function.
-inline constexpr auto kMagnitudeObserverKeys = keys_of(member_key<&MagnitudeObserver::exponent>(
-    "exponent", "Exponent",
-    "Magnitude and rating: exponent of the power function from the quantity in `magnitude_of` to "
-    "the estimate.",
-    NumberShape{.above = 0.0, .maximum = 10.0}));
+inline constexpr auto kMagnitudeObserverKeys = keys_of(
+    member_key<&MagnitudeObserver::exponent>("exponent", "Exponent",
+                                             "Magnitude and rating: exponent of the power function "
+                                             "from the judged quantity to the estimate.",
+                                             NumberShape{.above = 0.0, .maximum = 10.0}));
 
 }  // namespace asperity

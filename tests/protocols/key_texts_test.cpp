@@ -1,6 +1,7 @@
 // The texts of keys: which there are, and that the German texts of the windows have exactly these.
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <fstream>
 #include <iterator>
@@ -34,6 +35,32 @@ TEST(KeyTexts, AreThoseOfEveryPlaceInATable) {
                   "A level: a number or a name.",       // an entry of a list
                   "Levels of the anchor",               // a key of an entry by name
               }));
+}
+
+/// The words with an underscore, as keys and words of a file have it.
+std::set<std::string> words_of_files(std::string_view text) {
+  std::set<std::string> found{};
+  std::string word{};
+  for (const char c : std::string(text) + ' ') {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
+      word += c;
+      continue;
+    }
+    if (word.find('_') != std::string::npos) found.insert(word);
+    word.clear();
+  }
+  return found;
+}
+
+/// The form shows labels in place of keys. What remains is typed as it is written here.
+TEST(KeyTexts, NameNoKeys) {
+  const std::set<std::string> typed{"relative_amplitude", "vibration_models", "data_driven"};
+  for (const std::string_view text : texts_of_keys()) {
+    std::vector<std::string> keys{};
+    std::ranges::set_difference(words_of_files(text), typed, std::back_inserter(keys));
+    EXPECT_THAT(keys, IsEmpty()) << text;
+    EXPECT_EQ(text.find(" key"), std::string_view::npos) << text;
+  }
 }
 
 /// As the file of translations writes it.

@@ -6555,16 +6555,16 @@
         <translation>Beurteilung: Konstrukte nach Namen. Cronbachs Alpha wird über die Skalen jedes Konstrukts berechnet.</translation>
     </message>
     <message>
-        <source>The tests, declared before data collection. Further keys are stored with the study and not interpreted.</source>
-        <translation>Die vor der Erhebung festgelegten Tests. Weitere Schlüssel werden mit der Studie gespeichert und nicht ausgewertet.</translation>
+        <source>The tests, declared before data collection. Further entries are stored with the study and not interpreted.</source>
+        <translation>Die vor der Erhebung festgelegten Tests. Weitere Einträge werden mit der Studie gespeichert und nicht ausgewertet.</translation>
     </message>
     <message>
         <source>Scales that are to measure the same attribute of the items.</source>
         <translation>Skalen, die dasselbe Merkmal der Items messen sollen.</translation>
     </message>
     <message>
-        <source>Discrimination with catch trials: participants with more errors in them are excluded; results are reported with and without these participants. One of the two keys.</source>
-        <translation>Unterscheidung mit Kontrolldurchgängen: Versuchspersonen mit mehr Fehlern darin werden ausgeschlossen; Ergebnisse werden mit und ohne diese Versuchspersonen berichtet. Einer der beiden Schlüssel.</translation>
+        <source>Discrimination with catch trials: participants with more errors in them are excluded; results are reported with and without these participants. One of the two limits is stated.</source>
+        <translation>Unterscheidung mit Kontrolldurchgängen: Versuchspersonen mit mehr Fehlern darin werden ausgeschlossen; Ergebnisse werden mit und ohne diese Versuchspersonen berichtet. Eine der beiden Grenzen wird angegeben.</translation>
     </message>
     <message>
         <source>not analysed</source>
@@ -6631,16 +6631,16 @@
         <translation>der Vergleichsreiz wird unter zwei Standardreizen gewählt</translation>
     </message>
     <message>
-        <source>of three surfaces, two of them equal, the odd one is chosen</source>
-        <translation>von drei Oberflächen, zwei davon gleich, wird die abweichende gewählt</translation>
+        <source>of three surfaces, two of them equal, the odd one is chosen, which is equally often a comparison and a standard</source>
+        <translation>von drei Oberflächen, zwei davon gleich, wird die abweichende gewählt, die gleich oft ein Vergleichsreiz und ein Standardreiz ist</translation>
     </message>
     <message>
-        <source>one surface, with the options yes and no</source>
-        <translation>eine Oberfläche, mit den Antworten Ja und Nein</translation>
+        <source>one surface, the standard or the comparison, with the options yes and no</source>
+        <translation>eine Oberfläche, der Standard- oder der Vergleichsreiz, mit den Antworten Ja und Nein</translation>
     </message>
     <message>
-        <source>two surfaces, with the options same and different</source>
-        <translation>zwei Oberflächen, mit den Antworten gleich und verschieden</translation>
+        <source>two surfaces, equal or different, with the options same and different</source>
+        <translation>zwei gleiche oder verschiedene Oberflächen, mit den Antworten gleich und verschieden</translation>
     </message>
     <message>
         <source>before the trials</source>
@@ -6691,7 +6691,7 @@
         <translation>Aufgeführte Durchgänge</translation>
     </message>
     <message>
-        <source>List of trials, each with a level of the same factors; an alternative to crossed.</source>
+        <source>List of trials, each with a level of the same factors; an alternative to crossed factors.</source>
         <translation>Liste der Durchgänge, jeder mit einer Stufe derselben Faktoren; eine Alternative zu gekreuzten Faktoren.</translation>
     </message>
     <message>
@@ -6723,8 +6723,8 @@
         <translation>Einzelne Wiederholungen</translation>
     </message>
     <message>
-        <source>Numbers of repetitions of some trials, in place of repetitions.</source>
-        <translation>Anzahlen der Wiederholungen einzelner Durchgänge, anstelle der allgemeinen.</translation>
+        <source>Numbers of repetitions of some trials, in place of that of the block.</source>
+        <translation>Anzahlen der Wiederholungen einzelner Durchgänge, anstelle der Anzahl des Blocks.</translation>
     </message>
     <message>
         <source>All pairs</source>
@@ -6743,8 +6743,8 @@
         <translation>Design</translation>
     </message>
     <message>
-        <source>Discrimination: two_alternatives: one of two surfaces is chosen; three_alternatives: the comparison is chosen among two standards; oddity: of three surfaces, two of them equal, the odd one is chosen, which is equally often a comparison and a standard; yes_no: one surface, the standard or the comparison, with the options yes and no; same_different: two surfaces, equal or different, with the options same and different.</source>
-        <translation>Unterscheidung: two_alternatives: eine von zwei Oberflächen wird gewählt; three_alternatives: der Vergleichsreiz wird unter zwei Standardreizen gewählt; oddity: von drei Oberflächen, zwei davon gleich, wird die abweichende gewählt, die gleich oft ein Vergleichsreiz und ein Standardreiz ist; yes_no: eine Oberfläche, der Standard- oder der Vergleichsreiz, mit den Antworten Ja und Nein; same_different: zwei gleiche oder verschiedene Oberflächen, mit den Antworten gleich und verschieden.</translation>
+        <source>Discrimination: the surfaces of a trial, and the response.</source>
+        <translation>Unterscheidung: die Oberflächen eines Durchgangs und die Antwort.</translation>
     </message>
     <message>
         <source>Repetitions</source>
@@ -6767,8 +6767,8 @@
         <translation>Anker</translation>
     </message>
     <message>
-        <source>Anchors, reference trials of every run of the block whose responses are stored and not analysed: factor and level, that of &quot;vary&quot; in its measure.</source>
-        <translation>Anker, Vergleichsdurchgänge jedes Laufs des Blocks, deren Antworten gespeichert und nicht ausgewertet werden: Faktor und Stufe, die von „vary“ in dessen Maß.</translation>
+        <source>Anchors, reference trials of every run of the block whose responses are stored and not analysed: factor and level. The level of the varied parameter is stated in the measure of its levels.</source>
+        <translation>Anker, Vergleichsdurchgänge jedes Laufs des Blocks, deren Antworten gespeichert und nicht ausgewertet werden: Faktor und Stufe. Die Stufe des variierten Parameters wird im Maß seiner Stufen angegeben.</translation>
     </message>
     <message>
         <source>Levels of the anchor</source>
@@ -6791,8 +6791,8 @@
         <translation>Reihenfolge</translation>
     </message>
     <message>
-        <source>fixed: as written; shuffle: all trials in random order; shuffle_within_repetition: each repetition is completed before the next.</source>
-        <translation>fixed: wie angegeben; shuffle: alle Durchgänge in zufälliger Reihenfolge; shuffle_within_repetition: jede Wiederholung wird vor der nächsten abgeschlossen.</translation>
+        <source>Order of the trials.</source>
+        <translation>Reihenfolge der Durchgänge.</translation>
     </message>
     <message>
         <source>Trials in a row.</source>
@@ -6839,44 +6839,44 @@
         <translation>Reihenfolge der Oberflächen</translation>
     </message>
     <message>
-        <source>Order of the surfaces within a trial. balanced: every item in every position equally often over the block; in a choice between surfaces with `vary` and without `procedure` and `until` also within each level, if every combination of levels has a multiple of the number of surfaces as its number of trials.</source>
-        <translation>Reihenfolge der Oberflächen in einem Durchgang. balanced: jedes Item über den Block gleich oft an jeder Position; bei einer Wahl zwischen Oberflächen mit `vary` und ohne `procedure` und `until` auch innerhalb jeder Stufe, wenn die Anzahl der Durchgänge jeder Stufenkombination ein Vielfaches der Anzahl der Oberflächen ist.</translation>
+        <source>Order of the surfaces within a trial. A balanced order has every item in every position equally often over the block; in a choice between surfaces with a varied parameter and without a procedure or a criterion also within each level, if every combination of levels has a multiple of the number of surfaces as its number of trials.</source>
+        <translation>Reihenfolge der Oberflächen in einem Durchgang. Eine ausbalancierte Reihenfolge hat jedes Item über den Block gleich oft an jeder Position; bei einer Wahl zwischen Oberflächen mit einem variierten Parameter und ohne Verfahren und Kriterium auch innerhalb jeder Stufe, wenn die Anzahl der Durchgänge jeder Stufenkombination ein Vielfaches der Anzahl der Oberflächen ist.</translation>
     </message>
     <message>
         <source>Question</source>
         <translation>Frage</translation>
     </message>
     <message>
-        <source>this or `questions`</source>
-        <translation>dies oder `questions`</translation>
+        <source>this, or several questions</source>
+        <translation>dies, oder mehrere Fragen</translation>
     </message>
     <message>
         <source>Questions</source>
         <translation>Fragen</translation>
     </message>
     <message>
-        <source>The questions of every trial, at most 12, instead of &quot;question&quot;.</source>
-        <translation>Die Fragen jedes Durchgangs, höchstens 12, anstelle von „question“.</translation>
+        <source>The questions of every trial, at most 12, instead of a single question.</source>
+        <translation>Die Fragen jedes Durchgangs, höchstens 12, anstelle einer einzelnen Frage.</translation>
     </message>
     <message>
-        <source>this or `question`</source>
-        <translation>dies oder `question`</translation>
+        <source>this, or a single question</source>
+        <translation>dies, oder eine einzelne Frage</translation>
     </message>
     <message>
         <source>Order of the questions</source>
         <translation>Reihenfolge der Fragen</translation>
     </message>
     <message>
-        <source>fixed: as written; shuffle: in a new random order in every trial.</source>
-        <translation>fixed: wie angegeben; shuffle: in jedem Durchgang in neuer zufälliger Reihenfolge.</translation>
+        <source>Order of the questions of a trial.</source>
+        <translation>Reihenfolge der Fragen eines Durchgangs.</translation>
     </message>
     <message>
         <source>Layout of the questions</source>
         <translation>Anordnung der Fragen</translation>
     </message>
     <message>
-        <source>one_after_another: every question has a separate page; one_page: all questions are shown together, which requires scales with labels at the ends only.</source>
-        <translation>one_after_another: jede Frage hat eine eigene Seite; one_page: alle Fragen werden zusammen gezeigt, was Skalen erfordert, die nur an den Enden beschriftet sind.</translation>
+        <source>Whether the questions are shown together, which requires scales with labels at the ends only.</source>
+        <translation>Ob die Fragen zusammen gezeigt werden, was Skalen erfordert, die nur an den Enden beschriftet sind.</translation>
     </message>
     <message>
         <source>Text of the page</source>
@@ -7095,8 +7095,8 @@
         <translation>der Punkt der Textur in der Mitte der Oberfläche wird für jede Darbietung zufällig gezogen</translation>
     </message>
     <message>
-        <source>sequential: one after the other, in the order of the trial; side_by_side: 2 to 4 surfaces at once, as patches of the workspace; on_request: one at a time, in any order that the participant chooses.</source>
-        <translation>sequential: nacheinander, in der Reihenfolge des Durchgangs; side_by_side: 2 bis 4 Oberflächen zugleich, als Felder des Arbeitsraums; on_request: einzeln, in einer Reihenfolge nach Wahl der Versuchsperson.</translation>
+        <source>How the surfaces of a trial are presented.</source>
+        <translation>Wie die Oberflächen eines Durchgangs dargeboten werden.</translation>
     </message>
     <message>
         <source>Visits</source>
@@ -7107,8 +7107,8 @@
         <translation>Interstimulusintervall</translation>
     </message>
     <message>
-        <source>The inter-stimulus interval, from the last contact with a surface to the permission to touch the next: a time, or the limits between which it is drawn for every interval. It replaces pause_between_surfaces_s.</source>
-        <translation>Das Interstimulusintervall, vom letzten Kontakt mit einer Oberfläche bis zur Freigabe der nächsten: eine Zeit oder die Grenzen, zwischen denen sie für jedes Intervall gezogen wird. Es ersetzt pause_between_surfaces_s.</translation>
+        <source>The inter-stimulus interval, from the last contact with a surface to the permission to touch the next: a time, or the limits between which it is drawn for every interval. It replaces the pause between surfaces.</source>
+        <translation>Das Interstimulusintervall, vom letzten Kontakt mit einer Oberfläche bis zur Freigabe der nächsten: eine Zeit oder die Grenzen, zwischen denen sie für jedes Intervall gezogen wird. Es ersetzt die Pause zwischen Oberflächen.</translation>
     </message>
     <message>
         <source>Exposure</source>
@@ -7135,8 +7135,8 @@
         <translation>Phase der Textur</translation>
     </message>
     <message>
-        <source>fixed: a texture always has the same place on its surface; drawn: the point of the texture at the centre of the surface is drawn for every presentation.</source>
-        <translation>fixed: eine Textur liegt auf ihrer Oberfläche immer gleich; drawn: der Punkt der Textur in der Mitte der Oberfläche wird für jede Darbietung zufällig gezogen.</translation>
+        <source>Place of a texture on its surface.</source>
+        <translation>Lage einer Textur auf ihrer Oberfläche.</translation>
     </message>
     <message>
         <source>Factor</source>
@@ -7151,8 +7151,8 @@
         <translation>Beide Reihenfolgen</translation>
     </message>
     <message>
-        <source>true: every pair twice, with either level first; false: every pair once, in the order that positions determines.</source>
-        <translation>true: jedes Paar zweimal, mit jeder der beiden Stufen zuerst; false: jedes Paar einmal, in der Reihenfolge, die positions bestimmt.</translation>
+        <source>Whether every pair is presented twice, with either level first. Otherwise it is presented once, and its order is that of the surfaces within a trial.</source>
+        <translation>Ob jedes Paar zweimal dargeboten wird, mit jeder der beiden Stufen zuerst. Sonst wird es einmal dargeboten, in der Reihenfolge der Oberflächen in einem Durchgang.</translation>
     </message>
     <message>
         <source>Identical pairs</source>
@@ -7175,8 +7175,8 @@
         <translation>Angleichender Block</translation>
     </message>
     <message>
-        <source>The block that matches the surfaces: a discrimination with the judgement &quot;comparison&quot; whose procedure varies the parameter &quot;relative_amplitude&quot;.</source>
-        <translation>Der Block, der die Oberflächen angleicht: eine Unterscheidung mit dem Urteil „comparison“, deren Verfahren den Parameter „relative_amplitude“ variiert.</translation>
+        <source>The block that matches the surfaces: a discrimination with the judgement comparison whose procedure varies the relative amplitude.</source>
+        <translation>Der Block, der die Oberflächen angleicht: eine Unterscheidung mit dem Urteil „comparison“, deren Verfahren die relative Amplitude variiert.</translation>
     </message>
     <message>
         <source>Levels</source>
@@ -7247,8 +7247,8 @@
         <translation>Name der Oberfläche in den Antworten, wenn das Modell (Auswahl) oder die Textur die Oberflächen nicht unterscheidet.</translation>
     </message>
     <message>
-        <source>Practice to a criterion: the block ends when at least `correct` of the last `of_last` responses are correct.</source>
-        <translation>Übung bis zu einem Kriterium: Der Block endet, wenn mindestens `correct` der letzten `of_last` Antworten richtig sind.</translation>
+        <source>Practice to a criterion: the block ends when the required number of the most recent responses are correct.</source>
+        <translation>Übung bis zu einem Kriterium: Der Block endet, wenn die verlangte Anzahl der letzten Antworten richtig ist.</translation>
     </message>
     <message>
         <source>Irrelevant quantities that vary at random between presentations: each presentation has one of the levels.</source>
@@ -7419,8 +7419,8 @@
         <translation>Niedrigste Rate der Servoschleife, in Hz.</translation>
     </message>
     <message>
-        <source>95 % of `device.rate_Hz`</source>
-        <translation>95 % von `device.rate_Hz`</translation>
+        <source>95 % of the rate of the servo loop</source>
+        <translation>95 % der Rate der Servoschleife</translation>
     </message>
     <message>
         <source>Median lateness</source>
@@ -7599,8 +7599,8 @@
         <translation>Nur Eingabe</translation>
     </message>
     <message>
-        <source>true: the study needs only the hand&apos;s movement, and Run accepts a device that exerts no force. Otherwise sessions on such a device are pilots, unless the participant is virtual.</source>
-        <translation>true: Die Studie benötigt nur die Bewegung der Hand, und eine Erhebung ist auch mit einem Gerät ohne Kraft möglich. Sonst sind Sitzungen an einem solchen Gerät Piloten, außer bei virtuellen Versuchspersonen.</translation>
+        <source>Whether the study needs only the hand&apos;s movement: Run then accepts a device that exerts no force. Otherwise sessions on such a device are pilots, unless the participant is virtual.</source>
+        <translation>Ob die Studie nur die Bewegung der Hand benötigt: Eine Erhebung ist dann auch mit einem Gerät ohne Kraft möglich. Sonst sind Sitzungen an einem solchen Gerät Piloten, außer bei virtuellen Versuchspersonen.</translation>
     </message>
     <message>
         <source>Limits on the device</source>
@@ -7819,8 +7819,8 @@
         <translation>Abstände</translation>
     </message>
     <message>
-        <source>The factor whose levels are spacings: numbers in metres, or textures with a spacing_m. Either spacing or factor.</source>
-        <translation>Der Faktor, dessen Stufen Abstände sind: Zahlen in Metern oder Texturen mit spacing_m. Entweder Abstände oder Faktor.</translation>
+        <source>The factor whose levels are spacings: numbers in metres, or textures with a stated spacing. It is stated instead of the factor of other stimuli.</source>
+        <translation>Der Faktor, dessen Stufen Abstände sind: Zahlen in Metern oder Texturen mit einem angegebenen Abstand. Er wird anstelle des Faktors anderer Reize angegeben.</translation>
     </message>
     <message>
         <source>The factor whose levels are the estimated stimuli, whatever they are, or the parameter that the blocks vary. Each level is an item of the responses.</source>
@@ -7843,16 +7843,16 @@
         <translation>Werte</translation>
     </message>
     <message>
-        <source>With the predictor values: the value of each level, above 0, by the level in quotation marks, a number in any notation.</source>
-        <translation>Mit dem Prädiktor values: der Wert jeder Stufe, über 0, nach der Stufe in Anführungszeichen, einer Zahl in beliebiger Schreibweise.</translation>
+        <source>With stated values as the predictor: the value of each level, above 0. A level that is a number can be written in any notation.</source>
+        <translation>Mit angegebenen Werten als Prädiktor: der Wert jeder Stufe, über 0. Eine Stufe, die eine Zahl ist, kann in beliebiger Schreibweise stehen.</translation>
     </message>
     <message>
         <source>Unit</source>
         <translation>Einheit</translation>
     </message>
     <message>
-        <source>With the predictor level or values: its unit. Absent: that of the factor.</source>
-        <translation>Mit dem Prädiktor level oder values: seine Einheit. Ohne Angabe: die des Faktors.</translation>
+        <source>With the level or stated values as the predictor: its unit. Absent: that of the factor.</source>
+        <translation>Mit der Stufe oder angegebenen Werten als Prädiktor: dessen Einheit. Ohne Angabe: die des Faktors.</translation>
     </message>
     <message>
         <source>Modulus</source>
@@ -7867,8 +7867,8 @@
         <translation>Normierung</translation>
     </message>
     <message>
-        <source>What is removed from the logarithms of the estimates of a participant before means and exponents are computed: the mean of the participant&apos;s cells, the distance of the estimates of the standard from the modulus, or nothing. Absent: geometric_mean with free modulus, none with a standard.</source>
-        <translation>Was aus den Logarithmen der Schätzungen einer Versuchsperson entfernt wird, bevor Mittelwerte und Exponenten berechnet werden: der Mittelwert der Zellen der Versuchsperson, der Abstand der Schätzungen des Standardreizes vom Modulus oder nichts. Ohne Angabe: geometric_mean bei freiem Modulus, none mit einem Standardreiz.</translation>
+        <source>What is removed from the logarithms of the estimates of a participant before means and exponents are computed: the mean of the participant&apos;s cells, the distance of the estimates of the standard from the modulus, or nothing. Absent: the mean with free modulus, nothing with a standard.</source>
+        <translation>Was aus den Logarithmen der Schätzungen einer Versuchsperson entfernt wird, bevor Mittelwerte und Exponenten berechnet werden: der Mittelwert der Zellen der Versuchsperson, der Abstand der Schätzungen des Standardreizes vom Modulus oder nichts. Ohne Angabe: der Mittelwert bei freiem Modulus, nichts mit einem Standardreiz.</translation>
     </message>
     <message>
         <source>Condition</source>
@@ -8039,8 +8039,8 @@
         <translation>Führung</translation>
     </message>
     <message>
-        <source>Feedback about force and speed relative to their bands. experimenter: only the experimenter sees it; bars: the participant sees both quantities with their bands; moving_target: the participant sees a moving mark to follow, and the force with its band; tones: the participant hears nothing inside the bands, low tones below them and high tones above them.</source>
-        <translation>Rückmeldung über Kraft und Geschwindigkeit relativ zu ihren Sollbereichen. experimenter: nur die Versuchsleitung sieht sie; bars: die Versuchsperson sieht beide Größen mit ihren Sollbereichen; moving_target: die Versuchsperson sieht eine bewegte Marke, der sie folgt, und die Kraft mit ihrem Sollbereich; tones: die Versuchsperson hört innerhalb der Sollbereiche nichts, darunter tiefe und darüber hohe Töne.</translation>
+        <source>Feedback about force and speed relative to their bands.</source>
+        <translation>Rückmeldung über Kraft und Geschwindigkeit relativ zu ihren Sollbereichen.</translation>
     </message>
     <message>
         <source>A variable of trials, presentations or runs of a block.</source>
@@ -8051,8 +8051,8 @@
         <translation>Instruierte Exploration einer Oberfläche und die Folge von Abweichungen davon.</translation>
     </message>
     <message>
-        <source>A range of a quantity, with one or more of these keys.</source>
-        <translation>Ein Bereich einer Größe, mit einem oder mehreren dieser Schlüssel.</translation>
+        <source>A range of a quantity: a limit, a target, or several of them.</source>
+        <translation>Ein Bereich einer Größe: eine Grenze, ein Zielwert oder mehrere davon.</translation>
     </message>
     <message>
         <source>the check of the device</source>
@@ -8087,8 +8087,8 @@
         <translation>Prüfung</translation>
     </message>
     <message>
-        <source>device, force_zero: the surface is removed, and the check is passed if the device responds and zero force is sent.</source>
-        <translation>device, force_zero: Die Oberfläche wird entfernt, und die Prüfung ist bestanden, wenn das Gerät antwortet und die Kraft null gesendet wird.</translation>
+        <source>The surface is removed, and the check is passed if the device responds and zero force is sent.</source>
+        <translation>Die Oberfläche wird entfernt, und die Prüfung ist bestanden, wenn das Gerät antwortet und die Kraft null gesendet wird.</translation>
     </message>
     <message>
         <source>Break</source>
@@ -8175,8 +8175,8 @@
         <translation>Dauer jeder Aufzeichnung.</translation>
     </message>
     <message>
-        <source>One step of the session: screen, check, break, run or ask.</source>
-        <translation>Ein Schritt der Sitzung: screen, check, break, run oder ask.</translation>
+        <source>One step of the session: a text, a check, a break, a run of a block, or questions.</source>
+        <translation>Ein Schritt der Sitzung: ein Text, eine Prüfung, eine Pause, ein Lauf eines Blocks oder Fragen.</translation>
     </message>
     <message>
         <source>A break in which the participant rests.</source>
@@ -8259,8 +8259,8 @@
         <translation>Bezugsoberfläche</translation>
     </message>
     <message>
-        <source>Role of the surface to which levels refer; its stimulus states the parameter, unless this is &quot;relative_amplitude&quot;.</source>
-        <translation>Rolle der Oberfläche, auf die sich die Stufen beziehen; ihr Reiz gibt den Parameter an, außer wenn dieser „relative_amplitude“ ist.</translation>
+        <source>Role of the surface to which levels refer; its stimulus states the parameter, unless this is the relative amplitude.</source>
+        <translation>Rolle der Oberfläche, auf die sich die Stufen beziehen; ihr Reiz gibt den Parameter an, außer wenn dieser die relative Amplitude ist.</translation>
     </message>
     <message>
         <source>Values of the parameter, in its unit: a list, or a grid of equal steps.</source>
@@ -8395,12 +8395,12 @@
         <translation>Die Stufe ihres ersten Durchgangs, wenn sie abweicht.</translation>
     </message>
     <message>
-        <source>the comparison at an easy level</source>
-        <translation>der Vergleichsreiz mit einer leichten Stufe</translation>
+        <source>the comparison at an easy level, an error in which is a lapse of attention</source>
+        <translation>der Vergleichsreiz mit einer leichten Stufe, ein Fehler ist hier eine Aufmerksamkeitslücke</translation>
     </message>
     <message>
-        <source>the standard twice with the judgement performance</source>
-        <translation>zweimal der Standardreiz mit dem Urteil performance</translation>
+        <source>the standard twice with the judgement performance, every choice in which is a false alarm</source>
+        <translation>zweimal der Standardreiz mit dem Urteil performance, jede Wahl ist hier ein falscher Alarm</translation>
     </message>
     <message>
         <source>the standard twice with the judgement comparison</source>
@@ -8411,12 +8411,12 @@
         <translation>Typ</translation>
     </message>
     <message>
-        <source>easy: the comparison at an easy level, an error in which is a lapse of attention; no_signal: the standard twice with the judgement performance, every choice in which is a false alarm; identical_pair: the standard twice with the judgement comparison.</source>
-        <translation>easy: der Vergleichsreiz mit einer leichten Stufe, ein Fehler ist hier eine Aufmerksamkeitslücke; no_signal: zweimal der Standardreiz mit dem Urteil performance, jede Wahl ist hier ein falscher Alarm; identical_pair: zweimal der Standardreiz mit dem Urteil comparison.</translation>
+        <source>Surfaces of the catch trials.</source>
+        <translation>Oberflächen der Kontrolldurchgänge.</translation>
     </message>
     <message>
-        <source>Of the type easy, which requires it: level of the catch trials, in the measure of &quot;vary&quot;: at least as easy as its easiest level.</source>
-        <translation>Beim Typ easy, der sie erfordert: Stufe der Kontrolldurchgänge, im Maß von „vary“: mindestens so leicht wie dessen leichteste Stufe.</translation>
+        <source>Of the type easy, which requires it: level of the catch trials, in the measure of the levels of the varied parameter; at least as easy as the easiest of them.</source>
+        <translation>Beim Typ easy, der sie erfordert: Stufe der Kontrolldurchgänge, im Maß der Stufen des variierten Parameters; mindestens so leicht wie die leichteste von ihnen.</translation>
     </message>
     <message>
         <source>Trials per catch trial</source>
@@ -8431,8 +8431,8 @@
         <translation>jede Stufe gleich oft, in zufälliger Reihenfolge</translation>
     </message>
     <message>
-        <source>down after `down` correct responses in succession, up after `up` incorrect ones</source>
-        <translation>abwärts nach `down` richtigen Antworten in Folge, aufwärts nach `up` falschen</translation>
+        <source>down after a number of correct responses in succession, up after a number of incorrect ones</source>
+        <translation>abwärts nach einer Anzahl richtiger Antworten in Folge, aufwärts nach einer Anzahl falscher</translation>
     </message>
     <message>
         <source>down after a correct response, up by a larger step after an incorrect one</source>
@@ -8479,8 +8479,8 @@
         <translation>Methode</translation>
     </message>
     <message>
-        <source>constant_stimuli: every level equally often, in random order; transformed_up_down: down after `down` correct responses in succession, up after `up` incorrect ones; weighted_up_down: down after a correct response, up by a larger step after an incorrect one; psi: the level from which the most is expected about the threshold; quest_plus: the level from which the most is expected about threshold, slope and lapse rate; external: the level that a program of the laboratory states, which is given by run --external or in the window and never by a file.</source>
-        <translation>constant_stimuli: jede Stufe gleich oft, in zufälliger Reihenfolge; transformed_up_down: abwärts nach `down` richtigen Antworten in Folge, aufwärts nach `up` falschen; weighted_up_down: abwärts nach einer richtigen Antwort, um einen größeren Schritt aufwärts nach einer falschen; psi: die Stufe, die am meisten über die Schwelle erwarten lässt; quest_plus: die Stufe, die am meisten über Schwelle, Steigung und Fehlerrate (lapse rate) erwarten lässt; external: die Stufe, die ein Programm des Labors angibt; dieses wird mit run --external oder im Fenster gewählt und nie in einer Datei.</translation>
+        <source>The method that chooses the levels. A program of the laboratory is given by run --external or in the window, and never by a file.</source>
+        <translation>Die Methode, die die Stufen wählt. Ein Programm des Labors wird mit run --external oder im Fenster gewählt und nie in einer Datei.</translation>
     </message>
     <message>
         <source>Constant stimuli: number of presentations of every level.</source>
@@ -8523,16 +8523,16 @@
         <translation>Schritte aufwärts</translation>
     </message>
     <message>
-        <source>Transformed up-down: the steps of moves up, if they differ from `steps`.</source>
-        <translation>Transformiertes Up-down-Verfahren: die Schritte aufwärts, wenn sie von `steps` abweichen.</translation>
+        <source>Transformed up-down: the steps of moves up, if they are not those of all moves.</source>
+        <translation>Transformiertes Up-down-Verfahren: die Schritte aufwärts, wenn sie nicht die aller Bewegungen sind.</translation>
     </message>
     <message>
         <source>Steps down</source>
         <translation>Schritte abwärts</translation>
     </message>
     <message>
-        <source>Up-down: the steps of moves down, if they differ from `steps`.</source>
-        <translation>Up-down-Verfahren: die Schritte abwärts, wenn sie von `steps` abweichen.</translation>
+        <source>Up-down: the steps of moves down, if they are not those of all moves.</source>
+        <translation>Up-down-Verfahren: die Schritte abwärts, wenn sie nicht die aller Bewegungen sind.</translation>
     </message>
     <message>
         <source>Prior</source>
@@ -8551,8 +8551,8 @@
         <translation>Einstellungen</translation>
     </message>
     <message>
-        <source>External: an object that the program receives unchanged; its content is not interpreted.</source>
-        <translation>Extern: ein Objekt, das das Programm unverändert erhält; sein Inhalt wird nicht ausgewertet.</translation>
+        <source>External: settings that the program receives unchanged; they are not interpreted.</source>
+        <translation>Extern: Einstellungen, die das Programm unverändert erhält; sie werden nicht ausgewertet.</translation>
     </message>
     <message>
         <source>Time to answer</source>
@@ -8579,8 +8579,8 @@
         <translation>Verpasste Antwortfrist</translation>
     </message>
     <message>
-        <source>What a missed response deadline means: same_level: the level is presented again in another trial; incorrect: an incorrect response.</source>
-        <translation>Was eine verpasste Antwortfrist bedeutet: same_level: Die Stufe wird in einem anderen Durchgang noch einmal dargeboten; incorrect: eine falsche Antwort.</translation>
+        <source>What a missed response deadline means.</source>
+        <translation>Was eine verpasste Antwortfrist bedeutet.</translation>
     </message>
     <message>
         <source>Catch trials</source>
@@ -8591,8 +8591,8 @@
         <translation>Ein Raster von Stufen.</translation>
     </message>
     <message>
-        <source>The parameter that the trials vary: a factor whose levels are values of one parameter of one of the surfaces, in combination with the other factors of the block. It has exactly one of the keys with levels.</source>
-        <translation>Der Parameter, den die Durchgänge variieren: ein Faktor, dessen Stufen Werte eines Parameters einer der Oberflächen sind, kombiniert mit den anderen Faktoren des Blocks. Er hat genau einen der Schlüssel mit Stufen.</translation>
+        <source>The parameter that the trials vary: a factor whose levels are values of one parameter of one of the surfaces, in combination with the other factors of the block. The levels are stated in exactly one of the measures.</source>
+        <translation>Der Parameter, den die Durchgänge variieren: ein Faktor, dessen Stufen Werte eines Parameters einer der Oberflächen sind, kombiniert mit den anderen Faktoren des Blocks. Die Stufen werden in genau einem der Maße angegeben.</translation>
     </message>
     <message>
         <source>A range of values.</source>
@@ -8623,8 +8623,8 @@
         <translation>Durchgänge mit bekannter Antwort an zufälligen Stellen zwischen den anderen; aus ihnen wird keine Schwelle geschätzt.</translation>
     </message>
     <message>
-        <source>The procedure that chooses the levels of &quot;vary&quot; from the responses.</source>
-        <translation>Das Verfahren, das die Stufen von „vary“ aus den Antworten wählt.</translation>
+        <source>The procedure that chooses the levels of the varied parameter from the responses.</source>
+        <translation>Das Verfahren, das die Stufen des variierten Parameters aus den Antworten wählt.</translation>
     </message>
     <message>
         <source>a selection, a matching or a recognition is guessed</source>
@@ -8675,8 +8675,8 @@
         <translation>Grenzwellenlänge</translation>
     </message>
     <message>
-        <source>With true_surface: cut-off wavelength of the Gaussian low-pass whose result is subtracted from the expected heights, as from heights of a photograph. Absent: nothing is subtracted.</source>
-        <translation>Mit true_surface: Grenzwellenlänge des Gauß-Tiefpasses, dessen Ergebnis von den erwarteten Höhen abgezogen wird, wie von Höhen aus einem Foto. Ohne Angabe: nichts wird abgezogen.</translation>
+        <source>With true height fields as the expectation: cut-off wavelength of the Gaussian low-pass whose result is subtracted from the expected heights, as from heights of a photograph. Absent: nothing is subtracted.</source>
+        <translation>Mit wahren Höhenfeldern als Erwartung: Grenzwellenlänge des Gauß-Tiefpasses, dessen Ergebnis von den erwarteten Höhen abgezogen wird, wie von Höhen aus einem Foto. Ohne Angabe: nichts wird abgezogen.</translation>
     </message>
     <message>
         <source>Forces ignored</source>
@@ -8731,16 +8731,16 @@
         <translation>Kriterium für Ja</translation>
     </message>
     <message>
-        <source>Discrimination with the design yes_no: the magnitude above which the response is yes, as a fraction of the mean normal force in m/s² or in mm/N (see `magnitude_of`); below which, where a signal has the smaller magnitude.</source>
-        <translation>Unterscheidung mit dem Design yes_no: die Größe, oberhalb derer die Antwort Ja ist, als Bruchteil der mittleren Normalkraft, in m/s² oder in mm/N (siehe `magnitude_of`); unterhalb derer, wo ein Signal die kleinere Größe hat.</translation>
+        <source>Discrimination with the options yes and no: the magnitude above which the response is yes, in the unit of the judged quantity: as a fraction of the mean normal force, in m/s² or in mm/N; below which, where a signal has the smaller magnitude.</source>
+        <translation>Unterscheidung mit den Antworten Ja und Nein: die Größe, oberhalb derer die Antwort Ja ist, in der Einheit der beurteilten Größe: als Bruchteil der mittleren Normalkraft, in m/s² oder in mm/N; unterhalb derer, wo ein Signal die kleinere Größe hat.</translation>
     </message>
     <message>
         <source>Criterion of different</source>
         <translation>Kriterium für verschieden</translation>
     </message>
     <message>
-        <source>Discrimination with the design same_different: the relative difference of two magnitudes from which on the response is different; 0.1 is a difference of 10 %.</source>
-        <translation>Unterscheidung mit dem Design same_different: die relative Differenz zweier Größen, ab der die Antwort verschieden ist; 0,1 ist eine Differenz von 10 %.</translation>
+        <source>Discrimination with the options same and different: the relative difference of two magnitudes from which on the response is different; 0.1 is a difference of 10 %.</source>
+        <translation>Unterscheidung mit den Antworten gleich und verschieden: die relative Differenz zweier Größen, ab der die Antwort verschieden ist; 0,1 ist eine Differenz von 10 %.</translation>
     </message>
     <message>
         <source>Criterion of uncertainty</source>
@@ -8811,8 +8811,8 @@
         <translation>Zuteilung</translation>
     </message>
     <message>
-        <source>The assignment of participants: balanced (to the group with the fewest participants), permuted_blocks (by a random sequence in blocks, each of which contains every group equally often) or by_experimenter (stated when the first session begins).</source>
-        <translation>Die Zuteilung der Versuchspersonen: balanced (in die Gruppe mit den wenigsten Versuchspersonen), permuted_blocks (nach einer Zufallsfolge in Blöcken, von denen jeder jede Gruppe gleich oft enthält) oder by_experimenter (zu Beginn der ersten Sitzung angegeben).</translation>
+        <source>The assignment of participants to groups.</source>
+        <translation>Die Zuteilung der Versuchspersonen zu Gruppen.</translation>
     </message>
     <message>
         <source>Participants in a block.</source>
@@ -8823,16 +8823,16 @@
         <translation>Blockgrößen</translation>
     </message>
     <message>
-        <source>Of permuted_blocks: the sizes from which that of each block is drawn, multiples of the number of groups. Absent: two and three times this number.</source>
-        <translation>Bei permuted_blocks: die Größen, aus denen die jedes Blocks gezogen wird, Vielfache der Anzahl der Gruppen. Ohne Angabe: das Zwei- und Dreifache dieser Anzahl.</translation>
+        <source>Of permuted blocks: the sizes from which that of each block is drawn, multiples of the number of groups. Absent: two and three times this number.</source>
+        <translation>Bei permutierten Blöcken: die Größen, aus denen die jedes Blocks gezogen wird, Vielfache der Anzahl der Gruppen. Ohne Angabe: das Zwei- und Dreifache dieser Anzahl.</translation>
     </message>
     <message>
         <source>Seed</source>
         <translation>Startwert</translation>
     </message>
     <message>
-        <source>Of permuted_blocks: the seed of the sequence.</source>
-        <translation>Bei permuted_blocks: der Startwert der Folge.</translation>
+        <source>Of permuted blocks: the seed of the sequence.</source>
+        <translation>Bei permutierten Blöcken: der Startwert der Folge.</translation>
     </message>
     <message>
         <source>Texts</source>
@@ -8951,8 +8951,8 @@
         <translation>Die Version dieses Formats.</translation>
     </message>
     <message>
-        <source>chapter: one response per participant and column of the published table; improved: balanced, with practice and repetitions.</source>
-        <translation>chapter: eine Antwort je Versuchsperson und Spalte der veröffentlichten Tabelle; improved: ausbalanciert, mit Übung und Wiederholungen.</translation>
+        <source>The design of the experiment.</source>
+        <translation>Das Design des Experiments.</translation>
     </message>
     <message>
         <source>Short name, used in file names and data: lower-case letters, digits and underscores, starting with a letter.</source>
@@ -9111,8 +9111,8 @@
         <translation>Ausbalancierung</translation>
     </message>
     <message>
-        <source>Order of the levels of for_each across participants.</source>
-        <translation>Reihenfolge der Stufen von for_each über die Versuchspersonen.</translation>
+        <source>Order, across participants, of the levels of a factor for each of which a block is run.</source>
+        <translation>Reihenfolge der Stufen eines Faktors, für deren jede ein Block läuft, über die Versuchspersonen.</translation>
     </message>
     <message>
         <source>Groups</source>
@@ -9179,8 +9179,8 @@
         <translation>Form</translation>
     </message>
     <message>
-        <source>An option: the text that is shown and stored, or an object if another text is shown, for example in another language.</source>
-        <translation>Eine Antwortmöglichkeit: der Text, der gezeigt und gespeichert wird, oder ein Objekt, wenn ein anderer Text gezeigt wird, zum Beispiel in einer anderen Sprache.</translation>
+        <source>An option: the text that is shown and stored, or a stored value and another text that is shown, for example in another language.</source>
+        <translation>Eine Antwortmöglichkeit: der Text, der gezeigt und gespeichert wird, oder ein gespeicherter Wert und ein anderer Text, der gezeigt wird, zum Beispiel in einer anderen Sprache.</translation>
     </message>
     <message>
         <source>Options</source>
@@ -9315,8 +9315,8 @@
         <translation>Eine Skala, auf der die Antwort ein Punkt ist: mit beschrifteten Punkten (Likert), mit beschrifteten Enden (semantisches Differenzial) oder eine Linie ohne Punkte (visuelle Analogskala).</translation>
     </message>
     <message>
-        <source>The answer to an earlier question of the questionnaire on which a question or a screen depends. Exactly one of is, in, includes, or a range.</source>
-        <translation>Die Antwort auf eine frühere Frage des Fragebogens, von der eine Frage oder ein Text abhängt. Genau eines von is, in, includes oder einem Bereich.</translation>
+        <source>The answer to an earlier question of the questionnaire on which a question or a screen depends. Exactly one of an answer, several possible answers, an answer among those chosen, or a range.</source>
+        <translation>Die Antwort auf eine frühere Frage des Fragebogens, von der eine Frage oder ein Text abhängt. Genau eines von einer Antwort, mehreren möglichen Antworten, einer Antwort unter den gewählten oder einem Bereich.</translation>
     </message>
     <message>
         <source>Record every tick</source>
@@ -9439,8 +9439,8 @@
         <translation>Die aufgezeichneten Daten.</translation>
     </message>
     <message>
-        <source>Consequence of a vibration that the force model does not contain. The vibration of every surface is stored, with or without this key.</source>
-        <translation>Folge einer Vibration, die das Kraftmodell nicht enthält. Die Vibration jeder Oberfläche wird gespeichert, mit und ohne diese Angabe.</translation>
+        <source>Consequence of a vibration that the force model does not contain. The vibration of every surface is stored, with or without a consequence.</source>
+        <translation>Folge einer Vibration, die das Kraftmodell nicht enthält. Die Vibration jeder Oberfläche wird gespeichert, mit und ohne Folge.</translation>
     </message>
     <message>
         <source>The patch of the workspace in which textures are felt.</source>
@@ -9511,8 +9511,8 @@
         <translation>Der Körper in der Hand, für ein Modell, das Körper erfordert.</translation>
     </message>
     <message>
-        <source>A value, or the factor whose level it is: {&quot;factor&quot;: &quot;name&quot;}.</source>
-        <translation>Ein Wert oder der Faktor, dessen Stufe er ist: {&quot;factor&quot;: &quot;Name&quot;}.</translation>
+        <source>A value, or the factor whose level it is.</source>
+        <translation>Ein Wert oder der Faktor, dessen Stufe er ist.</translation>
     </message>
     <message>
         <source>Parameters</source>
@@ -9531,8 +9531,8 @@
         <translation>Ein Kraftmodell mit einer Textur und Parametern, die jeweils an einen Faktor gebunden werden können.</translation>
     </message>
     <message>
-        <source>Determines the model&apos;s amplitude parameter so that the RMS texture force equals a stated value (rms_N) or that of another model with the same texture (to_model).</source>
-        <translation>Bestimmt den Amplitudenparameter des Modells so, dass der Effektivwert der Texturkraft einem angegebenen Wert (rms_N) oder dem eines anderen Modells mit derselben Textur (to_model) gleicht.</translation>
+        <source>Determines the model&apos;s amplitude parameter so that the RMS texture force equals a stated value or that of another model with the same texture.</source>
+        <translation>Bestimmt den Amplitudenparameter des Modells so, dass der Effektivwert der Texturkraft einem angegebenen Wert oder dem eines anderen Modells mit derselben Textur gleicht.</translation>
     </message>
     <message>
         <source>Stiffness and friction of this stimulus, in place of those of the protocol&apos;s material.</source>
@@ -9619,8 +9619,8 @@
         <translation>Weitere Angaben für alle, die die Daten lesen, zum Beispiel eine angenommene Breite.</translation>
     </message>
     <message>
-        <source>A texture of the experiment: felt (height_field), seen (picture), or both.</source>
-        <translation>Eine Textur des Experiments: gefühlt (height_field), gesehen (picture) oder beides.</translation>
+        <source>A texture of the experiment: felt (a height field), seen (a picture), or both.</source>
+        <translation>Eine Textur des Experiments: gefühlt (ein Höhenfeld), gesehen (ein Bild) oder beides.</translation>
     </message>
     <message>
         <source>Expected force features of the texture, as natural logarithms (see &quot;Definitions of the features&quot; in docs/formats/protocol.md).</source>
@@ -9699,16 +9699,16 @@
         <translation>Urteil</translation>
     </message>
     <message>
-        <source>Discrimination: performance: the comparison is the correct response; comparison: no response is correct, and the point of subjective equality is estimated.</source>
-        <translation>Unterscheidung: performance: der Vergleichsreiz ist die richtige Antwort; comparison: keine Antwort ist richtig, und der Punkt der subjektiven Gleichheit wird geschätzt.</translation>
+        <source>Discrimination: whether a response can be correct.</source>
+        <translation>Unterscheidung: ob eine Antwort richtig sein kann.</translation>
     </message>
     <message>
         <source>Asks for</source>
         <translation>Gefragter Wert</translation>
     </message>
     <message>
-        <source>Discrimination with the judgement comparison: whether the question asks for the surface with the higher (more) or the lower (less) value of the varied parameter.</source>
-        <translation>Unterscheidung mit dem Urteil comparison: ob nach der Oberfläche mit dem höheren (more) oder dem niedrigeren (less) Wert des variierten Parameters gefragt wird.</translation>
+        <source>Discrimination with the judgement comparison: whether the question asks for the surface with the higher or the lower value of the varied parameter.</source>
+        <translation>Unterscheidung mit dem Urteil comparison: ob nach der Oberfläche mit dem höheren oder dem niedrigeren Wert des variierten Parameters gefragt wird.</translation>
     </message>
     <message>
         <source>Confidence of</source>
@@ -9751,12 +9751,12 @@
         <translation>Eine von mehreren Fragen eines Durchgangs.</translation>
     </message>
     <message>
-        <source>The question of every trial; &quot;questions&quot; lists several questions.</source>
-        <translation>Die Frage jedes Durchgangs; „questions“ führt mehrere Fragen auf.</translation>
+        <source>The question of every trial, if there is only one.</source>
+        <translation>Die Frage jedes Durchgangs, wenn es nur eine gibt.</translation>
     </message>
     <message>
-        <source>One option, as an object {&quot;value&quot;: &quot;yes&quot;, &quot;text&quot;: &quot;Yes&quot;}.</source>
-        <translation>Eine Antwortmöglichkeit, als Objekt {&quot;value&quot;: &quot;yes&quot;, &quot;text&quot;: &quot;Ja&quot;}.</translation>
+        <source>One option: the value that is stored, and the text that is shown.</source>
+        <translation>Eine Antwortmöglichkeit: der Wert, der gespeichert wird, und der Text, der gezeigt wird.</translation>
     </message>
     <message>
         <source>Paired comparison: an option after those for the surfaces, stored as &quot;tie&quot;; absent: one of the surfaces has to be chosen.</source>
@@ -9871,8 +9871,8 @@
         <translation>Die Frage, die der Durchgang früher stellt.</translation>
     </message>
     <message>
-        <source>The answer to an earlier question of the same trial on which a question depends. Exactly one of is, in, includes, or a range.</source>
-        <translation>Die Antwort auf eine frühere Frage desselben Durchgangs, von der eine Frage abhängt. Genau eines von is, in, includes oder einem Bereich.</translation>
+        <source>The answer to an earlier question of the same trial on which a question depends. Exactly one of an answer, several possible answers, an answer among those chosen, or a range.</source>
+        <translation>Die Antwort auf eine frühere Frage desselben Durchgangs, von der eine Frage abhängt. Genau eines von einer Antwort, mehreren möglichen Antworten, einer Antwort unter den gewählten oder einem Bereich.</translation>
     </message>
     <message>
         <source>the length of a line</source>
@@ -9895,8 +9895,8 @@
         <translation>Optionen in Worten, in der Reihenfolge der Anzeige; nur für Arten von Experimenten, die sie erlauben, und für eine zusätzliche Frage.</translation>
     </message>
     <message>
-        <source>Tests whose p values are Holm-corrected together: the confirmatory tests of the study. All others are exploratory. Reports compare women and men only if `sexes` is listed. Absent: the first test of the kind; of estimates by another factor than spacings, exponent, or stimuli without a predictor.</source>
-        <translation>Tests, deren p-Werte gemeinsam Holm-korrigiert werden: die konfirmatorischen Tests der Studie. Alle anderen sind explorativ. Berichte vergleichen Frauen und Männer nur, wenn `sexes` aufgeführt ist. Ohne Angabe: der erste Test der Art; bei Schätzungen nach einem anderen Faktor als Abständen exponent, oder stimuli ohne Prädiktor.</translation>
+        <source>Tests whose p values are Holm-corrected together: the confirmatory tests of the study. All others are exploratory. Reports compare women and men only if the test of the sexes is listed. Absent: the first test of the kind; of estimates by another factor than spacings, that of the exponent, or of the stimuli without a predictor.</source>
+        <translation>Tests, deren p-Werte gemeinsam Holm-korrigiert werden: die konfirmatorischen Tests der Studie. Alle anderen sind explorativ. Berichte vergleichen Frauen und Männer nur, wenn der Test der Geschlechter aufgeführt ist. Ohne Angabe: der erste Test der Art; bei Schätzungen nach einem anderen Faktor als Abständen der des Exponenten, oder der Reize ohne Prädiktor.</translation>
     </message>
     <message>
         <source>The kind of experiment; a block can have another one.</source>
@@ -9907,8 +9907,8 @@
         <translation>Unterscheidung und Paarvergleich: ob die Größe mit dem Parameter zunimmt oder abnimmt.</translation>
     </message>
     <message>
-        <source>Magnitude and rating: exponent of the power function from the quantity in `magnitude_of` to the estimate.</source>
-        <translation>Größenschätzung und Beurteilung: Exponent der Potenzfunktion von der Größe in `magnitude_of` zur Schätzung.</translation>
+        <source>Magnitude and rating: exponent of the power function from the judged quantity to the estimate.</source>
+        <translation>Größenschätzung und Beurteilung: Exponent der Potenzfunktion von der beurteilten Größe zur Schätzung.</translation>
     </message>
 </context>
 <context>

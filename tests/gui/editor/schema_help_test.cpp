@@ -29,7 +29,7 @@ TEST_F(SchemaHelpTest, FollowsReferencesNamesAndLists) {
   EXPECT_EQ(of({"blocks", "main", "phase"}).form,
             "one of: familiarisation, practice, main · default main");
   EXPECT_EQ(of({"textures", "anything"}).meaning,
-            "A texture of the experiment: felt (height_field), seen (picture), or both.");
+            "A texture of the experiment: felt (a height field), seen (a picture), or both.");
   EXPECT_EQ(of({"flow", "3", "screen"}).meaning, "A text that the participant reads.");
   EXPECT_EQ(of({"flow", "3", "pause", "minimum_s"}).form, "number · from 0 to 3600 · required");
 }

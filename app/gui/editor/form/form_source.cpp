@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/gui/base/form_words.h"
+#include "app/gui/editor/form/form_fields.h"
 #include "app/gui/look/words.h"
 #include "protocols/design/json_pointer.h"
 #include "protocols/design/protocol.h"
@@ -176,10 +177,7 @@ QString meaning_of_key(const ProtocolKey& key) {
   QString meaning = text_of_keys(meaning_of(key));
   if (!key.lists_words) return meaning;
   for (const KeyWord& word : std::get<WordShape>(key.shape).words) {
-    meaning +=
-        QStringLiteral("\n%1: %2")
-            .arg(QString::fromUtf8(word.name.data(), static_cast<qsizetype>(word.name.size())),
-                 text_of_keys(word.meaning));
+    meaning += '\n' + shown_word(word);
   }
   return meaning;
 }
