@@ -33,6 +33,9 @@ namespace asperity {
 
 namespace {
 
+/// The tables need the rest of a small screen.
+constexpr int kListWidth = 208;
+
 struct Exported {
   std::size_t files = 0;               ///< none: it was cancelled
   std::optional<Phrase> unrecorded{};  ///< why the study does not list it
@@ -140,7 +143,7 @@ AnalysisPage::AnalysisPage(OpenStudy& study, QWidget* parent) : QWidget(parent),
   columns->setSpacing(kMargin);
   list_ = new QListWidget(both_);
   list_->setObjectName("outcomes");
-  list_->setFixedWidth(280);
+  list_->setFixedWidth(kListWidth);
   list_->setWordWrap(true);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   area_ = new QScrollArea(both_);

@@ -6,14 +6,10 @@
 #include <set>
 
 #include <QtCore/QCoreApplication>
-#include <QtGui/QStandardItemModel>
-#include <QtWidgets/QHeaderView>
-#include <QtWidgets/QScrollBar>
-#include <QtWidgets/QTableView>
 
-#include "app/findings/outcome/displayed_table.h"
 #include "app/findings/outcome/figures_of.h"
 #include "app/gui/data/figure_view.h"
+#include "app/gui/data/result_table_view.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
 
@@ -27,47 +23,6 @@ struct OutcomeText {
 };
 
 constexpr int kTextWidth = 900;  // longer lines are hard to follow
-
-QTableView* make_table(const ResultTable& table, QWidget* parent) {
-  const DisplayedTable shown = displayed(table, Reader::window);
-  auto* view = new QTableView(parent);
-  view->setObjectName(QString::fromStdString("table_" + table.name));
-  auto* model = new QStandardItemModel(view);
-  const auto alignment_of = [&shown](std::size_t column) {
-    return (shown.columns[column].holds_words ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter;
-  };
-  QStringList headings{};
-  for (const DisplayedColumn& column : shown.columns)
-    headings << words_as_published(column.heading);
-  model->setHorizontalHeaderLabels(headings);
-  for (std::size_t i = 0; i < shown.columns.size(); ++i) {
-    model->horizontalHeaderItem(static_cast<int>(i))->setTextAlignment(alignment_of(i));
-  }
-  for (const std::vector<Phrase>& row : shown.rows) {
-    QList<QStandardItem*> items{};
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      auto* item = new QStandardItem(row[i].empty() ? "–" : words_as_published(row[i]));
-      item->setTextAlignment(alignment_of(i));
-      items << item;
-    }
-    model->appendRow(items);
-  }
-  style_table(*view);
-  view->setSortingEnabled(false);  // rows belong together: parts, then totals
-  view->setModel(model);
-  view->resizeColumnsToContents();
-  for (int column = 0; column < model->columnCount(); ++column) {
-    view->setColumnWidth(column, view->columnWidth(column) + kMargin);
-  }
-  view->horizontalHeader()->setStretchLastSection(false);
-  view->setMaximumWidth(view->horizontalHeader()->length() + 4);
-  // The page scrolls, not the table.
-  view->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  view->setFixedHeight(view->horizontalHeader()->sizeHint().height() +
-                       kControlHeight * model->rowCount() +
-                       view->horizontalScrollBar()->sizeHint().height() / 2 + 4);
-  return view;
-}
 
 /// Left-bound and no wider than is good to read. In a row of its own, because a column asks how high
 /// a text is at its whole width, whatever the text's maximum.
@@ -176,7 +131,7 @@ class OutcomeColumn final {
       for (const Figure& figure : figures_) {
         if (figure.table == name) add_figure(figure);
       }
-      layout_->addWidget(make_table(table, page_));
+      layout_->addWidget(new ResultTableView(table, page_));
       if (table.note.empty()) continue;
       add_folded(OutcomeText::tr("Notes on this table"), sentences_as_published(table.note),
                  *layout_, page_);

@@ -18,6 +18,7 @@
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QDialog>
 #include <QtWidgets/QFileDialog>
+#include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenu>
@@ -32,6 +33,7 @@
 #include "app/gui/base/open_study.h"
 #include "app/gui/data/figure_view.h"
 #include "app/gui/data/outcome_view.h"
+#include "app/gui/data/result_table_view.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
 #include "app/gui/look/words.h"
@@ -361,6 +363,44 @@ TEST(AnalysisPage, SaysFixedWordsInTheLanguageOfTheWindowsAndLeavesNamesAlone) {
   EXPECT_EQ(words_as_published(words_of_item("Total")), "Total");
   EXPECT_EQ(words_as_published(heading_for(columns::kFelt, Reader::window)), "<stimulus>");
   QCoreApplication::removeTranslator(&brackets);
+}
+
+// At 1366 × 900 the page has room for about 800 points.
+TEST(ResultTableView, FitsByItsHeadingsAndNamesAndCutsNoNumber) {
+  StoredTable stored{.name = "made_up", .table = {.columns = {"which rendering was felt"}}};
+  stored.table.rows.emplace_back();
+  stored.table.rows[0].emplace_back("a rendering with a long name of several words");
+  for (int i = 1; i <= 5; ++i) {
+    stored.table.columns.push_back("mean of the quantity number " + std::to_string(i));
+    stored.table.rows[0].emplace_back(12.5 * i);
+  }
+  ResultTableView table(result_of(stored));
+  const auto cuts_a_number = [&table] {
+    for (int column = 1; column < table.model()->columnCount(); ++column) {
+      if (table.columnWidth(column) <
+          table.sizeHintForIndex(table.model()->index(0, column)).width())
+        return true;
+    }
+    return false;
+  };
+  const auto show_at = [&table](int width) {
+    table.resize(width, table.height());
+    table.show();
+    QCoreApplication::processEvents();
+    return table.horizontalHeader()->length() <= table.viewport()->width();
+  };
+  EXPECT_TRUE(show_at(4000));
+  const int one_line = table.horizontalHeader()->height();
+  EXPECT_LT(table.width(), 4000) << "no wider than its columns";
+  EXPECT_TRUE(show_at(800));
+  EXPECT_GT(table.horizontalHeader()->height(), one_line);
+  EXPECT_FALSE(cuts_a_number());
+  const int height = table.height();
+  EXPECT_FALSE(show_at(300));
+  EXPECT_FALSE(cuts_a_number());
+  EXPECT_GT(table.height(), height) << "with room for the scroll bar";
+  EXPECT_TRUE(show_at(4000));
+  EXPECT_EQ(table.horizontalHeader()->height(), one_line);
 }
 
 TEST(AnalysisPage, NamesTheColumnsOfRatingsInTheLanguageOfTheWindows) {
