@@ -85,7 +85,7 @@ TEST_F(SessionChecks, SayInOrderThatASmallStudyIsReady) {
   std::vector<std::string> ids{};
   for (const SessionCheck& line : checks) {
     ids.push_back(line.id);
-    EXPECT_FALSE(line.text.empty()) << line.id;
+    EXPECT_FALSE(line.text.empty() && line.warnings.empty()) << line.id;
     if (line.id == "rate") continue;  // a busy machine may be late
     if (line.id == "protocol_warnings") continue;
     EXPECT_EQ(line.state, State::fine) << line.id << ": " << line.text.english();

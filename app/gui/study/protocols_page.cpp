@@ -404,7 +404,8 @@ void ProtocolsPage::show_selected() {
   const auto json = nlohmann::json::parse(overview->check.text, nullptr, false);
   std::vector<StudyTable::Row> rows{};
   for (const Diagnostic& problem : overview->check.diagnostics) {
-    rows.push_back({QString::number(rows.size()), {text_cell(remark_in_form(json, problem))}});
+    const auto number = static_cast<int>(rows.size());  // in the order of the file
+    rows.push_back({QString::number(number), {text_cell(remark_in_form(json, problem), number)}});
   }
   problems_->fill(rows);
   if (QString key = table_->selected_key(); key != planned_) {
