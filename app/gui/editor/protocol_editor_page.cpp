@@ -126,7 +126,7 @@ ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
     banner().show_news(State::look, why);
     refusal_ = banner().text();
   });
-  connect(edit_->document(), &QTextDocument::modificationChanged, this,
+  connect(edit_, &QPlainTextEdit::modificationChanged, this,
           &ProtocolEditorPage::show_whether_saved);
   const auto add_key = [this](QKeySequence::StandardKey key, auto act) {
     auto* shortcut = new QShortcut(QKeySequence(key), this);
@@ -269,9 +269,7 @@ void ProtocolEditorPage::open(const std::filesystem::path& protocol) {
   }
   banner().hide();
   question_->hide();
-  file_ = protocol;
-  name_->show_text(text(protocol.filename().string()));
-  show_empty(false);
+  show_name(protocol);
   result_.reset();  // the problems and the plan are those of another file
   found_problems_.clear();
   found_warnings_.clear();
@@ -279,11 +277,17 @@ void ProtocolEditorPage::open(const std::filesystem::path& protocol) {
   list_problems();
   plan_->forget();
   screen_->forget();
-  plan_side_->setCurrentWidget(why_no_plan_);
   show_content(bytes);
   views_->show_form_if_possible();
   watch_file();
   views_->give_focus();
+}
+
+void ProtocolEditorPage::show_name(const std::filesystem::path& file) {
+  file_ = file;
+  name_->show_text(text(file.filename().string()));
+  show_empty(false);
+  plan_side_->setCurrentWidget(why_no_plan_);  // of this file it is not known yet
 }
 
 void ProtocolEditorPage::open_changed(const std::filesystem::path& protocol,
@@ -312,16 +316,36 @@ void ProtocolEditorPage::open_changed(const std::filesystem::path& protocol,
   banner().show_news(State::fine, news);
 }
 
-ProtocolEditorPage::Shown ProtocolEditorPage::shown() const {
-  return {file_, views_->shown(), sides_->checkedId(), plan_->choice()};
+void ProtocolEditorPage::commit() { views_->commit(); }
+
+ProtocolEditorPage::Shown ProtocolEditorPage::hand_over() {
+  Shown shown{.file = std::exchange(file_, {}),
+              .on_disk = on_disk_,
+              .dos_lines = dos_lines_,
+              .byte_order_mark = byte_order_mark_,
+              .as_it_is = as_it_is_,
+              .views = views_->shown(),
+              .side = sides_->checkedId(),
+              .plan = plan_->choice()};
+  shown.text = edit_->take_document();
+  return shown;
 }
 
-void ProtocolEditorPage::resume(const Shown& shown) {
-  open(shown.file);
-  if (file_.empty()) return;  // the banner states why
+void ProtocolEditorPage::resume(Shown shown) {
+  on_disk_ = std::move(shown.on_disk);
+  dos_lines_ = shown.dos_lines;
+  byte_order_mark_ = shown.byte_order_mark;
+  as_it_is_ = shown.as_it_is;
+  show_name(shown.file);
+  edit_->set_document(std::move(shown.text));
+  views_->set_read_only(as_it_is_);
+  if (as_it_is_) show_why_read_only();
+  show_whether_saved();
   plan_->resume(shown.plan);
   sides_->button(shown.side)->click();
   views_->resume(shown.views);
+  watch_file();
+  look_at_disk();
 }
 
 bool ProtocolEditorPage::has_unsaved_changes() const {
@@ -390,6 +414,7 @@ void ProtocolEditorPage::show_whether_saved() {
   const bool changed = has_unsaved_changes();
   const bool saving = save_task_.is_running();
   const bool can_write = study().can_be_written();
+  setProperty("keep", saving ? tr("The protocol is being saved.") : QString());
   save_->setEnabled(changed && !saving && !as_it_is_ && can_write);
   note_->show_text(!can_write  ? tr("This study is read-only")
                    : as_it_is_ ? tr("Cannot be edited here")

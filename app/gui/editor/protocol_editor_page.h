@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include <QtGui/QTextDocument>
+
 #include "app/gui/base/study_page.h"
 #include "app/gui/editor/live_check.h"
 #include "app/gui/editor/protocol_views.h"
@@ -47,15 +49,23 @@ class ProtocolEditorPage final : public StudyPage {
   void open_changed(const std::filesystem::path& protocol, const std::string& before,
                     const std::string& after, const QString& news);
 
-  /// What is shown, for a page that is made anew, as in another language.
+  /// What is shown and what is unsaved, for a page that is made anew, as in another language.
   struct Shown {
     std::filesystem::path file{};
+    std::string on_disk{};
+    bool dos_lines = false;
+    bool byte_order_mark = false;
+    bool as_it_is = false;
+    std::unique_ptr<QTextDocument> text{};  ///< with its undo
     ProtocolViews::Shown views{};
     int side = 0;  ///< the plan, the screen or the precision
     PlanPreview::Choice plan{};
   };
-  Shown shown() const;
-  void resume(const Shown& shown);
+  /// This page has nothing any more.
+  Shown hand_over();
+  void resume(Shown shown);
+  /// What was typed in a field and is not in the text yet.
+  void commit();
   /// Empty while none is open.
   const std::filesystem::path& file() const noexcept { return file_; }
   bool has_unsaved_changes() const;
@@ -87,6 +97,7 @@ class ProtocolEditorPage final : public StudyPage {
   QWidget* make_edit_side();
   QWidget* make_plan_side();
   void choose_side(QWidget* side);
+  void show_name(const std::filesystem::path& file);
   void show_content(const std::string& bytes);
   void show_why_read_only();
   void take_content(const std::string& bytes);

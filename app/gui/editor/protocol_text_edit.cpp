@@ -86,6 +86,24 @@ void ProtocolTextEdit::replace(TextRange range, const QString& text, Step step) 
   cursor.endEditBlock();
 }
 
+std::unique_ptr<QTextDocument> ProtocolTextEdit::take_document() {
+  std::unique_ptr<QTextDocument> taken(document());
+  taken->setParent(nullptr);
+  setDocument(nullptr);
+  return taken;
+}
+
+void ProtocolTextEdit::set_document(std::unique_ptr<QTextDocument> document) {
+  QTextDocument* given = document.release();
+  given->setParent(this);
+  given->setDocumentLayout(new QPlainTextDocumentLayout(given));  // the old one knows its field
+  setDocument(given);
+  delete given->findChild<JsonColors*>();  // of the theme before
+  new JsonColors(given);
+  make_room_for_numbers();
+  emit textChanged();
+}
+
 void ProtocolTextEdit::show_problems(const std::vector<Diagnostic>& problems,
                                      const std::vector<Diagnostic>& warnings) {
   underlines_.clear();

@@ -2,9 +2,11 @@
 
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include <QtGui/QTextDocument>
 #include <QtWidgets/QPlainTextEdit>
 
 #include "app/gui/editor/json_text.h"
@@ -27,6 +29,10 @@ class ProtocolTextEdit final : public QPlainTextEdit {
   /// Whether undo takes a change back by itself, or together with the one before it.
   enum class Step { another, same };
   void replace(TextRange range, const QString& text, Step step = Step::another);
+
+  /// The text with its undo and whether it is modified, for another field. This one is empty then.
+  std::unique_ptr<QTextDocument> take_document();
+  void set_document(std::unique_ptr<QTextDocument> document);
 
   /// Underlines every problem and every warning and marks its line. The marks move with the text.
   void show_problems(const std::vector<Diagnostic>& problems,

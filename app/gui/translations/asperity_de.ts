@@ -15766,6 +15766,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
 <context>
     <name>asperity::ProtocolEditorPage</name>
     <message>
+        <source>The protocol is being saved.</source>
+        <translation>Das Protokoll wird gespeichert.</translation>
+    </message>
+    <message>
         <source>Methods</source>
         <translation>Methoden</translation>
     </message>

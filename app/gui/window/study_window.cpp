@@ -76,9 +76,9 @@ StudyWindow::~StudyWindow() {
 
 void StudyWindow::refill() {
   const QString shown = shown_page();
-  const auto edited = editor() == nullptr || editor()->file().empty()
-                          ? std::nullopt
-                          : std::optional<ProtocolEditorPage::Shown>(editor()->shown());
+  auto edited = editor() == nullptr || editor()->file().empty()
+                    ? std::nullopt
+                    : std::optional<ProtocolEditorPage::Shown>(editor()->hand_over());
   const auto* worked_on = qobject_cast<WorkbenchPage*>(made_page("workbench"));
   const auto work =
       worked_on == nullptr ? std::nullopt : std::optional<WorkbenchPage::Work>(worked_on->work());
@@ -127,7 +127,7 @@ void StudyWindow::refill() {
   connect(welcome_, &WelcomePage::open_wanted, this, &StudyWindow::ask_for_study);
   setCentralWidget(centre);  // deletes the one before
   make_pages();
-  if (edited) qobject_cast<ProtocolEditorPage*>(page("editor"))->resume(*edited);
+  if (edited) qobject_cast<ProtocolEditorPage*>(page("editor"))->resume(std::move(*edited));
   if (work) qobject_cast<WorkbenchPage*>(page("workbench"))->resume(*work);
   if (session != 0) qobject_cast<TrialsPage*>(page("trials"))->show_session(session);
   if (attempt) qobject_cast<AttemptPage*>(page("attempt"))->show_attempt(*attempt);
@@ -308,8 +308,6 @@ bool StudyWindow::refuse_when_busy() {
   return true;
 }
 
-bool StudyWindow::refuse_to_refill() { return refuse_when_busy() || refuse_for_a_page("keep"); }
-
 bool StudyWindow::refuse_to_cover() { return refuse_when_busy() || refuse_for_a_page("uncovered"); }
 
 bool StudyWindow::refuse_for_a_page(const char* property) {
@@ -434,19 +432,25 @@ void StudyWindow::show_about() {
   if (!refuse_to_cover()) (new AboutDialog(this))->open();
 }
 
-// Menus, pages and the banner are made anew: not while one of them is still at work.
-void StudyWindow::choose_theme(ThemeChoice choice) {
-  if (refuse_to_refill() || must_stay([this, choice] { choose_theme(choice); })) return;
-  remember_theme(choice);
-  apply_theme(*qobject_cast<QApplication*>(QCoreApplication::instance()), choice);
+void StudyWindow::refill_after(const std::function<void()>& change) {
+  if (loading_ != nullptr || refuse_when_busy() || refuse_for_a_page("keep")) return;
+  if (editor() != nullptr) editor()->commit();  // in the language in which it was typed
+  change();
   QMetaObject::invokeMethod(this, &StudyWindow::refill, Qt::QueuedConnection);
 }
 
+void StudyWindow::choose_theme(ThemeChoice choice) {
+  refill_after([choice] {
+    remember_theme(choice);
+    apply_theme(*qobject_cast<QApplication*>(QCoreApplication::instance()), choice);
+  });
+}
+
 void StudyWindow::choose_language(const QString& code) {
-  if (refuse_to_refill() || must_stay([this, code] { choose_language(code); })) return;
-  remember_language(code);
-  apply_language(code);
-  QMetaObject::invokeMethod(this, &StudyWindow::refill, Qt::QueuedConnection);
+  refill_after([code] {
+    remember_language(code);
+    apply_language(code);
+  });
 }
 
 void StudyWindow::ask_for_new_study() {

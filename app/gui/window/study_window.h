@@ -40,7 +40,7 @@ class WelcomePage;
 ///   its property "uncovered": the window's menus open no dialog over it then.
 /// - `session_wanted` says that somebody wants to run a session; whoever runs sessions connects it.
 ///   Until then the pages offer no session to start.
-/// - Whatever takes the pages away asks first when the protocol editor has unsaved changes.
+/// - Whatever closes the study asks first when the protocol editor has unsaved changes; another theme or language keeps them.
 class StudyWindow final : public QMainWindow {
   Q_OBJECT
  public:
@@ -104,7 +104,8 @@ class StudyWindow final : public QMainWindow {
   /// Busy, plug-ins are being loaded, or the editor asks what is to become of unsaved changes and does `again` afterwards.
   bool must_stay(std::function<void()> again);
   ProtocolEditorPage* editor() const;
-  bool refuse_to_refill();
+  /// Changes the theme or the language, unless a page is still at work.
+  void refill_after(const std::function<void()>& change);
   bool refuse_to_cover();
   bool refuse_for_a_page(const char* property);
   void choose_theme(ThemeChoice choice);

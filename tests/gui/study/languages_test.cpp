@@ -4,8 +4,12 @@
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QLocale>
+#include <QtCore/QPointer>
 #include <QtCore/QRegularExpression>
+#include <QtGui/QTextBlock>
+#include <QtGui/QTextLayout>
 #include <QtTest/QTest>
+#include <QtWidgets/QApplication>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
@@ -19,7 +23,10 @@
 #include "app/gui/base/settings.h"
 #include "app/gui/base/study_table.h"
 #include "app/gui/editor/form/protocol_form.h"
+#include "app/gui/editor/json_colors.h"
 #include "app/gui/editor/protocol_editor_page.h"
+#include "app/gui/editor/protocol_text_edit.h"
+#include "app/gui/editor/question_bar.h"
 #include "app/gui/start/start_page.h"
 #include "app/gui/window/session_desk.h"
 #include "app/gui/window/study_window.h"
@@ -151,6 +158,78 @@ TEST_F(Languages, KeepWhatIsShownOfAProtocol) {
   choose(window, "English");
   ASSERT_TRUE(eventually([&] { return window.menuBar()->actions()[1]->text() == "&View"; }));
   EXPECT_TRUE(eventually([&] { return child<QWidget>(editor(), "editor_text").isVisible(); }));
+}
+
+TEST_F(Languages, KeepUnsavedChangesOfAProtocolAndTheirUndo) {
+  const std::filesystem::path folder = small_demo_study();
+  const std::filesystem::path file = folder / "protocols" / "improved_recognition.json";
+  std::string content = library_text("improved_recognition");
+  for (std::size_t at = 0; (at = content.find('\n', at)) != std::string::npos; at += 2) {
+    content.replace(at, 1, "\r\n");
+  }
+  write_file(file, content, Overwrite::refuse);
+  StudyWindow window{};
+  window.show();
+  ASSERT_TRUE(window.open_study(folder));
+  const auto editor = [&]() -> ProtocolEditorPage& {
+    return *static_cast<ProtocolEditorPage*>(window.page("editor"));
+  };
+  const auto form = [&]() -> ProtocolForm& { return child<ProtocolForm>(editor(), "editor_form"); };
+  const auto edit = [&]() -> ProtocolTextEdit& {
+    return child<ProtocolTextEdit>(editor(), "editor_text");
+  };
+  const auto choose_and_wait = [&](const QString& name) {
+    const QPointer<ProtocolEditorPage> before(&editor());
+    choose(window, name);
+    ASSERT_TRUE(eventually([&] { return before.isNull(); }));
+    EXPECT_EQ(window.shown_page(), "editor");
+    EXPECT_FALSE(child<QuestionBar>(editor(), "editor_question").isVisible());
+    EXPECT_TRUE(editor().has_unsaved_changes());
+    ASSERT_TRUE(eventually([&] { return editor().is_checked(); }));
+  };
+  window.show_page("editor");
+  editor().open(file);
+  form().go_to("/title");
+  QCoreApplication::processEvents();
+  auto* title = qobject_cast<QLineEdit*>(form().focusWidget());
+  ASSERT_NE(title, nullptr);
+  const QString former = title->text();
+  title->setText("Typed");
+  QTest::keyClicks(title, "!");  // not in the text while the field has the focus
+  choose_and_wait(QLocale("de").nativeLanguageName());
+  EXPECT_EQ(window.menuBar()->actions()[1]->text(), "&Ansicht");
+  EXPECT_NE(editor().content().find("\"title\": \"Typed!\""), std::string::npos);
+  title = qobject_cast<QLineEdit*>(form().focusWidget());
+  ASSERT_NE(title, nullptr);
+  EXPECT_EQ(title->text(), "Typed!");
+  EXPECT_TRUE(child<QPushButton>(editor(), "editor_save").isEnabled());
+
+  child<QPushButton>(editor(), "editor_to_text").click();
+  QTest::keyClicks(&edit(), " ");
+  choose_and_wait("&Dunkel");
+  ASSERT_TRUE(eventually([&] {
+    const auto formats = edit().document()->firstBlock().next().layout()->formats();
+    return !formats.isEmpty() && formats.first().format.foreground().color() ==
+                                     json_color(JsonToken::Kind::key, theme());
+  }));
+  take_screenshot(window, "editor-handed-over", QSize(1366, 900));
+  choose_and_wait("&Hell");
+  choose_and_wait("English");
+
+  edit().undo();
+  edit().undo();
+  EXPECT_EQ(editor().content(), content);
+  EXPECT_FALSE(editor().has_unsaved_changes());
+  EXPECT_EQ(read_file(file), content);
+  edit().redo();
+  edit().redo();
+  child<QPushButton>(editor(), "editor_save").click();
+  choose(window, QLocale("de").nativeLanguageName());
+  EXPECT_EQ(window.banner().text(), "The protocol is being saved.");
+  ASSERT_TRUE(eventually([&] { return !editor().has_unsaved_changes(); }));
+  EXPECT_EQ(read_file(file), editor().content());
+  EXPECT_NE(read_file(file).find("Typed!"), std::string::npos);
+  apply_theme(*qobject_cast<QApplication*>(qApp), ThemeChoice::light);
 }
 
 TEST_F(Languages, ReachThePagesOfTheOpenStudyFromTheMenu) {
