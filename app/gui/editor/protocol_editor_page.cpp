@@ -109,8 +109,9 @@ ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
   connect(examination_, &LiveExamination::changed, this, &ProtocolEditorPage::show_checked);
   connect(check_, &LiveCheck::failed, this, &ProtocolEditorPage::show_not_known);
   connect(edit_, &QPlainTextEdit::textChanged, this, [this] {
-    if (!refusal_.isEmpty() && banner().text() == refusal_) banner().hide();
-    refusal_.clear();
+    if (!until_edit_.isEmpty() && banner().text() == until_edit_) banner().hide();
+    until_edit_.clear();
+    saved_news_.reset();
     examination_->abandon();
     precision_->hold_for_new_text();
     check_->want();
@@ -124,7 +125,7 @@ ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
   follow_hold();
   connect(views_, &ProtocolViews::refused, this, [this](const QString& why) {
     banner().show_news(State::look, why);
-    refusal_ = banner().text();
+    until_edit_ = banner().text();
   });
   connect(edit_, &QPlainTextEdit::modificationChanged, this,
           &ProtocolEditorPage::show_whether_saved);
@@ -481,6 +482,23 @@ void ProtocolEditorPage::show_checked() {
   }
   list_problems();
   plan_side_->setCurrentWidget(shown.is_valid() ? chosen_side_ : why_no_plan_);
+  show_problems_of_saved();
+}
+
+/// Saving accepts every text: without this, a file with problems would be taken for one that can be used.
+void ProtocolEditorPage::show_problems_of_saved() {
+  if (!saved_news_ || !check_->is_settled() || result_ == nullptr) return;
+  if (found_problems_.empty()) {
+    if (!examination_->is_under_way()) saved_news_.reset();
+    return;
+  }
+  banner().show_news(State::look,
+                     (*saved_news_ + ' ' +
+                      tr("The file is saved, but no session can be run with it: it has %1.")
+                          .arg(how_many_problems(found_problems_.size())))
+                         .trimmed());
+  until_edit_ = banner().text();
+  saved_news_.reset();
 }
 
 /// In the words of the view: the form has no lines.
@@ -605,6 +623,7 @@ void ProtocolEditorPage::end_saving(const Saving& saving) {
   if (edit_->document()->revision() == saving.revision) edit_->document()->setModified(false);
   show_whether_saved();
   banner().hide();
+  saved_news_.emplace();
   if (saving.file != file_) {
     file_ = saving.file;
     name_->show_text(text(file_.filename().string()));
@@ -617,6 +636,9 @@ void ProtocolEditorPage::end_saving(const Saving& saving) {
                           "the version; whether they were could not be determined: %1")
                            .arg(text(saving.not_looked_up)));
   }
+  if (!banner().isHidden()) saved_news_ = banner().text();
+  if (edit_->document()->revision() != saving.revision) saved_news_.reset();  // edited meanwhile
+  show_problems_of_saved();
   watch_file();
   study().announce_change();
   emit saved(text(file_.string()));

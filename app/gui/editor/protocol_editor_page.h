@@ -110,6 +110,7 @@ class ProtocolEditorPage final : public StudyPage {
   void show_not_known(const QString& why);
   void show_checked();
   void list_problems();
+  void show_problems_of_saved();
   void go_to_problem(const QString& key);
   void save(Agreed agreed);
   void end_saving(const Saving& saving);
@@ -149,7 +150,9 @@ class ProtocolEditorPage final : public StudyPage {
   LiveCheck* check_ = nullptr;
   LiveExamination* examination_ = nullptr;
   BackgroundTask save_task_{};
-  QString refusal_{};  ///< of the last edit, as the banner states it; empty after another edit
+  QString until_edit_{};  ///< what the banner states until the next edit; may be empty
+  /// What the banner states of a file that was saved, until its problems are known or it is edited.
+  std::optional<QString> saved_news_{};
 };
 
 }  // namespace asperity

@@ -15770,6 +15770,10 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <translation>Das Protokoll wird gespeichert.</translation>
     </message>
     <message>
+        <source>The file is saved, but no session can be run with it: it has %1.</source>
+        <translation>Die Datei ist gespeichert, aber mit ihr kann keine Sitzung durchgeführt werden: Sie hat %1.</translation>
+    </message>
+    <message>
         <source>Methods</source>
         <translation>Methoden</translation>
     </message>

@@ -716,6 +716,39 @@ TEST_F(ProtocolEditor, CallsTheFileAfterTheNameThatItIsSavedUnder) {
   EXPECT_FALSE(std::filesystem::exists(renamed));
 }
 
+TEST_F(ProtocolEditor, StatesThatASavedFileWithProblemsCannotBeRun) {
+  open();
+  const auto banner = [&]() -> QString {
+    for (const Banner* each : page_->findChildren<Banner*>()) {
+      if (each->isVisible()) return each->text();
+    }
+    return {};
+  };
+  go_behind("\"planned\": 2");
+  type("x");
+  click("editor_save");  // before the text has been checked
+  ASSERT_TRUE(saved());
+  ASSERT_TRUE(checked());
+  EXPECT_EQ(banner(), "The file is saved, but no session can be run with it: it has 1 problem.");
+  take_screenshot(*page_, "editor-saved-with-problems");
+  edit().undo();
+  EXPECT_EQ(banner(), "");
+  ASSERT_TRUE(checked());
+  click("editor_save");
+  ASSERT_TRUE(saved());
+  EXPECT_EQ(banner(), "");
+
+  go_behind("\"name\": \"improved_recog");
+  type("x");
+  edit().replace_text(edit().text().replace("\"planned\": 20", "\"planned\": -1"));
+  ASSERT_TRUE(checked());
+  click("editor_save");
+  ASSERT_TRUE(saved());
+  EXPECT_EQ(banner(),
+            "Saved as improved_recogxnition.json: the file is named after the protocol. The file is "
+            "saved, but no session can be run with it: it has 1 problem.");
+}
+
 TEST_F(ProtocolEditor, KeepsTheTextWhenItCannotBeSaved) {
   open();
   go_behind("\"planned\": 2");
