@@ -124,7 +124,7 @@ void Conductor::begin() {
 
 SessionFacts Conductor::facts_of_session() const {
   SessionFacts facts{.protocol = std::make_shared<const Protocol>(protocol_),
-                     .plan = std::make_shared<const Plan>(plan()),
+                     .plan = std::make_shared<const Plan>(course_.shown_of(plan())),
                      .row = session_.row,
                      .study_folder = study_.folder().string(),
                      .mirrored = session_.row.mirrored,
@@ -575,7 +575,7 @@ void Conductor::extend_plan(const Trial& trial, const AttemptRow& attempt) {
   store_trials(before);
   note_matches();
   progress_->extend();
-  if (course_.has_monitor()) course_.set_plan(std::make_shared<const Plan>(plan()));
+  course_.set_plan(plan());
 }
 
 /// Reports why a trial is repeated to a user who has no window that shows it.

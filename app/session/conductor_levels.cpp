@@ -56,7 +56,7 @@ void Conductor::supply_levels() {
     note_matches();
   }
   progress_->extend();
-  if (course_.has_monitor()) course_.set_plan(std::make_shared<const Plan>(plan()));
+  course_.set_plan(plan());
   show_progress();
 }
 

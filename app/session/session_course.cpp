@@ -216,8 +216,23 @@ void SessionCourse::set_facts(SessionFacts facts) {
   if (links_.monitor != nullptr) links_.monitor->set_facts(std::move(facts));
 }
 
-void SessionCourse::set_plan(std::shared_ptr<const Plan> plan) {
-  if (links_.monitor != nullptr) links_.monitor->set_plan(std::move(plan));
+void SessionCourse::set_plan(const Plan& plan) {
+  if (links_.monitor == nullptr) return;
+  links_.monitor->set_plan(std::make_shared<const Plan>(shown_of(plan)));
+}
+
+Plan SessionCourse::shown_of(const Plan& plan) const {
+  Plan shown = plan;
+  if (!links_.last_trial || plan.trials.empty()) return shown;
+  const auto count = static_cast<std::size_t>(*links_.last_trial);
+  const auto left_out = std::ranges::find_if(shown.steps, [count](const PlanStep& step) {
+    const auto* trial = std::get_if<TrialStep>(&step);
+    return trial != nullptr && trial->trial >= count;
+  });
+  shown.steps.erase(left_out, shown.steps.end());
+  shown.trials.resize(std::min(count, plan.trials.size()));
+  shown.blocks = shown.trials.back().block_ordinal;
+  return shown;
 }
 
 void SessionCourse::update(const std::function<void(SessionSnapshot&)>& change) {

@@ -102,7 +102,9 @@ class SessionCourse final {
   void report_to_experimenter(const std::string& sentence) const;
   void set_facts(SessionFacts facts);
   /// The plan of the session has further trials.
-  void set_plan(std::shared_ptr<const Plan> plan);
+  void set_plan(const Plan& plan);
+  /// The plan as windows show it: that of a session which only tries a protocol ends with its last trial.
+  Plan shown_of(const Plan& plan) const;
   void update(const std::function<void(SessionSnapshot&)>& change);
   void add_attempt(AttemptSummary attempt);
   void play(Cue cue, int number = 0);

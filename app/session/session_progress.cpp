@@ -49,11 +49,13 @@ void SessionProgress::extend() {
       trial_s_.at(of_trial->trial) = planned_s_.back();
     }
   }
+  const std::optional<int> last = course_.last_trial();
+  const int blocks = last ? course_.shown_of(plan_).blocks : plan_.blocks;
   course_.update([&](SessionSnapshot& snapshot) {
-    snapshot.blocks = plan_.blocks;
+    snapshot.blocks = blocks;
     snapshot.trials = static_cast<int>(plan_.trials.size()) + unknown_trials();
     snapshot.trials_are_estimated = !trials_.is_complete();
-    if (const auto last = course_.last_trial(); last && *last <= snapshot.trials) {
+    if (last && *last <= snapshot.trials) {
       snapshot.trials = *last;
       snapshot.trials_are_estimated = false;
     }
@@ -117,6 +119,7 @@ void SessionProgress::publish(std::size_t step, int coming, std::optional<Attemp
     left_s = pace();
     if (left_s) *left_s = *left_s * trials_left_s + others_left_s;
   }
+  if (const auto end = course_.last_trial(); end && coming > *end) coming = 0;
   const AttemptRow* last = tally_.last_done();
   const bool is_refresher = added && added->purpose == AttemptPurpose::refresher;
   course_.update([&](SessionSnapshot& snapshot) {

@@ -2,11 +2,14 @@
 
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <string>
 
+#include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
+#include <QtWidgets/QTableView>
 
 #include "app/gui/look/controls.h"
 #include "results_schema/hashes/sha256.h"
@@ -34,6 +37,17 @@ class MouseTrialRoom : public SessionRoom {
     return hashes;
   }
 
+  /// Of the table in the session window.
+  int rows_of_plan() {
+    experimenter().refresh();
+    return child<QTableView>(experimenter(), "plan").model()->rowCount();
+  }
+  /// On a label of the session window.
+  bool is_shown(const QString& words) {
+    const auto labels = experimenter().findChildren<QLabel*>();
+    return std::ranges::any_of(labels, [&](const QLabel* each) { return each->text() == words; });
+  }
+
   /// Until the first text is shown.
   void begin_by_mouse(const QString& protocol) {
     open();
@@ -59,6 +73,10 @@ class MouseTrialRoom : public SessionRoom {
           ++questions;
           EXPECT_EQ(monitor().snapshot().trials, 2);
           EXPECT_FALSE(monitor().snapshot().trials_are_estimated);
+          EXPECT_EQ(monitor().snapshot().blocks, 1);
+          EXPECT_LE(rows_of_plan(), 3) << "a heading and two trials";
+          EXPECT_TRUE(is_shown("Block 1 of 1"));
+          EXPECT_TRUE(is_shown(QString("trial %1 of 2").arg(questions)));
           answer(scene);
         },
         [&] {

@@ -5,6 +5,7 @@
 #include "protocols/file/library_protocols.h"
 #include "results_schema/files/atomic_file.h"
 #include "tests/gui/sessions/mouse_trial_room.h"
+#include "tests/gui/support/screenshot.h"
 
 namespace asperity {
 namespace {
@@ -13,8 +14,16 @@ class MouseTrials : public MouseTrialRoom {};
 
 TEST_F(MouseTrials, LeaveTheStudyAsItIs) {
   make_study();
-  add_protocol({.trials = 3});
+  add_protocol({.trials = 3, .blocks = 2, .flow = R"({"run": "main"}, {"run": "second"})"});
   try_by_mouse("small", 0.6, chooses_a());
+}
+
+TEST_F(MouseTrials, ListTheTrialsThatAreRun) {
+  make_study();
+  add_protocol({.trials = 3, .blocks = 2, .flow = R"({"run": "main"}, {"run": "second"})"});
+  begin_by_mouse("small");
+  EXPECT_EQ(rows_of_plan(), 3) << "a heading and two trials";
+  take_screenshot(experimenter(), "mouse-trial", QSize(1366, 900));
 }
 
 TEST_F(MouseTrials, StateWhyTheyEndedEarly) {
