@@ -122,7 +122,13 @@ void SessionControls::write() {
   set_words(*repeat_, tr("Repeat last…"), tr("Ctrl+R"));
   set_words(*skip_, tr("Skip…"), {});
   set_words(*note_, tr("Note"), tr("F2"));
-  set_words(*abort_, s.preparing ? tr("Cancel") : tr("Abort…"), tr("Ctrl+Shift+Q"));
+  set_words(*abort_,
+            s.preparing    ? tr("Cancel")
+            : s.only_tried ? tr("End")
+                           : tr("Abort…"),
+            tr("Ctrl+Shift+Q"));
+  abort_->setToolTip(s.only_tried ? tr("Ends the trial with the mouse. Nothing is stored.")
+                                  : QString());
   set_words(*their_window_, tr("Show participant's window"), tr("F9"));
 
   for (QPushButton* button : {pause_, stop_trial_, stop_block_}) button->setEnabled(s.running);

@@ -21,6 +21,7 @@ struct ControlState {
   bool running = false;     ///< begun, and not ended
   bool preparing = false;   ///< not begun yet
   bool cancelling = false;  ///< and it will not
+  bool only_tried = false;  ///< nothing is stored
   bool paused = false;
   bool pause_pending = false;
   std::optional<StopAfter> stop_pending{};

@@ -30,6 +30,7 @@
 #include "app/gui/session/track_panel.h"
 #include "app/gui/session/window_place.h"
 #include "app/words/offered_reasons.h"
+#include "app/words/reason.h"
 
 namespace asperity {
 
@@ -143,6 +144,11 @@ void SessionWindow::make_middle() {
 
 void SessionWindow::set_mirror(QWidget* mirror) { mirror_->set_mirror(mirror); }
 
+void SessionWindow::set_only_tried(bool only_tried) {
+  only_tried_ = only_tried;
+  write_controls();
+}
+
 void SessionWindow::set_participant_window(bool there) { controls_->set_participant_window(there); }
 
 void SessionWindow::fit_form() {
@@ -231,7 +237,11 @@ void SessionWindow::do_verb(SessionVerb verb) {
       notes_->focus_field();
       break;
     case SessionVerb::abort:
-      questions_->ask_to_abort();
+      if (only_tried_) {
+        requests_.abort(phrase_of(Reason::stopped_as_asked));
+      } else {
+        questions_->ask_to_abort();
+      }
       break;
     case SessionVerb::show_participant:
       break;
@@ -355,7 +365,12 @@ void SessionWindow::show_failure(const QString& what, AfterFailure next) {
 bool SessionWindow::may_close() {
   // Also while the session is still being prepared: nobody would see it begin.
   if (ended_ || failed_) return true;
-  questions_->ask_to_leave();
+  if (only_tried_) {
+    requests_.abort(phrase_of(Reason::stopped_as_asked));
+    close_when_ended_ = true;
+  } else {
+    questions_->ask_to_leave();
+  }
   return false;
 }
 

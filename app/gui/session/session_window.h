@@ -66,6 +66,8 @@ class SessionWindow final : public QWidget {
   /// The participant has keys of their own (a second keyboard, buttons of the device): the fields of
   /// this window stay open while a response is.
   void set_own_keyboard(bool own);
+  /// Nothing of the session is stored: it ends without a question.
+  void set_only_tried(bool only_tried);
   /// There is a window of the participant's, which can be asked to come back to its place.
   void set_participant_window(bool there);
   /// To be told once; the frame's width is known only after the window is shown (window_place.h).
@@ -144,6 +146,7 @@ class SessionWindow final : public QWidget {
   bool blind_ = true;
   QString unblinded_at_{};  ///< when names were first shown in a run
   bool own_keyboard_ = false;
+  bool only_tried_ = false;
   bool ended_ = false;
   bool cancelling_ = false;  ///< the preparation
   bool failed_ = false;

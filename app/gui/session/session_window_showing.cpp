@@ -149,6 +149,7 @@ void SessionWindow::write_controls() {
   ControlState state{};
   state.running = is_running();
   state.preparing = is_preparing();
+  state.only_tried = only_tried_;
   state.cancelling = is_preparing() && cancelling_;
   state.paused = shown_.phase == SessionPhase::paused;
   state.pause_pending = pending.pause;

@@ -16834,6 +16834,14 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
 <context>
     <name>asperity::SessionControls</name>
     <message>
+        <source>End</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Ends the trial with the mouse. Nothing is stored.</source>
+        <translation>Beendet den Versuch mit der Maus. Nichts wird gespeichert.</translation>
+    </message>
+    <message>
         <source>Resume</source>
         <translation>Fortsetzen</translation>
     </message>

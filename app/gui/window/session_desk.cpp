@@ -3,6 +3,7 @@
 #include "app/gui/window/session_desk.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <QtCore/QTimer>
@@ -62,6 +63,14 @@ QString introduction_of(const Protocol& protocol) {
       "The experiment ends after two trials. They belong to a temporary copy, "
       "and nothing is stored in the study.");
   return paragraphs.join("\n\n");
+}
+
+/// Whether this reason of the end is the last trial or the wish of who tries the protocol.
+bool was_wanted(const Phrase& reason) {
+  constexpr std::array kWanted{Reason::as_asked_after_trial, Reason::as_asked_after_block,
+                               Reason::stopped_as_asked};
+  return std::ranges::any_of(kWanted,
+                             [&](Reason each) { return reason.code() == phrase_of(each).code(); });
 }
 
 /// As soon as the session says what its protocol lets the participant see.
@@ -194,8 +203,7 @@ void SessionDesk::begin(const SessionOrder& order) {
   finish_later_ = nullptr;
   if (order.mouse_trial != nullptr) {
     connect(runner_.get(), &SessionRunner::ended, this, [this](const SessionEnd& end) {
-      const bool as_planned =
-          end.reason.empty() || end.reason.code() == phrase_of(Reason::as_asked_after_trial).code();
+      const bool as_planned = end.reason.empty() || was_wanted(end.reason);
       end_mouse_trial(as_planned ? State::fine : State::look,
                       as_planned ? tr("The trial with the mouse has ended. Nothing was stored in "
                                       "the study.")
@@ -288,6 +296,7 @@ void SessionDesk::open_session_window() {
     participant_window_->keys().set_session_window(session_window_);
   }
   session_window_->set_own_keyboard(runner_->order().own_keyboard);
+  session_window_->set_only_tried(runner_->order().mouse_trial != nullptr);
   auto* mirror = new ParticipantView(runner_->monitor(), study, ParticipantView::Role::mirror,
                                      session_window_);
   if (participant_window_ != nullptr) mirror->follow(participant_window_->view());

@@ -1,5 +1,6 @@
 // Protocols are tried with the mouse, and the study has the same bytes afterwards.
 
+#include <QtWidgets/QDialog>
 #include <gtest/gtest.h>
 
 #include "protocols/file/library_protocols.h"
@@ -24,6 +25,25 @@ TEST_F(MouseTrials, ListTheTrialsThatAreRun) {
   begin_by_mouse("small");
   EXPECT_EQ(rows_of_plan(), 3) << "a heading and two trials";
   take_screenshot(experimenter(), "mouse-trial", QSize(1366, 900));
+}
+
+TEST_F(MouseTrials, EndWithoutAQuestion) {
+  make_study();
+  add_protocol({.trials = 3});
+  const auto expect_end = [&] {
+    EXPECT_TRUE(experimenter().findChildren<QDialog*>().isEmpty());
+    wait_for("the end", [&] { return desk->runner() == nullptr; });
+    EXPECT_EQ(window->banner().text(),
+              "The trial with the mouse has ended. Nothing was stored in the study.");
+  };
+  begin_by_mouse("small");
+  experimenter().refresh();
+  EXPECT_TRUE(child<QPushButton>(experimenter(), "abort").text().startsWith("End"));
+  click(experimenter(), "abort");
+  expect_end();
+  begin_by_mouse("small");
+  experimenter().close();
+  expect_end();
 }
 
 TEST_F(MouseTrials, StateWhyTheyEndedEarly) {
