@@ -60,6 +60,10 @@ std::string mouse_trial_text(const Protocol& protocol, const std::string& introd
   }
   json["device"] = std::move(device);
   if (json.contains("environment")) json["environment"].erase("masking_noise");
+  // The group is chosen, whoever assigns those of participants.
+  if (json.contains("groups")) {
+    json["groups"] = {{"factor", json["groups"].at("factor")}, {"assigned", "by_experimenter"}};
+  }
   // A trial with the mouse need not comply with the instructions: none is repeated.
   json.erase("instability");
   for (auto& [name, exploration] : json.at("explorations").items()) {
@@ -71,7 +75,8 @@ std::string mouse_trial_text(const Protocol& protocol, const std::string& introd
 }
 
 MouseTrial::MouseTrial(const Protocol& protocol, const std::filesystem::path& study,
-                       const std::string& introduction, std::uint64_t seed) {
+                       const std::string& introduction, std::uint64_t seed,
+                       const std::string& group) {
   if (!blocks_of_external_program(protocol).empty()) {
     throw PhrasedError(phrase("MouseTrial",
                               "the protocol takes its levels from an external program; run a pilot "
@@ -89,10 +94,7 @@ MouseTrial::MouseTrial(const Protocol& protocol, const std::filesystem::path& st
   inputs_.mode = SessionMode::pilot;
   inputs_.device = "mouse";
   inputs_.on_gpu = false;
-  if (protocol.groups &&
-      protocol.groups->assigned == Protocol::Groups::Assignment::by_experimenter) {
-    inputs_.group = groups_of(protocol).front();
-  }
+  if (protocol.groups) inputs_.group = group.empty() ? groups_of(protocol).front() : group;
 }
 
 }  // namespace asperity

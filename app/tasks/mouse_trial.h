@@ -15,7 +15,7 @@ namespace asperity {
 /// with the object.
 ///
 /// The protocol begins with `introduction`, a text for the participant; the texts before its first block follow, then its first
-/// main block, without breaks. Checks of the device, masking noise and limits of the servo loop are left out: what remains is
+/// main block, without breaks, for a participant of `group` (empty: the first one). Checks of the device, masking noise and limits of the servo loop are left out: what remains is
 /// what a participant reads, feels, sees and answers.
 class MouseTrial final {
  public:
@@ -25,7 +25,7 @@ class MouseTrial final {
   /// Errors: PhrasedError for a protocol that takes its levels from an external program; those of WorkFolder and Study::create; of
   /// `hash_files` and std::filesystem for files that cannot be copied.
   MouseTrial(const Protocol& protocol, const std::filesystem::path& study,
-             const std::string& introduction, std::uint64_t seed);
+             const std::string& introduction, std::uint64_t seed, const std::string& group = {});
 
   /// A pilot session with the device "mouse" of a participant who has agreed.
   const RunInputs& inputs() const noexcept { return inputs_; }

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/tasks/group_choice.h"
 #include "app/tasks/protocol_files.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/plan/course.h"
@@ -105,6 +106,25 @@ TEST(MouseTrial, KeepsComments) {
                                     R"("explorations": {"$comment": "one of two", )");
   const Protocol protocol = read_small_protocol(built_in_models(), text);
   EXPECT_THAT(mouse_trial_text(protocol, kIntroduction), testing::HasSubstr("one of two"));
+}
+
+TEST(MouseTrial, IsOfAnyGroup) {
+  const TemporaryFolder folder{};
+  const std::filesystem::path study = folder / "study";
+  make_small_study(study);
+  const ModelRegistry models = built_in_models();
+  for (const char* assigned : {"", R"(, "assigned": "by_experimenter")",
+                               R"(, "assigned": "permuted_blocks", "seed": 4)"}) {
+    const Protocol protocol = read_small_protocol(
+        models, replaced(small_protocol(), R"("factors": {)",
+                         std::string(R"("groups": {"factor": "ground")") + assigned +
+                             R"(}, "factors": {"ground": {"levels": ["dawn", "dusk"]}, )"));
+    EXPECT_EQ(MouseTrial(protocol, study, kIntroduction, 7).inputs().group, "dawn");
+    const MouseTrial trial(protocol, study, kIntroduction, 7, "dusk");
+    EXPECT_EQ(trial.inputs().group, "dusk");
+    const Protocol tried = load_protocol(trial.inputs().protocol, models, trial.inputs().study);
+    EXPECT_EQ(complaint_about_group(tried, {}, "dusk"), std::nullopt);
+  }
 }
 
 TEST(MouseTrial, RefusesWhatItCannotShow) {

@@ -20,6 +20,7 @@ struct SessionWish {
   std::optional<std::int64_t> session{};
   bool simulate = false;  ///< by virtual participants
   bool by_mouse = false;  ///< two trials with the mouse, of which nothing is stored
+  std::string group{};  ///< of the participant of these trials; empty: the first, if there are any
   /// Several of them, at once and in the background; the rest is not used then.
   std::optional<SimulationInputs> simulation{};
 };

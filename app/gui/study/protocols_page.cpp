@@ -7,6 +7,7 @@
 #include <QtCore/QFileInfo>
 #include <QtCore/QFileSystemWatcher>
 #include <QtWidgets/QBoxLayout>
+#include <QtWidgets/QComboBox>
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QScrollArea>
 #include <QtWidgets/QSplitter>
@@ -27,6 +28,7 @@
 #include "app/gui/study/protocol_file_actions.h"
 #include "app/gui/study/protocol_texts.h"
 #include "app/gui/study/template_dialog.h"
+#include "protocols/plan/groups.h"
 
 namespace asperity {
 
@@ -35,6 +37,7 @@ namespace {
 constexpr int kStateColumn = 5;
 constexpr int kVirtualParticipants = 12;
 constexpr int kLeastBelow = 64;
+constexpr int kMostGroupWidth = 280;
 
 }  // namespace
 
@@ -162,6 +165,13 @@ QWidget* ProtocolsPage::make_detail() {
   by_mouse_ = make_button(tr("Try it with the mouse"), ButtonRole::plain, card);
   by_mouse_->setObjectName("protocol_by_mouse");
   by_mouse_->setToolTip(tr("Two trials, without force, in a temporary copy. Nothing is stored."));
+  mouse_group_ = new ChoiceBox(card);
+  mouse_group_->setObjectName("protocol_mouse_group");
+  mouse_group_->setAccessibleName(tr("Group of the trial with the mouse"));
+  mouse_group_->setToolTip(tr("Group of the participant in the trial with the mouse"));
+  mouse_group_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  mouse_group_->setMaximumWidth(kMostGroupWidth);
+  mouse_group_->hide();
   reason_ = make_text(tr("The protocols are being read."), card, true);
   reason_->setObjectName("protocol_reason");
   for (QWidget* widget : std::initializer_list<QWidget*>{start_, edit_, preview_, simulate_,
@@ -172,8 +182,15 @@ QWidget* ProtocolsPage::make_detail() {
   QPushButton* shown_commands = make_commands_button([this] { return commands(); }, card);
   close_ = make_button(tr("Close the plan"), ButtonRole::link, card);
   close_->setObjectName("protocol_close_below");
-  for (QPushButton* const button : {start_, edit_, preview_, simulate_, simulate_several_,
-                                    by_mouse_, file_actions_->button(), shown_commands, close_}) {
+  for (QPushButton* const button : {start_, edit_, preview_, simulate_, simulate_several_}) {
+    row->addWidget(button);
+  }
+  auto* by_mouse = new QHBoxLayout();  // next to each other where the row wraps
+  by_mouse->setSpacing(kGrid);
+  by_mouse->addWidget(by_mouse_);
+  by_mouse->addWidget(mouse_group_);
+  row->add_layout(by_mouse);
+  for (QPushButton* const button : {file_actions_->button(), shown_commands, close_}) {
     row->addWidget(button);
   }
   close_->hide();
@@ -229,7 +246,9 @@ QWidget* ProtocolsPage::make_detail() {
   });
   connect(by_mouse_, &QPushButton::clicked, this, [this] {
     if (const ProtocolOverview* protocol = selected()) {
-      emit session_wanted({.protocol = protocol->check.file, .by_mouse = true});
+      emit session_wanted({.protocol = protocol->check.file,
+                           .by_mouse = true,
+                           .group = mouse_group_->currentData().toString().toStdString()});
     }
   });
   connect(close_, &QPushButton::clicked, this, [this] { show_below(what_it_asks); });
@@ -391,6 +410,7 @@ void ProtocolsPage::show_selected() {
   for (QPushButton* button : {start_, simulate_, simulate_several_}) button->setEnabled(can_run);
   preview_->setEnabled(valid);
   by_mouse_->setEnabled(valid);
+  show_groups(*overview);
   edit_->setEnabled(true);
   if (!valid) {
     reason_->setText(tr("Fix the problems listed below first."));
@@ -419,6 +439,18 @@ void ProtocolsPage::show_selected() {
   } else {
     show_below(what_it_asks);
   }
+}
+
+void ProtocolsPage::show_groups(const ProtocolOverview& overview) {
+  const QVariant before = mouse_group_->currentData();
+  mouse_group_->clear();
+  if (overview.is_valid()) {
+    for (const std::string& group : groups_of(*overview.check.protocol)) {
+      mouse_group_->addItem(tr("as group %1").arg(text(group)), text(group));
+    }
+  }
+  mouse_group_->setCurrentIndex(std::max(mouse_group_->findData(before), 0));
+  mouse_group_->setVisible(mouse_group_->count() > 0);
 }
 
 void ProtocolsPage::show_below(Below below) {

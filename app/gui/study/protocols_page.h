@@ -17,6 +17,7 @@
 #include "app/tasks/protocol_templates.h"
 #include "app/tasks/study_overview.h"
 
+class QComboBox;
 class QFileSystemWatcher;
 class QSplitter;
 class QStackedWidget;
@@ -56,6 +57,7 @@ class ProtocolsPage final : public StudyPage {
   void show_whether_examined();
   ProtocolOverview with_examination(const ProtocolOverview& overview) const;
   void show_selected();
+  void show_groups(const ProtocolOverview& overview);
   void show_below(Below below);
   const ProtocolOverview* selected() const;
   SimulationInputs simulation_of(const ProtocolOverview& protocol);
@@ -86,7 +88,8 @@ class ProtocolsPage final : public StudyPage {
   QPushButton* simulate_ = nullptr;
   QPushButton* simulate_several_ = nullptr;
   QPushButton* by_mouse_ = nullptr;
-  std::uint64_t seed_ = new_seed();  ///< of the next simulation
+  QComboBox* mouse_group_ = nullptr;  ///< of the participant of a trial with the mouse
+  std::uint64_t seed_ = new_seed();   ///< of the next simulation
   ProtocolFileActions* file_actions_ = nullptr;
   QPushButton* close_ = nullptr;  ///< of the plan below
   QLabel* reason_ = nullptr;

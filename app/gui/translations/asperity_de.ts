@@ -16287,6 +16287,18 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
         <source>Two trials, without force, in a temporary copy. Nothing is stored.</source>
         <translation>Zwei Durchgänge, ohne Kraft, in einer vorübergehenden Kopie. Nichts wird gespeichert.</translation>
     </message>
+    <message>
+        <source>as group %1</source>
+        <translation>als Gruppe %1</translation>
+    </message>
+    <message>
+        <source>Group of the trial with the mouse</source>
+        <translation>Gruppe des Versuchs mit der Maus</translation>
+    </message>
+    <message>
+        <source>Group of the participant in the trial with the mouse</source>
+        <translation>Gruppe der Versuchsperson im Versuch mit der Maus</translation>
+    </message>
 </context>
 <context>
     <name>asperity::QuestionForm</name>

@@ -140,15 +140,15 @@ void SessionDesk::simulate(const SimulationInputs& inputs) {
   if (!refuse_another()) simulation_->run(inputs);
 }
 
-void SessionDesk::try_by_mouse(const std::filesystem::path& protocol) {
+void SessionDesk::try_by_mouse(const SessionWish& wish) {
   if (prepare_task_.is_running() || refuse_another()) return;
   window_.set_busy(tr("A session is being prepared."));
   prepare_task_.run<SessionOrder>(
-      [protocol, folder = study_->folder(), models = study_->models(), servo = study_->servo()](
+      [wish, folder = study_->folder(), models = study_->models(), servo = study_->servo()](
           const std::stop_token&, const BackgroundTask::Progress&) {
-        const Protocol loaded = load_protocol(protocol, models, folder);
+        const Protocol loaded = load_protocol(wish.protocol, models, folder);
         const auto trial = std::make_shared<const MouseTrial>(
-            loaded, folder, introduction_of(loaded).toStdString(), new_seed());
+            loaded, folder, introduction_of(loaded).toStdString(), new_seed(), wish.group);
         SessionOrder order{.inputs = trial->inputs(), .mouse_trial = trial};
         order.inputs.servo = servo;
         for (const auto& [cue, path] : loaded.speech) {
@@ -170,7 +170,7 @@ void SessionDesk::end_mouse_trial(State state, const QString& what) {
 
 void SessionDesk::choose(const SessionWish& wish) {
   if (wish.simulation) return simulate(*wish.simulation);
-  if (wish.by_mouse) return try_by_mouse(wish.protocol);
+  if (wish.by_mouse) return try_by_mouse(wish);
   if (refuse_another()) return;
   if (wish.simulate) {
     start_page_->set_mode(SessionMode::simulate);

@@ -48,7 +48,7 @@ class SessionDesk final : public QObject {
   void take_study(OpenStudy& study);
   void choose(const SessionWish& wish);
   void simulate(const SimulationInputs& inputs);
-  void try_by_mouse(const std::filesystem::path& protocol);
+  void try_by_mouse(const SessionWish& wish);
   void end_mouse_trial(State state, const QString& what);
   bool refuse_another();
   void open_participant_window();

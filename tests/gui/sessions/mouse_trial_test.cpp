@@ -1,5 +1,6 @@
 // Protocols are tried with the mouse, and the study has the same bytes afterwards.
 
+#include <QtWidgets/QComboBox>
 #include <QtWidgets/QDialog>
 #include <gtest/gtest.h>
 
@@ -7,6 +8,7 @@
 #include "results_schema/files/atomic_file.h"
 #include "tests/gui/sessions/mouse_trial_room.h"
 #include "tests/gui/support/screenshot.h"
+#include "tests/support/replaced.h"
 
 namespace asperity {
 namespace {
@@ -44,6 +46,33 @@ TEST_F(MouseTrials, EndWithoutAQuestion) {
   begin_by_mouse("small");
   experimenter().close();
   expect_end();
+}
+
+TEST_F(MouseTrials, AreOfTheChosenGroup) {
+  make_study();
+  add_protocol({.trials = 3});
+  const std::filesystem::path file = folder() / "protocols" / "small.json";
+  write_file(
+      file,
+      replaced(
+          read_file(file), R"("factors": {)",
+          R"("groups": {"factor": "ground"}, "factors": {"ground": {"levels": ["dawn", "dusk"]}, )"),
+      Overwrite::allow);
+  add_protocol({.name = "without"});
+  open();
+  window->show_page("protocols");
+  click_row(*window, "protocols_table", "without");
+  auto& groups = child<QComboBox>(*window, "protocol_mouse_group");
+  EXPECT_FALSE(groups.isVisible());
+  click_row(*window, "protocols_table", "small");
+  EXPECT_TRUE(groups.isVisible());
+  EXPECT_EQ(groups.currentText(), "as group dawn");
+  take_screenshot(*window, "mouse-trial-group", QSize(1366, 900));
+  groups.setCurrentIndex(1);
+  click(*window, "protocol_by_mouse");
+  wait_for("the session",
+           [&] { return desk->runner() != nullptr && monitor().facts() != nullptr; });
+  EXPECT_EQ(monitor().facts()->row.group_level, "dusk");
 }
 
 TEST_F(MouseTrials, StateWhyTheyEndedEarly) {
