@@ -16323,7 +16323,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Cancel</source>
-        <translation>Abbrechen</translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>Reason</source>

@@ -744,9 +744,10 @@ TEST_F(ProtocolEditor, StatesThatASavedFileWithProblemsCannotBeRun) {
   ASSERT_TRUE(checked());
   click("editor_save");
   ASSERT_TRUE(saved());
-  EXPECT_EQ(banner(),
-            "Saved as improved_recogxnition.json: the file is named after the protocol. The file is "
-            "saved, but no session can be run with it: it has 1 problem.");
+  EXPECT_EQ(
+      banner(),
+      "Saved as improved_recogxnition.json: the file is named after the protocol. The file is "
+      "saved, but no session can be run with it: it has 1 problem.");
 }
 
 TEST_F(ProtocolEditor, KeepsTheTextWhenItCannotBeSaved) {

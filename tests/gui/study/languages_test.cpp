@@ -27,6 +27,7 @@
 #include "app/gui/editor/protocol_editor_page.h"
 #include "app/gui/editor/protocol_text_edit.h"
 #include "app/gui/editor/question_bar.h"
+#include "app/gui/session/session_dialogs.h"
 #include "app/gui/start/start_page.h"
 #include "app/gui/window/session_desk.h"
 #include "app/gui/window/study_window.h"
@@ -114,6 +115,16 @@ TEST_F(Languages, OfARegionAreThatLanguage) {
   EXPECT_EQ(count_of(1), "1 Versuchsperson");
   apply_language("en_GB");
   EXPECT_EQ(count_of(1), "1 participant");
+}
+
+TEST_F(Languages, DistinguishAbortingASessionFromGoingBack) {
+  apply_language("de");
+  AbortDialog dialog(nullptr, [](const Phrase&) {});
+  dialog.show();
+  take_screenshot(dialog, "german-abort", QSize(900, 300));
+  EXPECT_EQ(child<QPushButton>(dialog, "reason_given").text(), "Sitzung abbrechen");
+  EXPECT_EQ(child<QPushButton>(dialog, "reason_cancel").text(), "Zurück");
+  dialog.setAttribute(Qt::WA_DeleteOnClose, false);
 }
 
 TEST_F(Languages, KeepWhatIsShownOfAProtocol) {
@@ -209,8 +220,8 @@ TEST_F(Languages, KeepUnsavedChangesOfAProtocolAndTheirUndo) {
   choose_and_wait("&Dunkel");
   ASSERT_TRUE(eventually([&] {
     const auto formats = edit().document()->firstBlock().next().layout()->formats();
-    return !formats.isEmpty() && formats.first().format.foreground().color() ==
-                                     json_color(JsonToken::Kind::key, theme());
+    return !formats.isEmpty() &&
+           formats.first().format.foreground().color() == json_color(JsonToken::Kind::key, theme());
   }));
   take_screenshot(window, "editor-handed-over", QSize(1366, 900));
   choose_and_wait("&Hell");
