@@ -13,6 +13,7 @@
 #include "protocols/editing/edits.h"
 #include "protocols/editing/renaming.h"
 #include "protocols/editing/text_entries.h"
+#include "protocols/form/new_entries.h"
 #include "protocols/form/new_values.h"
 #include "protocols/keys/tables.h"
 
@@ -79,19 +80,6 @@ FormEdit with_own_names(FormEdit copied) {
   return copied;
 }
 
-/// The first name that a list of references does not have; nullopt if there is none, or if it is no such list.
-std::optional<std::string> unused_name(const JsonDocument& protocol, const std::string& list,
-                                       const ValueShape& entry) {
-  const auto* const text = std::get_if<TextShape>(&entry);
-  const NameShape* const name = text != nullptr ? &text->name : std::get_if<NameShape>(&entry);
-  if (name == nullptr || name->is_declared) return {};
-  const json& present = value_at(protocol, list);
-  for (const std::string& known : declared_names(names_in(protocol.root()), name->registry)) {
-    if (std::find(present.begin(), present.end(), json(known)) == present.end()) return known;
-  }
-  return {};
-}
-
 }  // namespace
 
 FormEdit with_value(const JsonDocument& protocol, const std::string& pointer,
@@ -111,6 +99,15 @@ FormEdit with_value(const JsonDocument& protocol, const std::string& pointer,
   }
   return {changed(protocol.text(), insert_member(protocol, container.to_string(), key, written)),
           pointer};
+}
+
+FormEdit with_new_value(const JsonDocument& protocol, const std::string& pointer,
+                        const ProtocolKey& key) {
+  const nlohmann::ordered_json value = new_value(key.shape, names_in(protocol.root()));
+  if (pointer == "/groups" && value.at("factor") == "") {
+    return {with_factor_of_groups(protocol).text, pointer};
+  }
+  return with_value(protocol, pointer, value.dump());
 }
 
 FormEdit without(const JsonDocument& protocol, std::span<const std::string> pointers) {
@@ -137,8 +134,8 @@ FormEdit with_entry(const JsonDocument& protocol, const std::string& container,
         object == nullptr || key.empty() ? nullptr : object->table->find(key);
     if (kind != nullptr) {
       value[std::string(key)] = new_value(kind->shape, names);
-    } else if (const auto name = unused_name(protocol, container, *list->entry)) {
-      value = *name;
+    } else if (auto entry = new_entry(protocol, container, *list, count)) {
+      value = std::move(*entry);
     } else if (count > 0) {
       return with_copy(protocol, pointer_to(container, count - 1));
     } else {
@@ -163,11 +160,16 @@ FormEdit with_entry(const JsonDocument& protocol, const std::string& container,
 FormEdit with_copy(const JsonDocument& protocol, const std::string& pointer) {
   const std::string container = parent_of(pointer);
   const auto [entries, index] = entry_at(protocol, pointer);
-  if (!entries.is_object()) {
-    return with_own_names({changed(protocol.text(), duplicate_entry(protocol, pointer)),
-                           pointer_to(container, index + 1)});
-  }
   const auto shape = container_shape(protocol, container);
+  if (!entries.is_object()) {
+    const auto* const list = shape ? std::get_if<ListShape>(&*shape) : nullptr;
+    const auto own =
+        list == nullptr ? std::nullopt : new_entry(protocol, container, *list, index + 1);
+    const std::string after =
+        changed(protocol.text(), own ? insert_entry(protocol, container, index + 1, own->dump())
+                                     : duplicate_entry(protocol, pointer));
+    return with_own_names({after, pointer_to(container, index + 1)});
+  }
   const auto* const map = shape ? std::get_if<MapShape>(&*shape) : nullptr;
   const NameShape keys = map == nullptr ? NameShape{} : names_of_keys(*map, container);
   const std::string name = key_of_copy(protocol, container, keys, key_of(pointer));

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "protocols/file/json_document.h"
+#include "protocols/shapes/key.h"
 
 namespace asperity {
 
@@ -26,16 +27,22 @@ struct FormEdit {
 FormEdit with_value(const JsonDocument& protocol, const std::string& pointer,
                     std::string_view value);
 
+/// With the simplest value (new_values.h) for a key that has none. Groups begin with a factor that can be theirs: without one,
+/// also with this factor.
+FormEdit with_new_value(const JsonDocument& protocol, const std::string& pointer,
+                        const ProtocolKey& key);
+
 /// Without these values, which can be entries of several containers.
 FormEdit without(const JsonDocument& protocol, std::span<const std::string> pointers);
 
 /// With a new last entry of a list or a map. Without `key` it is a copy of the last one under another name, or the simplest value if
-/// there is none; of a list of names the first one that it does not have. With `key` it is the simplest value, in a map under this
-/// key, and in a list of objects of several kinds of this kind.
+/// there is none; of a list of names, words or levels it is another one of them (new_entries.h). With `key` it is the simplest
+/// value, in a map under this key, and in a list of objects of several kinds of this kind.
 FormEdit with_entry(const JsonDocument& protocol, const std::string& container,
                     std::string_view key = {});
 
-/// With a copy behind an entry; names that the entry itself declares get a number.
+/// With a copy behind an entry; names that the entry itself declares get a number, and a name, a word or a level becomes another
+/// one (new_entries.h).
 FormEdit with_copy(const JsonDocument& protocol, const std::string& pointer);
 
 /// With the entry at another position among its siblings.

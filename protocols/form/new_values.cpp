@@ -134,7 +134,11 @@ std::string free_name(const std::vector<std::string>& names, std::string_view wi
 }
 
 std::vector<std::string> declared_names(const ProtocolNames& names, std::string_view registry) {
-  if (registry == kGroupNames) registry = names.groups;
+  if (registry == kGroupNames) {
+    std::vector<std::string> groups = declared_names(names, names.groups);
+    groups.insert(groups.end(), names.numbers_of_groups.begin(), names.numbers_of_groups.end());
+    return groups;
+  }
   std::vector<std::string> declared{};
   for (const NameUse& use : names.uses) {
     if (!use.is_declared || use.registry != registry) continue;

@@ -21,7 +21,7 @@ std::string free_name(std::string_view wish,
 /// The same that `names` does not have.
 std::string free_name(const std::vector<std::string>& names, std::string_view wish);
 
-/// The names that the protocol declares in a registry, in their order.
+/// The names that the protocol declares in a registry, in their order; of the groups also the numbers, as texts.
 std::vector<std::string> declared_names(const ProtocolNames& names, std::string_view registry);
 
 /// The simplest value of the shape: the lowest number of the range that is closest to 0, the first word, the first name that the

@@ -8,6 +8,7 @@
 
 #include "protocols/design/arithmetic.h"
 #include "protocols/design/json_pointer.h"
+#include "protocols/design/wording.h"
 #include "protocols/keys/tables.h"
 
 namespace asperity {
@@ -32,6 +33,7 @@ class NameWalk final {
     for (NameUse& use : names_.uses) {
       if (use.registry == kGroupNames && !names_.groups.empty()) use.registry = names_.groups;
     }
+    add_numbers_of_groups(root);
   }
 
  private:
@@ -129,6 +131,17 @@ class NameWalk final {
       const json& factor = value.at("factor");
       if (!factor.is_string()) return;
       names_.links.emplace_back(levels_of(factor.get<std::string>()), inner->registry);
+    }
+  }
+
+  void add_numbers_of_groups(const json& root) {
+    const json::json_pointer factor("/groups/factor");
+    if (!root.contains(factor) || !root.at(factor).is_string()) return;
+    const auto levels =
+        json::json_pointer("/factors") / root.at(factor).get<std::string>() / "levels";
+    if (!root.contains(levels)) return;
+    for (const json& level : root.at(levels)) {
+      if (level.is_number()) names_.numbers_of_groups.push_back(digits(level.get<double>()));
     }
   }
 

@@ -31,6 +31,8 @@ struct ProtocolNames {
   std::vector<std::pair<std::string, std::string>> links{};
   /// The registry of the groups of participants: that of the levels of their factor. Empty without groups.
   std::string groups{};
+  /// Levels of that factor that are numbers, as texts: they have no names, and a screen states the number as a text.
+  std::vector<std::string> numbers_of_groups{};
 };
 
 /// The registry of the levels of a factor.

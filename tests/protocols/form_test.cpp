@@ -231,6 +231,92 @@ TEST(FormEdits, AddTheFirstReferenceThatIsMissing) {
             json::parse(R"(["sex", "age"])"));
 }
 
+/// The levels of the factor f after one was added.
+std::string levels_after_adding(const std::string& levels) {
+  const std::string text = R"({"factors": {"f": {"levels": )" + levels + "}}}";
+  const FormEdit edit = with_entry(JsonDocument(text, ""), "/factors/f/levels");
+  return json::parse(edit.text)["factors"]["f"]["levels"].dump();
+}
+
+TEST(FormEdits, AddALevelThatIsNotInTheList) {
+  EXPECT_EQ(levels_after_adding("[1]"), "[1,2]");
+  EXPECT_EQ(levels_after_adding("[5, 10, 15]"), "[5,10,15,20]");
+  EXPECT_EQ(levels_after_adding("[0.1, 0.2]"), "[0.1,0.2,0.3]");
+  EXPECT_EQ(levels_after_adding("[3, 2, 1]"), "[3,2,1,0]");
+  EXPECT_EQ(levels_after_adding("[1, 3, 2]"), "[1,3,2,0]") << "1 is a level";
+  EXPECT_EQ(levels_after_adding("[2, 2]"), "[2,2,3]");
+  EXPECT_EQ(levels_after_adding("[-1e308, 1e308]"), "[-1e+308,1e+308,1e+308]") << "there is none";
+  EXPECT_EQ(levels_after_adding(R"(["haptic"])"), R"(["haptic","haptic_2"])");
+  EXPECT_EQ(levels_after_adding(R"(["haptic", "haptic_2"])"),
+            R"(["haptic","haptic_2","haptic_3"])");
+  EXPECT_EQ(levels_after_adding(R"(["group_1", "group_2"])"), R"(["group_1","group_2","group_3"])");
+  EXPECT_EQ(levels_after_adding(R"(["cones_35"])"), R"(["cones_35","cones_35_2"])");
+  EXPECT_EQ(levels_after_adding("[]"), "[0.0]");
+}
+
+TEST(FormEdits, DuplicateALevelUnderAnotherName) {
+  const std::string text = R"({"factors": {"f": {"levels": ["a", "b"]}, "g": {"levels": [1, 2]}}})";
+  EXPECT_EQ(
+      json::parse(
+          with_copy(JsonDocument(text, ""), "/factors/f/levels/0").text)["factors"]["f"]["levels"],
+      json::parse(R"(["a", "a_2", "b"])"));
+  EXPECT_EQ(
+      json::parse(
+          with_copy(JsonDocument(text, ""), "/factors/g/levels/0").text)["factors"]["g"]["levels"],
+      json::parse("[1, 3, 2]"));
+}
+
+TEST(FormEdits, AddATextureThatIsNotALevel) {
+  json protocol = test::library_file("semantic_differential");
+  json& levels = protocol["factors"]["texture"]["levels"];
+  const std::size_t all = levels.size();
+  levels.erase(1);
+  const std::string second =
+      test::library_file("semantic_differential")["factors"]["texture"]["levels"][1];
+  const auto added = [](const json& file) {
+    const FormEdit edit = with_entry(JsonDocument(file.dump(), ""), "/factors/texture/levels");
+    return json::parse(edit.text)["factors"]["texture"]["levels"].back().get<std::string>();
+  };
+  EXPECT_EQ(added(protocol), second);
+  levels.push_back(second);
+  ASSERT_EQ(levels.size(), all);
+  EXPECT_EQ(added(protocol), second + "_2");
+}
+
+TEST(FormEdits, AddOnlyWhatAListCanHave) {
+  const std::string text = R"({"factors": {"f": {"levels": [1, 2.5]}}, "groups": {"factor": "f"},
+    "blocks": {"a": {"anchor_at": ["end"]}},
+    "flow": [{"screen": "1", "groups": ["1"]}, {"screen": "2"}]})";
+  const FormEdit group = with_entry(JsonDocument(text, ""), "/flow/0/groups");
+  EXPECT_EQ(json::parse(group.text)["flow"][0]["groups"], json::parse(R"(["1", "2.5"])"));
+  EXPECT_NE(refusal_of([&] {
+              with_entry(JsonDocument(group.text, ""), "/flow/0/groups");
+            }).find("every possible entry is in this list already"),
+            std::string::npos);
+  const FormEdit groups =
+      with_new_value(JsonDocument(text, ""), "/flow/1/groups", *kStepTable.find("groups"));
+  EXPECT_EQ(json::parse(groups.text)["flow"][1]["groups"], json::parse(R"(["2.5"])"))
+      << "the one with the fewest texts";
+  const FormEdit place = with_entry(JsonDocument(text, ""), "/blocks/a/anchor_at");
+  EXPECT_EQ(json::parse(place.text)["blocks"]["a"]["anchor_at"],
+            json::parse(R"(["end", "start"])"));
+}
+
+// Groups that are added begin with a valid state in every protocol.
+TEST(FormEdits, AddGroupsWithAFactor) {
+  int added = 0;
+  for (const LibraryProtocol& library : library_protocols()) {
+    const std::string text(library.text);
+    const JsonDocument protocol(text, "");
+    if (protocol.root().contains("groups")) continue;
+    const FormEdit edit = with_new_value(protocol, "/groups", *kProtocolTable.find("groups"));
+    EXPECT_EQ(edit.pointer, "/groups");
+    EXPECT_NO_THROW(test::valid(json::parse(edit.text), test::models_of_library())) << library.name;
+    ++added;
+  }
+  EXPECT_GT(added, 10);
+}
+
 TEST(FormEdits, AddAFactorOfGroups) {
   const std::string text = R"({"factors": {"group": {"levels": [1]}}, "groups": {"factor": ""}})";
   const FormEdit edit = with_factor_of_groups(JsonDocument(text, ""));

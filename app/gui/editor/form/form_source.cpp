@@ -11,7 +11,6 @@
 #include "app/gui/editor/form/form_fields.h"
 #include "app/gui/look/words.h"
 #include "protocols/design/json_pointer.h"
-#include "protocols/design/protocol.h"
 #include "protocols/editing/text_entries.h"
 #include "protocols/form/new_values.h"
 
@@ -92,23 +91,10 @@ QStringList FormSource::names_for(const NameShape& shape, const std::string& poi
     }
   }
   for (const std::string& name : declared_names(names_, registry)) add_new(names, name);
-  if (registry == kGroupNames) add_numbers_of_groups(names);
   for (const NameUse& use : names_.uses) {  // roles and levels are named where they are used
     if (use.registry == registry) add_new(names, use.name);
   }
   return names;
-}
-
-/// Levels of the factor of the groups that are numbers have no names; a screen states the number as a text.
-void FormSource::add_numbers_of_groups(QStringList& names) const {
-  const nlohmann::json* const factor = find("/groups/factor");
-  if (factor == nullptr || !factor->is_string()) return;
-  const nlohmann::json* const levels =
-      find(pointer_to("/factors", factor->get<std::string>()) + "/levels");
-  if (levels == nullptr || !levels->is_array()) return;
-  for (const nlohmann::json& level : *levels) {
-    if (level.is_number()) add_new(names, text_of(Level(level.get<double>())));
-  }
 }
 
 std::size_t FormSource::references_to(const std::string& pointer) const {

@@ -42,7 +42,6 @@ class FormSource final {
 
  private:
   QStringList names_of_level(const std::string& levels) const;
-  void add_numbers_of_groups(QStringList& names) const;
 
   std::string text_{};
   JsonDocument document_;

@@ -214,10 +214,7 @@ void ObjectRows::add_key_button(const FormEntry& entry) {
   connect(add, &QPushButton::clicked, this, [this, entry] {
     context().opened.insert(entry.pointer);
     context().edit(
-        [&](const JsonDocument& text) {
-          const ProtocolNames names = names_in(text.root());
-          return with_value(text, entry.pointer, new_value(entry.key->shape, names).dump());
-        },
+        [&](const JsonDocument& text) { return with_new_value(text, entry.pointer, *entry.key); },
         {});
   });
 }
