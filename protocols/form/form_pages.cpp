@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <vector>
 
 #include "protocols/design/json_pointer.h"
+#include "protocols/shapes/key.h"
 
 namespace asperity {
 
@@ -96,6 +98,17 @@ bool has_key(const PagePart& part, std::string_view key) {
   const bool is_listed =
       std::find(part.of_entries.begin(), part.of_entries.end(), key) != part.of_entries.end();
   return is_listed != part.are_left_out;
+}
+
+bool is_in_title(const FormPage& page, const ProtocolKey& key) {
+  const auto is_same = [](char one, char other) {
+    return std::tolower(static_cast<unsigned char>(one)) ==
+           std::tolower(static_cast<unsigned char>(other));
+  };
+  const auto contains = [&is_same](std::string_view text, std::string_view part) {
+    return !std::ranges::search(text, part, is_same).empty();
+  };
+  return contains(page.label, key.label) || contains(key.label, page.label);
 }
 
 const FormPage& form_page_of(std::string_view pointer) {

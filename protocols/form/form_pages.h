@@ -7,6 +7,8 @@
 
 namespace asperity {
 
+struct ProtocolKey;
+
 /// A key of a protocol on a page of the form.
 struct PagePart {
   std::string_view key{};
@@ -32,6 +34,10 @@ std::span<const std::string_view> keys_of_files();
 
 /// Whether a page has the key of an object, an entry of the part.
 bool has_key(const PagePart& part, std::string_view key);
+
+/// Whether the page is named after the key: "Order and groups" after "Groups", "Device" after "Haptic device". A form shows such
+/// a key also without a value.
+bool is_in_title(const FormPage& page, const ProtocolKey& key);
 
 /// The page with the value at a JSON pointer; the first page if none has it.
 const FormPage& form_page_of(std::string_view pointer);

@@ -523,6 +523,19 @@ TEST_F(FormOfProtocol, ShowsAndAddsTheGroupsOfAScreen) {
   EXPECT_EQ(tree()["flow"][screen]["groups"], json::parse(R"(["haptic"])"));
 }
 
+// The page is named after them.
+TEST_F(FormOfProtocol, OffersGroupsWithoutUnfoldingSettings) {
+  for (const LibraryProtocol& library : library_protocols()) {
+    open(std::string(library.text));
+    form().show_page("order");
+    QApplication::processEvents();
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // of what was made again
+    const bool is_present = tree().contains("groups");
+    const auto& groups = child<QWidget>(form(), is_present ? "/groups" : "add:/groups");
+    EXPECT_TRUE(groups.isVisible()) << library.name;
+  }
+}
+
 TEST_F(FormOfProtocol, MakesAFactorForGroups) {
   open(library_text("amplitude_jnd"));
   form().show_page("order");

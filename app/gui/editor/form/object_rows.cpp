@@ -79,11 +79,12 @@ std::vector<FormEntry> ObjectRows::entries() const {
   return entries;
 }
 
-/// A row that has the focus stays: its value was emptied just now.
-bool ObjectRows::is_stated(const FormEntry& entry) const {
-  if (entry.is_present || entry.key->is_required) return true;
+/// Never what the page is named after. A row that has the focus stays: its value was emptied just now.
+bool ObjectRows::can_be_folded(const FormEntry& entry) const {
+  if (entry.is_present || entry.key->is_required) return false;
+  if (page_ != nullptr && is_in_title(*page_, *entry.key)) return false;
   const QWidget* const focused = QApplication::focusWidget();
-  return std::any_of(rows_.begin(), rows_.end(), [&](const Row& row) {
+  return std::none_of(rows_.begin(), rows_.end(), [&](const Row& row) {
     return row.entry.pointer == entry.pointer && row.content != nullptr && focused != nullptr &&
            row.content->isAncestorOf(focused);
   });
@@ -91,8 +92,8 @@ bool ObjectRows::is_stated(const FormEntry& entry) const {
 
 bool ObjectRows::is_unfolded(const std::vector<FormEntry>& entries) const {
   if (context().opened.contains(pointer() + "/")) return true;
-  const auto unset =
-      std::ranges::count_if(entries, [this](const FormEntry& entry) { return !is_stated(entry); });
+  const auto unset = std::ranges::count_if(
+      entries, [this](const FormEntry& entry) { return can_be_folded(entry); });
   return unset <= kFewSettings;
 }
 
@@ -102,7 +103,7 @@ std::string ObjectRows::structure(const std::vector<FormEntry>& entries) const {
   for (const FormEntry& entry : entries) {
     const nlohmann::json* const present = source().find(entry.pointer);
     const bool is_field = has_field(entry.key->shape, present);
-    const bool is_shown = is_stated(entry) || is_open;
+    const bool is_shown = !can_be_folded(entry) || is_open;
     structure += std::string(entry.key->name) + (is_shown ? "+" : "-") + (is_field ? "f" : "s");
     if (!is_field) structure += present == nullptr ? "0" : present->type_name();
   }
@@ -133,8 +134,8 @@ void ObjectRows::make_rows(const std::vector<FormEntry>& entries) {
   const bool is_open = is_unfolded(entries);
   std::size_t unset = 0;
   for (const FormEntry& entry : entries) {
-    if (!is_stated(entry)) ++unset;
-    if (!is_stated(entry) && !is_open) continue;
+    if (can_be_folded(entry)) ++unset;
+    if (can_be_folded(entry) && !is_open) continue;
     if (has_field(entry.key->shape, source().find(entry.pointer))) {
       add_field(entry);
     } else if (entry.is_present) {

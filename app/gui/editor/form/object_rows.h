@@ -16,7 +16,7 @@ class QToolButton;
 namespace asperity {
 
 /// Labels, fields and their states: "default" next to an unchanged field, a button that resets a changed one. Keys without
-/// a value that are not required are folded.
+/// a value that are not required are folded, except for what the page is named after.
 class ObjectRows final : public FormPart {
   Q_OBJECT
  public:
@@ -39,7 +39,7 @@ class ObjectRows final : public FormPart {
   std::vector<FormEntry> entries() const;
   const PagePart* part_of(std::string_view key) const;
   bool is_unfolded(const std::vector<FormEntry>& entries) const;
-  bool is_stated(const FormEntry& entry) const;
+  bool can_be_folded(const FormEntry& entry) const;
   /// What the rows follow from: a change makes them again.
   std::string structure(const std::vector<FormEntry>& entries) const;
   void make_rows(const std::vector<FormEntry>& entries);
