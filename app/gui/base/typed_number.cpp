@@ -24,6 +24,11 @@ std::optional<std::string> number_typed(const NumberShape& shape, const QString&
   return number_in_file(shape, decimal_of(typed));
 }
 
+QString shown_unit(const NumberShape& shape) {
+  const std::string_view unit = shape.display.unit.empty() ? shape.unit : shape.display.unit;
+  return text(std::string(unit == "1" ? "" : unit));
+}
+
 QString shown_in_unit(const NumberShape& shape, std::string_view in_file) {
   return shown_decimal(displayed_number(shape, in_file).value_or(std::string(in_file)));
 }

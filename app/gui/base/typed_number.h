@@ -19,6 +19,8 @@ QString shown_decimal(std::string_view in_file);
 
 /// The number in the unit of the file, of one that is typed in the unit for display; nullopt for what is not a number.
 std::optional<std::string> number_typed(const NumberShape& shape, const QString& typed);
+/// The unit for display; empty: none.
+QString shown_unit(const NumberShape& shape);
 /// The reverse. What is not a number is shown unconverted.
 QString shown_in_unit(const NumberShape& shape, std::string_view in_file);
 

@@ -14949,6 +14949,41 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
 </context>
 <context>
+    <name>asperity::NumbersField</name>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number; enter %2 from %3 to %4</source>
+        <translation>„%1“ ist keine Zahl; geben Sie %2 von %3 bis %4 ein</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>mindestens %1</translation>
+    </message>
+    <message>
+        <source>greater than %1</source>
+        <translation>größer als %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>less than %1</source>
+        <translation>kleiner als %1</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number; enter %2</source>
+        <translation>„%1“ ist keine Zahl; geben Sie %2 ein</translation>
+    </message>
+</context>
+<context>
     <name>asperity::ObjectRows</name>
     <message>
         <source>Remove: the default applies</source>

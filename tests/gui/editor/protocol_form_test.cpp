@@ -657,6 +657,30 @@ TEST_F(FormOfProtocol, ShowsAProblemNextToItsField) {
   }
 }
 
+TEST_F(FormOfProtocol, StatesThePermittedNumbersInTheUnitOfTheForm) {
+  open(library_text("amplitude_jnd"));
+  const auto problem_after = [this](const std::string& pointer) {
+    type_into(pointer, "abc");
+    Diagnostic problem{};
+    problem.pointer = pointer;
+    problem.message = "not permitted";
+    views_.show_problems({problem}, {});
+    QString shown{};
+    for (const QLabel* const label : form().findChildren<QLabel*>("form_problem")) {
+      if (label->isVisible()) shown += label->text();
+    }
+    return shown.toStdString();
+  };
+  EXPECT_EQ(problem_after("/material/friction"),
+            "✕ “abc” is not a number; enter a number from 0 to 2");
+  EXPECT_EQ(problem_after("/stimuli/grating/parameters/amplitude_m"),
+            "✕ “abc” is not a number; enter a number from 0 to 5000 µm");
+  EXPECT_EQ(problem_after("/resume/practice_trials"),
+            "✕ “abc” is not a number; enter a whole number from 1 to 100");
+  EXPECT_EQ(problem_after("/explorations/stroking/stroke_length_m/target"),
+            "✕ “abc” is not a number; enter a number (at least 0 mm)");
+}
+
 TEST_F(FormOfProtocol, ShowsAWarningInAnotherColourThanAProblem) {
   open(library_text("amplitude_jnd"));
   Diagnostic remark{};

@@ -22,6 +22,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/gui/base/form_words.h"
+#include "app/gui/editor/form/form_fields.h"
 #include "app/gui/editor/form/form_search.h"
 #include "app/gui/editor/form/object_rows.h"
 #include "app/gui/editor/form/texts_list.h"
@@ -378,8 +379,11 @@ void ProtocolForm::show_problems(const std::vector<Diagnostic>& problems,
   const auto add = [this](State state, const std::vector<Diagnostic>& remarks) {
     for (const Diagnostic& remark : remarks) {
       if (context_.source == nullptr) break;
+      const QString of_number =
+          state == State::stop ? problem_of_number(*context_.source, remark.pointer) : QString();
       context_.problems[remark.pointer].push_back(
-          {state, sentence_in_form(context_.source->document().root(), remark)});
+          {state, of_number.isEmpty() ? sentence_in_form(context_.source->document().root(), remark)
+                                      : of_number});
     }
   };
   add(State::stop, problems);
