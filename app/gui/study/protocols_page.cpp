@@ -36,8 +36,15 @@ namespace {
 
 constexpr int kStateColumn = 5;
 constexpr int kVirtualParticipants = 12;
-constexpr int kLeastBelow = 64;
+constexpr int kLeastBelow = 48;
 constexpr int kMostGroupWidth = 280;
+
+/// Its pages scroll: they take the height that is left, whatever their texts would need.
+class ScrolledPages final : public QStackedWidget {
+ public:
+  using QStackedWidget::QStackedWidget;
+  bool hasHeightForWidth() const override { return false; }
+};
 
 }  // namespace
 
@@ -110,11 +117,13 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
       [this](const std::vector<InterruptedSession>& sessions) { show_interrupted(sessions); });
 }
 
-/// The table has the rows that fit into half of the height, and ends below the last of them.
+/// The table has the rows that fit into half of the height, and ends below the last of them. It has fewer where the buttons of
+/// the card below it need the room.
 void ProtocolsPage::share_height() {
   if (is_shared_by_hand_) return;
   const int both = splitter_->height() - splitter_->handleWidth();
-  const int table = table_->height_of_rows_within(both / 2);
+  const int card = detail_->layout()->totalMinimumHeightForWidth(splitter_->width());
+  const int table = table_->height_of_rows_within(std::min(both / 2, both - card));
   splitter_->setSizes({table, both - table});
 }
 
@@ -200,7 +209,7 @@ QWidget* ProtocolsPage::make_detail() {
   layout->addWidget(file_actions_);
   layout->addSpacing(kGrid);
 
-  below_ = new QStackedWidget(card);
+  below_ = new ScrolledPages(card);
   below_->setMinimumHeight(kLeastBelow);  // the list keeps half of the height
   auto* scroll = new QScrollArea(below_);
   scroll->setAccessibleName(tr("Description"));
@@ -456,6 +465,7 @@ void ProtocolsPage::show_groups(const ProtocolOverview& overview) {
 void ProtocolsPage::show_below(Below below) {
   close_->setVisible(below == plan);
   below_->setCurrentIndex(below);
+  share_height();
 }
 
 // An editor that puts a new file in the old one's place ends the watch on it.

@@ -12,11 +12,13 @@
 #include <QtWidgets/QSplitter>
 
 #include "app/gui/base/open_study.h"
+#include "app/gui/base/settings.h"
 #include "app/gui/base/study_table.h"
 #include "app/gui/look/controls.h"
 #include "results_schema/files/atomic_file.h"
 #include "tests/gui/study/pages_of_a_window.h"
 #include "tests/gui/support/gated_examination.h"
+#include "tests/gui/support/screenshot.h"
 
 namespace asperity {
 namespace {
@@ -68,6 +70,33 @@ TEST_F(StudyPages, EndTheListOfProtocolsBelowAWholeRow) {
   window_.resize(1280, 740);
   QTest::qWait(50);
   EXPECT_NEAR(table.height(), 170, 8);
+}
+
+TEST_F(StudyPages, LetNothingOfThePlanOverlapTheButtonsOfItsProtocol) {
+  open_lively();
+  for (const char* const language : {"en", "de"}) {
+    apply_language(language);
+    window_.resize(1280, 720);
+    select_protocol("chapter_recognition.json");
+    const auto& interrupted = child<Banner>(window_, "protocols_interrupted");
+    ASSERT_TRUE(eventually([&] { return interrupted.isVisible(); }));
+    const auto& page = child<QWidget>(window_, "protocols_page");
+    for (Banner* const banner : page.findChildren<Banner*>()) {
+      if (banner != &interrupted) banner->show_news(State::look, "news");
+    }
+    click("protocol_preview");
+    const auto place = [&](const char* name) {
+      const auto& control = child<QWidget>(window_, name);
+      return QRect(control.mapTo(&page, QPoint()), control.size());
+    };
+    EXPECT_TRUE(eventually([&] {
+      return child<QWidget>(window_, "plan_seed").isVisible() &&
+             place("plan_seed").top() > place("protocol_more").bottom();
+    })) << place("plan_seed").top()
+        << " " << place("protocol_more").bottom();
+    take_screenshot(window_, QString("protocols-banners-%1").arg(language), {1280, 720});
+  }
+  apply_language("en");
 }
 
 TEST_F(PagesToRead, ShowTheProblemsOfABrokenProtocolAndRefuseToStartIt) {
