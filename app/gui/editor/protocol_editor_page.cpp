@@ -22,6 +22,7 @@
 #include "app/gui/editor/question_bar.h"
 #include "app/gui/look/fitted_label.h"
 #include "app/gui/look/words.h"
+#include "app/gui/look/wrapping_row.h"
 #include "app/gui/participant/screen_preview.h"
 #include "app/gui/precision/precision_view.h"
 #include "app/study_files/height_field_files.h"
@@ -36,6 +37,8 @@ namespace asperity {
 namespace {
 
 constexpr int kLineColumn = 0;  // of the list of problems
+/// Of the name of the file, which the buttons next to it leave in a small window.
+constexpr int kKeptNameWidth = 280;
 
 /// "1.2.3" → "1.2.4"; empty when it is no version.
 QString raised(const QString& version) {
@@ -140,7 +143,11 @@ ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
 
 void ProtocolEditorPage::make_head() {
   name_ = new FittedLabel(this);
+  name_->setObjectName("editor_name");
   name_->setFont(text_font(TextSize::title, true));
+  name_->set_smaller_font(text_font(TextSize::body, true));
+  name_->set_elide(Qt::ElideMiddle);
+  name_->keep_width(kKeptNameWidth);
   title().hide();
   note_ = new FittedLabel(this);
   note_->setObjectName("editor_note");
@@ -155,12 +162,12 @@ void ProtocolEditorPage::make_head() {
   QPushButton* back = make_button(tr("← All protocols"), ButtonRole::link, this);
   back->setObjectName("editor_back");
   head().insertWidget(0, name_, 1);
-  head().addWidget(note_);
-  head().addSpacing(kGrid);
-  head().addWidget(methods);
-  head().addWidget(find);
-  head().addWidget(save_);
-  head().addWidget(back);
+  // In two lines where the name needs the room.
+  auto* buttons = new WrappingRow(nullptr, kGrid);
+  for (QWidget* const widget : std::initializer_list<QWidget*>{note_, methods, find, save_, back}) {
+    buttons->addWidget(widget);
+  }
+  head().addLayout(buttons);
   connect(find, &QPushButton::clicked, this, [this] { views_->find(); });
   connect(methods, &QPushButton::clicked, this,
           [this] { (new DocumentDialog("methods.md", this))->show(); });

@@ -2,6 +2,8 @@
 
 #include "app/gui/look/fitted_label.h"
 
+#include <algorithm>
+
 #include <QtGui/QFontMetrics>
 #include <QtGui/QPainter>
 
@@ -58,7 +60,9 @@ QSize FittedLabel::sizeHint() const {
   return {needed(font()) + 1, fontMetrics().height()};
 }
 
-QSize FittedLabel::minimumSizeHint() const { return {0, fontMetrics().height()}; }
+QSize FittedLabel::minimumSizeHint() const {
+  return {std::min(needed(smaller_.value_or(font())) + 1, kept_), fontMetrics().height()};
+}
 
 void FittedLabel::paintEvent(QPaintEvent*) {
   if (text().isEmpty()) return;
@@ -68,7 +72,7 @@ void FittedLabel::paintEvent(QPaintEvent*) {
   const int shape = width_of_shape(letters, state_);
   QRect place = contentsRect();
   const QFontMetrics metrics(letters);
-  const QString shown = metrics.elidedText(text(), Qt::ElideRight, place.width() - shape);
+  const QString shown = metrics.elidedText(text(), elide_, place.width() - shape);
   if (alignment() & Qt::AlignRight) {
     place.setLeft(place.right() + 1 - shape - metrics.horizontalAdvance(shown));
   }

@@ -24,6 +24,10 @@ class FittedLabel final : public QLabel {
   void show_state(State state, const QString& text);
   /// In these where the usual ones are too large.
   void set_smaller_font(const QFont& font);
+  /// Where it is cut: at the end, unless another place is set.
+  void set_elide(Qt::TextElideMode mode) { elide_ = mode; }
+  /// It keeps the width that its text needs in the smaller letters, up to this; otherwise it can be narrowed to nothing.
+  void keep_width(int most) { kept_ = most; }
   /// Whether something of it is cut now.
   bool is_cut() const;
 
@@ -41,6 +45,8 @@ class FittedLabel final : public QLabel {
 
   std::optional<State> state_{};
   std::optional<QFont> smaller_{};
+  Qt::TextElideMode elide_ = Qt::ElideRight;
+  int kept_ = 0;
 };
 
 }  // namespace asperity
