@@ -101,8 +101,18 @@ void set_role(QPushButton& button, ButtonRole role) {
 
 void ChoiceBox::initStyleOption(QStyleOptionComboBox* option) const {
   QComboBox::initStyleOption(option);
-  option->currentText =
-      option->fontMetrics.elidedText(option->currentText, Qt::ElideMiddle, room_in(*option));
+  const int room = room_in(*option);
+  const QString value = currentData(kValueRole).toString();
+  if (!value.isEmpty() && option->fontMetrics.horizontalAdvance(option->currentText) >= room) {
+    option->currentText = value;
+  }
+  option->currentText = option->fontMetrics.elidedText(option->currentText, Qt::ElideMiddle, room);
+}
+
+QString ChoiceBox::shown_text() const {
+  QStyleOptionComboBox option{};
+  initStyleOption(&option);
+  return option.currentText;
 }
 
 /// For the text.
@@ -116,15 +126,15 @@ int ChoiceBox::room_in(const QStyleOptionComboBox& option) const {
 /// Qt's size leaves the padding of the style sheet out.
 QSize ChoiceBox::with_room(QSize size) const {
   if (sizeAdjustPolicy() != AdjustToContents) return size;
+  for (int i = 0; i < count(); ++i) size.setWidth(std::max(size.width(), width_for(itemText(i))));
+  return size;
+}
+
+int ChoiceBox::width_for(const QString& text) const {
   QStyleOptionComboBox option{};
   QComboBox::initStyleOption(&option);
-  option.rect.setSize(size);
-  int longest = 0;
-  for (int i = 0; i < count(); ++i) {
-    longest = std::max(longest, option.fontMetrics.horizontalAdvance(itemText(i)));
-  }
   // One more: with no point to spare the text is elided.
-  return {size.width() + std::max(0, longest + 1 - room_in(option)), size.height()};
+  return option.rect.width() - room_in(option) + option.fontMetrics.horizontalAdvance(text) + 1;
 }
 
 void ChoiceBox::showPopup() {

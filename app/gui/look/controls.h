@@ -32,12 +32,19 @@ QPushButton* make_button(const QString& verb, ButtonRole role, QWidget* parent);
 /// For a button that now does something else; not to or from `selector`.
 void set_role(QPushButton& button, ButtonRole role);
 
-/// A list to choose from. Where the box has no room for what is chosen, its middle is left out: both
-/// ends stay. The list is as wide as its longest text; with QComboBox::AdjustToContents the box has room for it as well.
+/// A list to choose from. Where the box has no room for what is chosen, it shows the value of an item that has one, without the
+/// explanation; otherwise the middle is left out: both ends stay. The list is as wide as its longest text; with
+/// QComboBox::AdjustToContents the box has room for it as well.
 class ChoiceBox final : public QComboBox {
   Q_OBJECT
  public:
   using QComboBox::QComboBox;
+  /// Of an item whose text is its value and an explanation: the value.
+  static constexpr int kValueRole = Qt::UserRole + 1;
+  /// What the box shows now.
+  QString shown_text() const;
+  /// The width that the box needs to show this text.
+  int width_for(const QString& text) const;
   void showPopup() override;
   QSize sizeHint() const override { return with_room(QComboBox::sizeHint()); }
   QSize minimumSizeHint() const override { return with_room(QComboBox::minimumSizeHint()); }

@@ -12891,7 +12891,7 @@
     <name>asperity::BoundField</name>
     <message>
         <source>Same in all trials</source>
-        <translation>In allen Durchgängen gleich</translation>
+        <translation>Immer gleich</translation>
     </message>
     <message>
         <source>Level of %1</source>
@@ -15007,7 +15007,7 @@ Die Sitzung jetzt fortsetzen oder später auf der Seite „Sitzungen“.</transl
     </message>
     <message>
         <source>Hide unset settings</source>
-        <translation>Nicht gesetzte Einstellungen ausblenden</translation>
+        <translation>Weniger Einstellungen</translation>
     </message>
 </context>
 <context>

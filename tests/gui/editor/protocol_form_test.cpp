@@ -18,7 +18,6 @@
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QPlainTextEdit>
 #include <QtWidgets/QPushButton>
-#include <QtWidgets/QScrollArea>
 #include <QtWidgets/QTableWidget>
 #include <QtWidgets/QToolButton>
 #include <nlohmann/json.hpp>
@@ -30,9 +29,8 @@
 #include "protocols/file/json_document.h"
 #include "protocols/file/library_protocols.h"
 #include "protocols/form/form_pages.h"
-#include "renderers/built_in_models.h"
+#include "tests/gui/editor/form_of_protocol.h"
 #include "tests/gui/editor/library_text.h"
-#include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/screenshot.h"
 #include "tests/support/replaced.h"
 
@@ -48,100 +46,6 @@ std::string focus_text() {
   return std::string(focused->metaObject()->className()) + " " +
          focused->objectName().toStdString() + " " + focused->accessibleName().toStdString();
 }
-
-class FormOfProtocol : public QuietHome {
- protected:
-  FormOfProtocol() : views_(declarations_of(built_in_models())) {
-    views_.resize(900, 700);
-    views_.show();
-  }
-
-  void open(const std::string& text) {
-    views_.text().setPlainText(QString::fromStdString(text));
-    views_.show_form_if_possible();
-  }
-  ProtocolForm& form() { return child<ProtocolForm>(views_, "editor_form"); }
-  std::string text() { return views_.text().text().toStdString(); }
-  json tree() { return json::parse(text()); }
-  void undo() { QTest::keyClick(QApplication::focusWidget(), Qt::Key_Z, Qt::ControlModifier); }
-
-  /// The controls with the frame of what is found.
-  std::vector<QWidget*> marked() {
-    std::vector<QWidget*> all{};
-    for (QWidget* const widget : form().findChildren<QWidget*>()) {
-      if (widget->property("marked").toBool()) all.push_back(widget);
-    }
-    return all;
-  }
-
-  /// The part of the form for the value, unfolded; null if there is none.
-  FormPart* part(const std::string& pointer) {
-    form().go_to(pointer);
-    QApplication::processEvents();
-    for (FormPart* const part : form().findChildren<FormPart*>(QString::fromStdString(pointer))) {
-      if (part->isVisible()) return part;
-    }
-    ADD_FAILURE() << "no part for " << pointer;
-    return nullptr;
-  }
-  template <class Control>
-  Control& control(const std::string& pointer) {
-    auto* const found = qobject_cast<Control*>(part(pointer)->focusProxy());
-    if (found == nullptr) throw std::runtime_error("another control at " + pointer);
-    return *found;
-  }
-  void type_into(const std::string& pointer, const QString& typed) {
-    auto& line = control<QLineEdit>(pointer);
-    line.setFocus();
-    line.selectAll();
-    QTest::keyClicks(&line, typed);
-  }
-  void click(const std::string& name) {
-    for (QAbstractButton* const button :
-         form().findChildren<QAbstractButton*>(QString::fromStdString(name))) {
-      if (!button->isVisible()) continue;
-      button->click();
-      QApplication::processEvents();
-      return;
-    }
-    ADD_FAILURE() << "no button " << name;
-  }
-  /// The button of an entry's card or line with this accessible name.
-  void click_named(const QString& name) {
-    for (QToolButton* const button : form().findChildren<QToolButton*>()) {
-      if (!button->isVisible() || button->accessibleName() != name) continue;
-      button->click();
-      QApplication::processEvents();
-      return;
-    }
-    ADD_FAILURE() << "no button " << name.toStdString();
-  }
-  void choose(const std::string& pointer, const QString& value) {
-    auto& box = control<QComboBox>(pointer);
-    const int index = box.findData(value);
-    ASSERT_GE(index, 0) << value.toStdString();
-    box.setCurrentIndex(index);
-    emit box.activated(index);
-  }
-  /// Shows a page with everything in it.
-  void unfold(const FormPage& page) {
-    form().show_page(page.id);
-    for (bool has_more = true; has_more;) {
-      has_more = false;
-      QApplication::processEvents();  // shows what was made
-      QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-      for (QToolButton* const fold : form().findChildren<QToolButton*>()) {
-        if (!fold->isVisible() || !fold->objectName().startsWith("open:")) continue;
-        if (fold->arrowType() != Qt::RightArrow) continue;
-        fold->click();
-        has_more = true;
-        break;
-      }
-    }
-  }
-
-  ProtocolViews views_;
-};
 
 TEST_F(FormOfProtocol, WritesANumberInTheUnitOfTheFile) {
   const std::string before = library_text("amplitude_jnd");
@@ -541,17 +445,20 @@ TEST_F(FormOfProtocol, MakesAFactorForGroups) {
   form().show_page("order");
   QApplication::processEvents();
   click("add:/groups");
+  EXPECT_EQ(tree()["groups"]["factor"], "group") << "groups begin with a factor";
   for (QPushButton* const button : part("/groups/factor")->findChildren<QPushButton*>()) {
     EXPECT_EQ(button->text(), "New factor…");
     QTest::keyClick(button, Qt::Key_Space);
   }
   QApplication::processEvents();
   QApplication::processEvents();
-  EXPECT_EQ(tree()["groups"]["factor"], "group");
-  EXPECT_EQ(tree()["factors"]["group"]["levels"], json::parse(R"(["group_1", "group_2"])"));
+  EXPECT_EQ(tree()["groups"]["factor"], "group_2");
+  EXPECT_EQ(tree()["factors"]["group_2"]["levels"], json::parse(R"(["group_1", "group_2"])"));
   EXPECT_EQ(form().page().id, "surfaces");
-  EXPECT_EQ(QApplication::focusWidget(), part("/factors/group/levels/0")->focusProxy())
+  EXPECT_EQ(QApplication::focusWidget(), part("/factors/group_2/levels/0")->focusProxy())
       << focus_text();
+  click("add:/factors/group_2/levels");
+  EXPECT_EQ(tree()["factors"]["group_2"]["levels"][2], "group_3");
 }
 
 TEST_F(FormOfProtocol, KeepsAnEntryOpenWhenItIsRenamed) {
@@ -973,66 +880,6 @@ TEST_F(FormOfProtocol, ChangesOneValueOfTheText) {
     }
   }
   EXPECT_GE(edits, 200);
-}
-
-/// The parts that are wider than this, without those that contain another one, for messages.
-std::string parts_wider_than(int width, const QWidget& content) {
-  const auto is_wide = [&](const FormPart* part) {
-    const int begin = part->mapTo(&content, QPoint(0, 0)).x();
-    return part->isVisible() && begin + part->minimumSizeHint().width() > width;
-  };
-  std::string wide{};
-  for (const FormPart* const part : content.findChildren<FormPart*>()) {
-    const auto parts = part->findChildren<FormPart*>();
-    if (!is_wide(part) || std::any_of(parts.begin(), parts.end(), is_wide)) continue;
-    wide += " " + part->pointer() + " (" + part->metaObject()->className() + ", " +
-            std::to_string(part->minimumSizeHint().width()) + ")";
-  }
-  return wide;
-}
-
-TEST_F(FormOfProtocol, NeedsNoHorizontalScrolling) {
-  constexpr int kWidthInSmallWindows =
-      590;  // of 1280 points, next to the plan; of 910 points, alone
-  views_.resize(kWidthInSmallWindows, 700);
-  auto& area = child<QScrollArea>(form(), "form_area");
-  for (const LibraryProtocol& library : library_protocols()) {
-    open(std::string(library.text));
-    for (const FormPage& page : form_pages()) {
-      unfold(page);
-      QApplication::processEvents();
-      EXPECT_LE(area.widget()->width(), area.viewport()->width())
-          << library.name << " " << page.id << ": "
-          << parts_wider_than(area.viewport()->width(), *area.widget());
-    }
-  }
-}
-
-TEST_F(FormOfProtocol, ShowsTheNamesOfItsPagesInFull) {
-  Diagnostic problem{};
-  problem.pointer = "/flow/0";
-  for (const char* language : {"de", "en"}) {
-    apply_language(language);
-    ProtocolViews views(declarations_of(built_in_models()));
-    views.show();
-    views.text().setPlainText(QString::fromStdString(library_text("amplitude_jnd")));
-    views.show_form_if_possible();
-    views.show_problems({problem}, {});
-    const auto& pages = child<QListWidget>(views, "form_pages");
-    for (const int width : {900, 590}) {
-      views.resize(width, 700);
-      QApplication::processEvents();
-      for (int row = 0; row < pages.count(); ++row) {
-        const QRect place = pages.visualItemRect(pages.item(row));
-        constexpr int kPadding = 24;
-        const QRect room(0, 0, place.width() - kPadding, 1000);
-        const QRect needed =
-            pages.fontMetrics().boundingRect(room, Qt::TextWordWrap, pages.item(row)->text());
-        EXPECT_LE(needed.height(), place.height()) << pages.item(row)->text().toStdString();
-        EXPECT_LE(needed.width(), room.width()) << pages.item(row)->text().toStdString();
-      }
-    }
-  }
 }
 
 TEST_F(FormOfProtocol, Pictures) {

@@ -24,6 +24,8 @@ namespace asperity {
 namespace {
 
 constexpr int kChoiceWidth = 440;
+/// The longest names of authors are cut.
+constexpr int kMostNeededWidth = 320;
 constexpr int kLettersOfChoice = 6;
 constexpr int kLeastChoiceWidth = 112;
 
@@ -48,9 +50,16 @@ void set_items(ChoiceBox& box, const std::vector<ChoiceField::Choice>& choices, 
   }
   if (!is_same) {
     box.clear();
-    for (const ChoiceField::Choice& choice : choices) box.addItem(choice.text, text(choice.value));
+    for (const ChoiceField::Choice& choice : choices) {
+      box.addItem(choice.text, text(choice.value));
+      box.setItemData(box.count() - 1, choice.shown_value, ChoiceBox::kValueRole);
+    }
   }
   if (box.currentIndex() != current) box.setCurrentIndex(current);
+  const QString value = box.currentData(ChoiceBox::kValueRole).toString();
+  const int needed = box.width_for(value.isEmpty() ? box.currentText() : value);
+  box.setMinimumWidth(std::clamp(needed, kLeastChoiceWidth, kMostNeededWidth));
+  box.setToolTip(box.currentText());
 }
 
 QHBoxLayout* make_row(QWidget* of) {

@@ -34,6 +34,7 @@ class ChoiceField final : public FormPart {
   struct Choice {
     std::string value{};
     QString text{};
+    QString shown_value{};  ///< the text without its explanation; empty: it has none
   };
   using Choices = std::function<std::vector<Choice>()>;
 

@@ -64,6 +64,8 @@ const ValueShape* shape_of_field(const ValueShape& shape, const nlohmann::json& 
   return nullptr;
 }
 
+QString shown_name(const KeyWord& word) { return text(std::string(word.name)).replace('_', ' '); }
+
 class FieldMaker final {
  public:
   FieldMaker(FormContext& context, const FieldOf& of, const std::string& pointer, QWidget* parent)
@@ -82,7 +84,7 @@ class FieldMaker final {
         [words = shape.words] {
           std::vector<ChoiceField::Choice> choices{};
           for (const KeyWord& word : words) {
-            choices.push_back({std::string(word.name), shown_word(word)});
+            choices.push_back({std::string(word.name), shown_word(word), shown_name(word)});
           }
           return choices;
         },
@@ -185,7 +187,7 @@ bool has_field(const ValueShape& shape, const nlohmann::json* value) {
 }
 
 QString shown_word(const KeyWord& word) {
-  const QString name = text(std::string(word.name)).replace('_', ' ');
+  const QString name = shown_name(word);
   return word.meaning.empty() ? name : name + ": " + text_of_keys(word.meaning);
 }
 

@@ -22,7 +22,8 @@ class FieldLabel final : public QLabel {
  public:
   using QLabel::QLabel;
 
-  QSize sizeHint() const override { return of_width(std::max(kLabelWidth, longest_word())); }
+  QSize sizeHint() const override { return of_width(std::max(column_, longest_word())); }
+  void set_column(int width) { column_ = width; }
   QSize minimumSizeHint() const override {
     return {std::max(kLeastLabelWidth, longest_word()), fontMetrics().height()};
   }
@@ -30,6 +31,8 @@ class FieldLabel final : public QLabel {
  private:
   QSize of_width(int width) const { return {width, heightForWidth(width)}; }
   int longest_word() const { return qRound(width_of_longest_word(text(), fontMetrics())) + 1; }
+
+  int column_ = kLabelWidth;
 };
 
 }  // namespace
@@ -112,6 +115,12 @@ QLabel* make_field_label(const QString& words, QWidget* parent) {
   policy.setHeightForWidth(true);
   label->setSizePolicy(policy);
   return label;
+}
+
+void align_field_labels(const std::vector<QLabel*>& labels) {
+  int widest = 0;
+  for (const QLabel* const label : labels) widest = std::max(widest, label->sizeHint().width());
+  for (QLabel* const label : labels) static_cast<FieldLabel&>(*label).set_column(widest);
 }
 
 }  // namespace asperity

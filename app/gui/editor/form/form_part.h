@@ -112,5 +112,7 @@ QToolButton* make_tool(const QString& sign, const QString& name, QWidget* parent
 
 /// The name of a field: as wide as those of other fields where there is room, otherwise in more lines. No word of it is cut.
 QLabel* make_field_label(const QString& words, QWidget* parent);
+/// Those of one object are as wide as the widest of them where there is room, so that their fields begin below each other.
+void align_field_labels(const std::vector<QLabel*>& labels);
 
 }  // namespace asperity

@@ -7,8 +7,9 @@
 #include <variant>
 
 #include <QtWidgets/QApplication>
-#include <QtWidgets/QGridLayout>
+#include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QToolButton>
+#include <QtWidgets/QVBoxLayout>
 #include <nlohmann/json.hpp>
 
 #include "app/gui/base/form_words.h"
@@ -19,8 +20,8 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/look/words.h"
+#include "app/gui/look/wrapping_row.h"
 #include "protocols/design/json_pointer.h"
-#include "protocols/form/new_values.h"
 #include "protocols/keys/tables.h"
 
 namespace asperity {
@@ -28,12 +29,17 @@ namespace asperity {
 namespace {
 
 constexpr int kStateWidth = 88;
-constexpr int kLabelColumn = 0;
-constexpr int kFieldColumn = 1;
-constexpr int kStateColumn = 2;
-constexpr int kColumns = 3;
+/// Of the word "default" or the button that resets.
+constexpr int kStatesWidth = 72;
 /// Settings without a value that are shown: a button that unfolds them would take as much room.
 constexpr int kFewSettings = 2;
+
+/// As wide in all rows where they have room, so that fields end below each other.
+class StateColumn final : public QWidget {
+ public:
+  using QWidget::QWidget;
+  QSize sizeHint() const override { return QWidget::sizeHint().expandedTo({kStatesWidth, 0}); }
+};
 
 const nlohmann::json kNoObject = nlohmann::json::object();
 
@@ -42,11 +48,9 @@ const nlohmann::json kNoObject = nlohmann::json::object();
 ObjectRows::ObjectRows(FormContext& context, const KeyTable& table, const std::string& pointer,
                        const PagePart* part, QWidget* parent)
     : FormPart(context, pointer, parent), table_(table), part_(part) {
-  grid_ = new QGridLayout(this);
-  grid_->setContentsMargins(0, 0, 0, 0);
-  grid_->setHorizontalSpacing(kGrid);
-  grid_->setVerticalSpacing(kGrid);
-  grid_->setColumnStretch(kFieldColumn, 1);
+  layout_ = new QVBoxLayout(this);
+  layout_->setContentsMargins(0, 0, 0, 0);
+  layout_->setSpacing(kGrid);
 }
 
 ObjectRows::ObjectRows(FormContext& context, const FormPage& page, QWidget* parent)
@@ -129,8 +133,9 @@ void ObjectRows::refresh() {
 
 void ObjectRows::make_rows(const std::vector<FormEntry>& entries) {
   context().has_new_parts = true;
-  clear_layout(*grid_);
+  clear_layout(*layout_);
   rows_.clear();
+  labels_.clear();
   const bool is_open = is_unfolded(entries);
   std::size_t unset = 0;
   for (const FormEntry& entry : entries) {
@@ -144,37 +149,45 @@ void ObjectRows::make_rows(const std::vector<FormEntry>& entries) {
       add_key_button(entry);
     }
   }
+  align_field_labels(labels_);
   if (unset > kFewSettings) add_fold(unset, is_open);
   add_unknown_keys();
 }
 
 void ObjectRows::add_field(const FormEntry& entry) {
-  const int line = grid_->rowCount();
   QLabel* label = make_field_label(text_of_keys(entry.key->label), this);
   FormPart* field = make_field(context(), entry.key->shape, {entry.key}, entry.pointer, this);
   const QString meaning = meaning_of_key(*entry.key);
   field->set_meaning(meaning);
   label->setToolTip(meaning);
   label->setBuddy(field);
+  labels_.push_back(label);
   field->set_name(text_of_keys(entry.key->label));
-  QLabel* state = make_text({}, this, true);
+  auto* states = new StateColumn(this);
+  QLabel* state = make_text({}, states, true);
   state->setMaximumWidth(kStateWidth);
-  QToolButton* reset = make_tool(QString(QChar(0x21BA)), tr("Remove: the default applies"), this);
-  grid_->addWidget(label, line, kLabelColumn, Qt::AlignTop);
-  grid_->addWidget(field, line, kFieldColumn);
-  auto* states = new QHBoxLayout();
-  states->addWidget(state);
-  states->addWidget(reset);
-  grid_->addLayout(states, line, kStateColumn, Qt::AlignTop | Qt::AlignRight);
+  QToolButton* reset = make_tool(QString(QChar(0x21BA)), tr("Remove: the default applies"), states);
+  auto* of_states = new QHBoxLayout(states);
+  of_states->setContentsMargins(0, 0, 0, 0);
+  of_states->addStretch();
+  of_states->addWidget(state);
+  of_states->addWidget(reset);
+  // The field is below its label where both have no room next to each other.
+  auto* row = new WrappingRow(nullptr, kGrid);
+  row->addWidget(label);
+  row->addWidget(field);
+  row->addWidget(states);
+  row->setAlignment(label, Qt::AlignTop);
+  row->setAlignment(states, Qt::AlignTop | Qt::AlignRight);
+  layout_->addLayout(row);
   reset->setObjectName(kRemovingValue + text(entry.pointer));
   connect(reset, &QToolButton::clicked, this, [this, pointer = entry.pointer] { remove(pointer); });
   QLabel* problem = make_problem_label(this);
-  grid_->addWidget(problem, line + 1, kFieldColumn, 1, 2);
+  layout_->addWidget(problem);
   rows_.push_back({entry, field, state, reset, problem});
 }
 
 void ObjectRows::add_section(const FormEntry& entry) {
-  const int line = grid_->rowCount();
   auto* head = new QHBoxLayout();
   QLabel* label = page_ != nullptr ? make_heading(text_of_keys(entry.key->label), this)
                                    : make_text(text_of_keys(entry.key->label), this);
@@ -195,10 +208,10 @@ void ObjectRows::add_section(const FormEntry& entry) {
                                 part_of(entry.key->name), this);
   content->set_meaning(meaning);
   content->setContentsMargins(page_ != nullptr ? 0 : kMargin, 0, 0, kGrid);
-  grid_->addLayout(head, line, kLabelColumn, 1, kColumns);
+  layout_->addLayout(head);
   QLabel* problem = make_problem_label(this);
-  grid_->addWidget(problem, line + 1, kLabelColumn, 1, kColumns);
-  grid_->addWidget(content, line + 2, kLabelColumn, 1, kColumns);
+  layout_->addWidget(problem);
+  layout_->addWidget(content);
   rows_.push_back({entry, content, nullptr, nullptr, problem});
 }
 
@@ -207,10 +220,9 @@ void ObjectRows::add_key_button(const FormEntry& entry) {
       make_button(tr("+ %1").arg(text_of_keys(entry.key->label)), ButtonRole::link, this);
   add->setObjectName("add:" + text(entry.pointer));
   add->setToolTip(meaning_of_key(*entry.key));
-  const int line = grid_->rowCount();
-  grid_->addWidget(add, line, kLabelColumn, 1, kColumns, Qt::AlignLeft);
+  layout_->addWidget(add, 0, Qt::AlignLeft);
   QLabel* problem = make_problem_label(this);
-  grid_->addWidget(problem, line + 1, kLabelColumn, 1, kColumns);
+  layout_->addWidget(problem);
   rows_.push_back({entry, nullptr, nullptr, nullptr, problem});
   connect(add, &QPushButton::clicked, this, [this, entry] {
     context().opened.insert(entry.pointer);
@@ -225,7 +237,7 @@ void ObjectRows::add_fold(std::size_t count, bool is_open) {
       make_button(is_open ? tr("Hide unset settings") : tr("Further settings (%1)").arg(count),
                   ButtonRole::link, this);
   fold->setObjectName("fold:" + text(pointer()));
-  grid_->addWidget(fold, grid_->rowCount(), kLabelColumn, 1, kColumns, Qt::AlignLeft);
+  layout_->addWidget(fold, 0, Qt::AlignLeft);
   connect(fold, &QPushButton::clicked, this, [this, is_open] {
     if (is_open) {
       context().opened.erase(pointer() + "/");
@@ -241,7 +253,7 @@ void ObjectRows::add_unknown_keys() {
   if (object == nullptr || !object->is_object() || page_ != nullptr) return;
   for (const std::string& key : unknown_keys(table_, *object)) {
     auto* card = new TextCard(context(), pointer_to(pointer(), key), this);
-    grid_->addWidget(card, grid_->rowCount(), kLabelColumn, 1, kColumns);
+    layout_->addWidget(card);
     rows_.push_back({{card->pointer(), nullptr, true}, card, nullptr, nullptr, nullptr});
   }
 }

@@ -9,9 +9,9 @@
 #include "protocols/form/form_entries.h"
 #include "protocols/form/form_pages.h"
 
-class QGridLayout;
 class QLabel;
 class QToolButton;
+class QVBoxLayout;
 
 namespace asperity {
 
@@ -55,7 +55,8 @@ class ObjectRows final : public FormPart {
   const PagePart* part_ = nullptr;
   std::string made_{};
   std::vector<Row> rows_{};
-  QGridLayout* grid_ = nullptr;
+  std::vector<QLabel*> labels_{};  ///< of fields
+  QVBoxLayout* layout_ = nullptr;
 };
 
 /// The part of a form for a value that is present, of any shape. `part` as for ObjectRows, of the objects in it.

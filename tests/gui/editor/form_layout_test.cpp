@@ -1,0 +1,191 @@
+// The layout of the form of a protocol: what has room in small windows, and what stays in its place.
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QListWidget>
+#include <QtWidgets/QScrollArea>
+#include <QtWidgets/QScrollBar>
+
+#include "app/gui/base/settings.h"
+#include "app/gui/look/controls.h"
+#include "protocols/file/library_protocols.h"
+#include "protocols/form/form_pages.h"
+#include "tests/gui/editor/form_of_protocol.h"
+#include "tests/gui/editor/library_text.h"
+#include "tests/gui/support/screenshot.h"
+
+namespace asperity {
+namespace {
+
+// Of the form next to the plan: in windows of 1366 and 1280 points; in one of 910 points it is alone and not narrower.
+constexpr int kWidth1366 = 650;
+constexpr int kWidth1280 = 590;
+
+/// The controls and labels that are too wide for this, without those that are small and at the right edge, for messages.
+std::string parts_wider_than(int width, const QWidget& content) {
+  std::string wide{};
+  for (const QWidget* const part : content.findChildren<QWidget*>()) {
+    const int begin = part->mapTo(&content, QPoint(0, 0)).x();
+    const int needed = std::max(part->minimumSizeHint().width(), part->minimumWidth());
+    const bool is_inner = part->layout() != nullptr || !part->isVisible();
+    if (is_inner || needed < width / 2 || begin + needed <= width) continue;
+    wide += " " + part->property("text").toString().toStdString() + " (" +
+            part->metaObject()->className() + ", " + std::to_string(begin) + " + " +
+            std::to_string(needed) + ")";
+  }
+  return wide;
+}
+
+/// The choices whose box shows neither the whole text nor the value without its explanation, for messages.
+std::string cut_choices(const QWidget& content) {
+  std::string cut{};
+  for (const ChoiceBox* const box : content.findChildren<ChoiceBox*>()) {
+    const QString shown = box->shown_text();
+    const bool is_whole =
+        shown == box->currentText() || shown == box->currentData(ChoiceBox::kValueRole).toString();
+    if (!box->isVisible() || is_whole) continue;
+    cut += " " + box->accessibleName().toStdString() + ": " + shown.toStdString() + " (" +
+           std::to_string(box->width()) + ")";
+  }
+  return cut;
+}
+
+/// The cards in a value, and in German, which has the longer words, also their settings without a value.
+void add_all(std::set<std::string>& opened, const nlohmann::json& value, const std::string& pointer,
+             bool with_settings) {
+  if (!value.is_structured()) return;
+  opened.insert(pointer);
+  if (with_settings) opened.insert(pointer + "/");
+  for (const auto& [key, member] : value.items()) {
+    add_all(opened, member, pointer + "/" + key, with_settings);
+  }
+}
+
+TEST_F(FormOfProtocol, HasRoomForFieldsAndChoices) {
+  int boxes = 0;
+  std::set<std::string> seen{};
+  for (const char* const language : {"de", "en"}) {
+    apply_language(language);
+    ProtocolViews views(declarations_of(built_in_models()));
+    views.show();
+    auto& form = child<ProtocolForm>(views, "editor_form");
+    const auto& area = child<QScrollArea>(form, "form_area");
+    for (const LibraryProtocol& library : library_protocols()) {
+      views.text().setPlainText(QString::fromStdString(std::string(library.text)));
+      views.show_form_if_possible();
+      QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // of what was made again
+      std::set<std::string> opened{};
+      const auto file = nlohmann::json::parse(library.text);
+      add_all(opened, file, "", language == std::string_view("de"));
+      for (const FormPage& page : form_pages()) {
+        std::string content = language + std::string(page.id);
+        for (const PagePart& part : page.parts) {
+          content += file.value(part.key, nlohmann::json()).dump();
+        }
+        if (!seen.insert(content).second) continue;  // as in another protocol
+        form.resume({page.id, opened, {}});
+        for (const int width : {kWidth1280, kWidth1366}) {
+          views.resize(width, 700);
+          QApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);  // without drawing it
+          const std::string place = std::string(library.name) + " " + std::string(page.id) + " " +
+                                    language + " " + std::to_string(width) + ":";
+          EXPECT_LE(area.widget()->width(), area.viewport()->width())
+              << place << parts_wider_than(area.viewport()->width(), *area.widget());
+          EXPECT_EQ(cut_choices(*area.widget()), "") << place;
+        }
+        boxes += static_cast<int>(area.widget()->findChildren<ChoiceBox*>().size());
+      }
+    }
+  }
+  EXPECT_GT(boxes, 1000);
+}
+
+TEST_F(FormOfProtocol, ShowsTheValueOfAChoiceWhereItsExplanationHasNoRoom) {
+  open(library_text("amplitude_jnd"));
+  auto& box = static_cast<ChoiceBox&>(control<QComboBox>("/blocks/comparisons/feedback"));
+  EXPECT_EQ(box.currentText(), "none: no feedback");
+  const QString value = box.currentData(ChoiceBox::kValueRole).toString();
+  EXPECT_EQ(value, "none");
+  box.setFixedWidth(box.width_for(box.currentText()));
+  EXPECT_EQ(box.shown_text(), "none: no feedback");
+  box.setFixedWidth(box.width() - 1);
+  EXPECT_EQ(box.shown_text(), "none");
+  EXPECT_EQ(box.toolTip(), "none: no feedback");
+}
+
+TEST_F(FormOfProtocol, KeepsTheScrollPositionOfEachPage) {
+  open(library_text("semantic_differential"));
+  const QScrollBar& bar = *child<QScrollArea>(form(), "form_area").verticalScrollBar();
+  const auto show = [this](std::string_view page) {
+    form().show_page(page);
+    QApplication::processEvents();
+  };
+  ASSERT_NE(part("/blocks/ratings/questions/2/scale/labels"), nullptr);
+  const int position = bar.value();
+  ASSERT_GT(position, 0);
+  show("question");
+  EXPECT_EQ(bar.value(), 0);
+  show("task");
+  EXPECT_EQ(bar.value(), position);
+}
+
+TEST_F(FormOfProtocol, ShowsNoHelpOfAFieldOfAnotherPage) {
+  open(library_text("amplitude_jnd"));
+  const auto& help = child<QLabel>(form(), "form_help");
+  control<QLineEdit>("/material/friction").setFocus();
+  EXPECT_FALSE(help.text().isEmpty());
+  form().show_page("device");
+  EXPECT_TRUE(help.text().isEmpty()) << help.text().toStdString();
+}
+
+// A problem of a field above it appears or is solved while something is typed.
+TEST_F(FormOfProtocol, KeepsTheFieldInUseInItsPlaceWhenProblemsAppear) {
+  open(library_text("semantic_differential"));
+  auto& field = control<QLineEdit>("/blocks/ratings/questions/2/name");
+  field.setFocus();
+  QApplication::processEvents();
+  const QPoint before = field.mapTo(&views_, QPoint());
+  Diagnostic problem{};
+  problem.pointer = "/blocks/ratings/questions/0";
+  problem.message = "a problem";
+  views_.show_problems({problem}, {});
+  QApplication::processEvents();
+  EXPECT_EQ(field.mapTo(&views_, QPoint()), before);
+  views_.show_problems({}, {});
+  QApplication::processEvents();
+  EXPECT_EQ(field.mapTo(&views_, QPoint()), before);
+}
+
+TEST_F(FormOfProtocol, ShowsTheNamesOfItsPagesInFull) {
+  Diagnostic problem{};
+  problem.pointer = "/flow/0";
+  for (const char* language : {"de", "en"}) {
+    apply_language(language);
+    ProtocolViews views(declarations_of(built_in_models()));
+    views.show();
+    views.text().setPlainText(QString::fromStdString(library_text("amplitude_jnd")));
+    views.show_form_if_possible();
+    views.show_problems({problem}, {});
+    const auto& pages = child<QListWidget>(views, "form_pages");
+    for (const int width : {900, 590}) {
+      views.resize(width, 700);
+      QApplication::processEvents();
+      for (int row = 0; row < pages.count(); ++row) {
+        const QRect place = pages.visualItemRect(pages.item(row));
+        constexpr int kPadding = 24;
+        const QRect room(0, 0, place.width() - kPadding, 1000);
+        const QRect needed =
+            pages.fontMetrics().boundingRect(room, Qt::TextWordWrap, pages.item(row)->text());
+        EXPECT_LE(needed.height(), place.height()) << pages.item(row)->text().toStdString();
+        EXPECT_LE(needed.width(), room.width()) << pages.item(row)->text().toStdString();
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace asperity
