@@ -79,12 +79,14 @@ ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
   make_head();
   views_ = new ProtocolViews(declarations_of(study.models()), this);
   edit_ = &views_->text();
-  question_ = new QuestionBar(this);
-  body().addWidget(question_);
   // One after the other: the focus takes the order in which widgets are made.
   QWidget* const edit_side = make_edit_side();
   QWidget* const plan_side = make_plan_side();
   body().addWidget(new EditorSides(edit_side, plan_side, this), 1);
+  // Below what is edited, which stays in its place when a question or news appears.
+  question_ = new QuestionBar(this);
+  body().addWidget(question_);
+  layout()->addWidget(&banner());
   auto* empty = new EmptyState(tr("No protocol open"),
                                tr("Choose one of the study's protocols and press “Edit”."), this);
   empty->add_action(tr("Show the protocols"), ButtonRole::primary, [this] { emit back_wanted(); });

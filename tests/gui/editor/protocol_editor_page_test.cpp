@@ -15,6 +15,8 @@
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
+#include <QtWidgets/QScrollArea>
+#include <QtWidgets/QScrollBar>
 #include <QtWidgets/QSpinBox>
 #include <QtWidgets/QStackedWidget>
 #include <QtWidgets/QStyle>
@@ -957,6 +959,60 @@ TEST_F(ProtocolEditor, ShowsOneOfItsSidesWhereTheyHaveNoRoomTogether) {
   EXPECT_FALSE(edit().isVisible());
   page_->resize(1366, 768);
   EXPECT_TRUE(eventually([&] { return plan.isVisible() && edit().isVisible(); }));
+}
+
+TEST_F(ProtocolEditor, KeepsTheFieldInUseInItsPlaceWhenNewsAndQuestionsAppear) {
+  open();
+  click("editor_to_form");
+  page_->resize(1050, 696);
+  auto& form = child<ProtocolForm>(*page_, "editor_form");
+  form.go_to("/blocks/main/question/prompt");
+  QApplication::processEvents();
+  const QPointer<QWidget> field = QApplication::focusWidget();
+  ASSERT_TRUE(form.isAncestorOf(field));
+  QScrollBar& bar = *child<QScrollArea>(form, "form_area").verticalScrollBar();
+  bar.setValue(bar.value() + 80);  // away from the lower end, which news below covers
+  constexpr int kMoment_ms = 100;
+  QTest::qWait(kMoment_ms);
+  const QPoint before = field->mapTo(page_.get(), QPoint());
+  emit form.edit_refused("this name is taken");
+  QTest::qWait(kMoment_ms);
+  EXPECT_EQ(field->mapTo(page_.get(), QPoint()), before);
+  EXPECT_FALSE(field->visibleRegion().isEmpty());
+  QTest::keyClicks(field, "x");
+  page_->may_leave();
+  QTest::qWait(kMoment_ms);
+  EXPECT_TRUE(asks());
+  EXPECT_EQ(field->mapTo(page_.get(), QPoint()), before);
+}
+
+// The widths with which the form is tested.
+TEST_F(ProtocolEditor, LeavesTheFormItsWidthNextToThePlan) {
+  for (const char* const language : {"de", "en"}) {
+    apply_language(language);
+    open();
+    click("editor_to_form");
+    auto& form = child<ProtocolForm>(*page_, "editor_form");
+    const auto& name = child<FittedLabel>(*page_, "editor_name");
+    page_->resize(1136, 784);
+    EXPECT_TRUE(eventually([&] { return form.width() >= 650; })) << form.width();
+    page_->resize(1050, 696);
+    EXPECT_TRUE(eventually([&] { return form.width() >= 590; })) << form.width();
+    EXPECT_FALSE(name.is_cut());
+    page_->resize(740, 460);
+    EXPECT_TRUE(eventually([&] { return form.width() >= 590; })) << form.width();
+    EXPECT_FALSE(name.is_cut()) << name.width();
+    take_screenshot(*page_, QString("editor-head-%1").arg(language), {740, 460});
+    for (const char* const place : {"/blocks/main/question/form", "/blocks/main/order", "/factors",
+                                    "/stimuli/rendered/model"}) {
+      form.go_to(place);
+      const QString picture =
+          QString("editor-%1-%2").arg(language, QString(place).section('/', -1));
+      take_screenshot(*page_, picture + "-1366", {1136, 870});
+      take_screenshot(*page_, picture + "-1280", {1050, 690});
+    }
+  }
+  apply_language("en");
 }
 
 TEST_F(ProtocolEditor, HasRoomForItsWordsInAGermanWindowOf1280Points) {

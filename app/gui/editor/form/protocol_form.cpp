@@ -3,11 +3,13 @@
 #include "app/gui/editor/form/protocol_form.h"
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <utility>
 #include <vector>
 
 #include <QtCore/QCoreApplication>
+#include <QtCore/QPointer>
 #include <QtCore/QTimer>
 #include <QtCore/QtMath>
 #include <QtGui/QShortcut>
@@ -70,6 +72,9 @@ QWidget* control_of(const FormPart& part) {
   }
   return nullptr;
 }
+
+/// Boxes that have got their width change their height, several times where cards are unfolded within cards.
+void send_layouts() { QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); }
 
 /// Selects the first of these words in a field of text; without words, or where the text has none of them, nothing.
 void select_words(QWidget& control, const QString& words) {
@@ -148,8 +153,11 @@ ProtocolForm::ProtocolForm(const std::vector<ModelDeclaration>& models, QWidget*
   connect(pages_, &QListWidget::currentRowChanged, this, [this](int row) {
     if (row < 0) return;
     commit();
+    scrolled_[page_->id] = area_->verticalScrollBar()->value();
+    help_->clear();
     page_ = &form_pages()[static_cast<std::size_t>(row)];
     make_page();
+    scroll_to(scrolled_[page_->id]);
   });
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
     if (content_ == nullptr || now == nullptr || !content_->isAncestorOf(now)) return;
@@ -169,6 +177,23 @@ void ProtocolForm::resizeEvent(QResizeEvent* event) {
   const int needed = std::max(qCeil(longest) + kAroundPageName, kLeastPagesWidth);
   pages_->setFixedWidth(width() < kRoomyWidth ? needed : kPagesWidth);
   fit_pages();
+  keep_focused_field();
+}
+
+/// The field in use stays in its place, and in sight where news below the form takes of its height.
+void ProtocolForm::keep_focused_field() {
+  QWidget* const focused = QApplication::focusWidget();
+  const bool is_here = focused != nullptr && content_ != nullptr && content_->isAncestorOf(focused);
+  if (is_kept_ || !is_here || focused->visibleRegion().isEmpty()) return;
+  is_kept_ = true;
+  // After all layouts: news finds its height in several.
+  constexpr std::chrono::milliseconds kMoment{50};
+  QTimer::singleShot(kMoment, this, [this, field = QPointer(focused), before = place_of(*focused)] {
+    is_kept_ = false;
+    if (field == nullptr || !field->hasFocus()) return;
+    scroll_by(place_of(*field) - before);
+    area_->ensureWidgetVisible(field, 0, 0);
+  });
 }
 
 /// The list itself wraps a name only some time after its width has changed.
@@ -180,6 +205,15 @@ void ProtocolForm::fit_pages() {
     const int height = letters.boundingRect(room, Qt::TextWordWrap, item.text()).height();
     item.setSizeHint({room.width(), height + kGrid});
   }
+}
+
+/// After the layout has shown what was made.
+void ProtocolForm::scroll_to(int value) {
+  if (content_ == nullptr) return;
+  QTimer::singleShot(0, content_, [this, value] {
+    send_layouts();
+    area_->verticalScrollBar()->setValue(value);
+  });
 }
 
 void ProtocolForm::act_on_entry(EntryAction action) {
@@ -262,6 +296,8 @@ void ProtocolForm::forget() {
   context_.source = nullptr;
   context_.opened.clear();
   context_.write_pending = {};
+  scrolled_.clear();
+  help_->clear();
   can_be_edited_ = false;
   parts_.clear();
   content_ = nullptr;
@@ -389,7 +425,27 @@ void ProtocolForm::show_problems(const std::vector<Diagnostic>& problems,
   add(State::stop, problems);
   add(State::look, warnings);
   count_problems();
+  // Sentences that appear or disappear above the field in use do not move it.
+  QWidget* const focused = QApplication::focusWidget();
+  const bool is_here = focused != nullptr && content_ != nullptr && content_->isAncestorOf(focused);
+  const int before = is_here ? place_of(*focused) : 0;
   refresh();
+  if (!is_here || focused != QApplication::focusWidget()) return;
+  const auto keep = [this, focused, before] {
+    if (!focused->hasFocus()) return;
+    send_layouts();
+    scroll_by(place_of(*focused) - before);
+  };
+  keep();
+  QTimer::singleShot(0, focused, keep);  // a label finds its height when it is shown
+}
+
+void ProtocolForm::scroll_by(int step) {
+  area_->verticalScrollBar()->setValue(area_->verticalScrollBar()->value() + step);
+}
+
+int ProtocolForm::place_of(const QWidget& control) const {
+  return control.mapTo(area_->viewport(), QPoint()).y();
 }
 
 /// The number of problems and warnings of a page is next to its name, with the mark of the worst.
@@ -493,8 +549,7 @@ void ProtocolForm::go_to(const std::string& pointer, Lead lead, const QString& w
       show_help(part);
     }
     select_found(control, words);
-    // Boxes that have got their width change their height, several times where cards are unfolded within cards.
-    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    send_layouts();
     area_->ensureWidgetVisible(part);
     if (control != nullptr) area_->ensureWidgetVisible(control);
   });

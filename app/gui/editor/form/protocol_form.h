@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -86,6 +87,11 @@ class ProtocolForm final : public QWidget {
   void mark(QWidget* control);
   void select_found(QWidget* control, const QString& words);
   void order_for_keyboard();
+  void scroll_to(int value);
+  void scroll_by(int step);
+  void keep_focused_field();
+  /// In the part of the page that is in sight, from its top.
+  int place_of(const QWidget& control) const;
   /// To the control of this object name or of this part, after it was made again.
   struct Focus {
     QString name{};         ///< of the control; can be empty
@@ -105,7 +111,9 @@ class ProtocolForm final : public QWidget {
   const FormPage* page_ = nullptr;
   bool can_be_edited_ = false;
   bool read_only_ = false;
+  bool is_kept_ = false;  ///< the place of the field in use, while the form gets another size
   std::vector<FormPart*> parts_{};
+  std::map<std::string_view, int> scrolled_{};  ///< by the page that was left
   QListWidget* pages_ = nullptr;
   QLabel* state_ = nullptr;
   QScrollArea* area_ = nullptr;
